@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Application.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QPointer>
+#include <QStandardPaths>
+#include <QThreadPool>
+
+#include "app/cli/Arguments.h"
+#include "core/grading/Measures.h"
+#include "core/recording/Replay.h"
+#include "lessons/DecayRemovalRubric.h"
+#include "lessons/ScoreSheetJson.h"
+#include "ui/tooth/ToothView.h"
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+using core::session::UiLinks;
+
+constexpr std::chrono::microseconds kServoPeriod = 1ms;
+constexpr std::chrono::microseconds kSessionPeriod = 10ms;
+constexpr int kHistoryLength = 12;
+constexpr int kSpareTooth = 36;  ///< FDI number
+constexpr int kReplayWatchMs = 100;
+constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
+constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
+
+QString dataFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+}
+
+/// Runs `work` on a pool thread and gives its result to `done` on this one, unless `owner` has gone meanwhile.
+template <class Work, class Done>
+void inBackground(QObject* owner, Work work, Done done)
+{
+    const QPointer<QObject> guard(owner);
+    QThreadPool::globalInstance()->start([guard, work = std::move(work), done = std::move(done)]() mutable {
+        auto result = std::make_shared<decltype(work())>(work());
+        QMetaObject::invokeMethod(
+            qApp,
+            [guard, result, done = std::move(done)]() mutable {
+                if (guard)
+                    done(*result);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions& options)
+{
+    auto tick = core::session::makeServoTick({});
+    if (!tick)
+        return tl::unexpected(tick.error());
+    return std::unique_ptr<Application>(new Application(options, std::move(*tick)));
+}
+
+Application::Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick)
+    : m_options(options), m_pointer(m_links.pointer, core::contact::ForceSettings{}.stiffnessNPerMm,
+                                    std::chrono::duration<double>(kServoPeriod).count()),
+      m_servo(m_pointer, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
+      m_session(m_servoLinks, m_links, {}), m_window(std::make_unique<ui::shell::MainWindow>(m_links))
+{
+    using ui::shell::MainWindow;
+    connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
+    connect(m_window.get(), &MainWindow::scanChosen, this,
+            [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
+    connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
+    connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
+    connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
+    connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
+    m_replayWatch.setInterval(kReplayWatchMs);
+    connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
+
+    static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
+    static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
+    startLoops();
+}
+
+Application::~Application()
+{
+    // A load still under way would come back to nobody.
+    QThreadPool::globalInstance()->waitForDone();
+    stopLoops();
+    m_replayThread.reset();
+}
+
+void Application::show()
+{
+    m_window->show();
+    if (m_options.picture.isEmpty())
+        openDatabase(m_options.databaseFile);
+    else
+        QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
+    if (m_options.recording.isEmpty())
+        openTooth(m_options.source);
+    else
+        openRecording(m_options.recording);
+}
+
+void Application::startLoops()
+{
+    if (m_servoThread)
+        return;
+    m_servoThread = std::make_unique<LoopThread>(m_servo, kServoPeriod, LoopThread::Urgency::RealTime);
+    m_sessionThread = std::make_unique<LoopThread>(m_session, kSessionPeriod, LoopThread::Urgency::Normal);
+    m_servoThread->start(QThread::TimeCriticalPriority);
+    m_sessionThread->start();
+}
+
+void Application::stopLoops()
+{
+    m_servoThread.reset();
+    m_sessionThread.reset();
+}
+
+/// Without a database the student can still drill and be graded; only the history is missing.
+void Application::openDatabase(const QString& file)
+{
+    QString path = file;
+    if (path.isEmpty()) {
+        QDir().mkpath(dataFolder());
+        path = QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite"));
+    }
+    auto opened = database::sql::Database::open(path);
+    if (!opened) {
+        m_window->showError(opened.error());
+        return;
+    }
+    m_database = std::move(*opened);
+    m_attempts = std::make_unique<database::sql::SqlAttemptRepository>(m_database->handle());
+}
+
+void Application::openTooth(const core::teeth::ToothSource& source)
+{
+    const int load = ++m_loading;
+    const auto* fdi = std::get_if<int>(&source.what);
+    m_window->showBusy(
+        fdi != nullptr
+            ? tr("Making tooth %1 …").arg(*fdi)
+            : tr("Reading %1 …")
+                  .arg(QFileInfo(std::filesystem::path(std::get<std::filesystem::path>(source.what))).fileName()),
+        -1);
+    const core::teeth::BuildOptions build = m_options.build;
+    inBackground(
+        this, [source, build] { return core::teeth::buildTooth(source, build); },
+        [this, load](const core::Result<core::teeth::BuiltTooth>& built) {
+            if (load != m_loading)
+                return;
+            if (built)
+                takeTooth(*built);
+            else
+                refuse(built.error());
+        });
+}
+
+/// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
+/// wanted, said on stderr, and that is the end.
+void Application::refuse(const core::Error& error)
+{
+    if (!m_options.picture.isEmpty()) {
+        QCoreApplication::exit(cli::failed(error));
+        return;
+    }
+    m_window->showError(error);
+    if (!m_anatomy)
+        openTooth({kSpareTooth});
+}
+
+void Application::takeTooth(const core::teeth::BuiltTooth& built)
+{
+    QStringList notes;
+    for (const std::string& warning : built.report.warnings)
+        notes << QString::fromStdString(warning);
+    begin(built.anatomy, notes);
+}
+
+void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes)
+{
+    endReplay();
+    m_anatomy = std::move(anatomy);
+    ++m_generation;
+    m_window->showTooth(m_anatomy, m_generation, notes);
+    auto tooth = std::make_unique<core::terrain::Tooth>(m_anatomy);
+    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_generation}))
+        static_cast<void>(tooth.release());  // the session owns it now
+}
+
+void Application::grade()
+{
+    if (m_replay) {
+        m_window->showMessage(tr("This is a replay. Stop it to be graded on your own work."));
+        return;
+    }
+    const auto tooth = m_session.toothSoFar();
+    const auto recording = m_session.recordingSoFar();
+    if (!tooth || !recording)
+        return;
+    const lessons::ScoreSheet sheet = lessons::grade(core::grading::measure(*tooth));
+
+    QList<database::AttemptRecord> history;
+    if (m_attempts) {
+        database::AttemptRecord record;
+        record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+        record.tooth = m_anatomy->name;
+        record.score = sheet.total;
+        record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(recording->duration()).count();
+        record.scoreSheetJson = lessons::toJson(sheet).toStdString();
+        record.stateHash =
+            QStringLiteral("%1").arg(core::terrain::stateHash(*tooth), 16, 16, QLatin1Char('0')).toStdString();
+        const auto kept = m_attempts->add(record);
+        const auto last = kept ? m_attempts->byTooth(record.tooth, kHistoryLength)
+                               : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
+        if (last)
+            history = QList<database::AttemptRecord>(last->begin(), last->end());
+        else
+            m_window->showError(last.error());
+    }
+    m_window->showScore(sheet, history);
+}
+
+void Application::saveRecording(const QString& path)
+{
+    if (m_replay) {
+        m_window->showMessage(tr("This is a replay; it is saved already. Stop it to record your own work."));
+        return;
+    }
+    const auto recording = m_session.recordingSoFar();
+    if (!recording)
+        return;
+    inBackground(
+        this,
+        [recording = *recording, path] {
+            return core::recording::writeRecording(std::filesystem::path(path.toStdU16String()), recording);
+        },
+        [this, path](const core::Status& written) {
+            if (written)
+                m_window->showMessage(tr("The recording was saved as %1.").arg(QDir::toNativeSeparators(path)));
+            else
+                m_window->showError(written.error());
+        });
+}
+
+void Application::openRecording(const QString& path)
+{
+    const int load = ++m_loading;
+    m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()), -1);
+    inBackground(
+        this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
+        [this, load](const core::Result<core::recording::Recording>& recording) {
+            if (load != m_loading)
+                return;
+            if (recording)
+                play(*recording);
+            else
+                refuse(recording.error());
+        });
+}
+
+void Application::play(const core::recording::Recording& recording)
+{
+    endReplay();
+    auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
+    if (!replay) {
+        m_window->showError(replay.error());
+        return;
+    }
+    stopLoops();
+    m_anatomy = recording.anatomy();
+    ++m_generation;
+    m_replay = std::move(*replay);
+    m_window->showTooth(m_anatomy, m_generation, {});
+    m_window->setReplaying(true);
+    if (!m_options.picture.isEmpty())
+        m_replay->tick(recording.duration());  // straight to its end
+    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
+    m_replayThread->start();
+    m_replayWatch.start();
+}
+
+void Application::watchReplay()
+{
+    if (!m_replay || !m_replay->isFinished())
+        return;
+    m_replayWatch.stop();
+    m_window->showMessage(tr("The recording has come to its end. Stop the replay to begin this tooth anew yourself."));
+}
+
+/// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
+void Application::drawPicture()
+{
+    if (m_anatomy)
+        ++m_pictureLooks;
+    if (m_pictureLooks < kPictureFrames) {
+        QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
+        return;
+    }
+    const bool saved = m_window->view().isUsable() && m_window->view().picture().save(m_options.picture);
+    QCoreApplication::exit(saved ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+void Application::endReplay()
+{
+    if (!m_replay)
+        return;
+    m_replayWatch.stop();
+    m_replayThread.reset();
+    m_replay.reset();
+    m_window->setReplaying(false);
+    startLoops();
+}
+
+/// Back to the student's own hand, on the same tooth, whole again.
+void Application::stopReplay()
+{
+    if (m_replay)
+        begin(m_anatomy, {});
+}
+
+}  // namespace app

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "app/LoopThread.h"
+#include "app/ReplayLoop.h"
+#include "core/session/SessionLoop.h"
+#include "core/teeth/ToothBuilder.h"
+#include "database/sql/Database.h"
+#include "database/sql/SqlAttemptRepository.h"
+#include "haptics/ServoLoop.h"
+#include "haptics/pointer/PointerDevice.h"
+#include "ui/shell/MainWindow.h"
+
+namespace app {
+
+/// What the command line asks of the window.
+struct WindowOptions
+{
+    core::teeth::ToothSource source;  ///< the tooth to begin with
+    core::teeth::BuildOptions build;
+    QString recording;     ///< play this instead of beginning with a tooth
+    QString databaseFile;  ///< empty: the user's own
+    QString picture;       ///< draw the tooth, or the end of the recording, into this file and quit
+};
+
+/// Builds the program behind the window and wires it: the loops and their threads, teeth, recordings, grades.
+/// It holds no rule of its own: it chooses, constructs, connects, starts, stops. Ui thread.
+class Application final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Errors of the shipped settings only; what goes wrong later is said in the window.
+    [[nodiscard]] static core::Result<std::unique_ptr<Application>> make(const WindowOptions& options);
+    ~Application() override;
+
+    void show();
+    [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
+
+private:
+    Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
+
+    void openDatabase(const QString& file);
+    void openTooth(const core::teeth::ToothSource& source);
+    void refuse(const core::Error& error);
+    void takeTooth(const core::teeth::BuiltTooth& built);
+    void begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes);
+    void grade();
+    void saveRecording(const QString& path);
+    void openRecording(const QString& path);
+    void play(const core::recording::Recording& recording);
+    void endReplay();
+    void stopReplay();
+    void watchReplay();
+    void drawPicture();
+    void startLoops();
+    void stopLoops();
+
+    WindowOptions m_options;
+    core::session::UiLinks m_links;
+    core::session::ServoLinks m_servoLinks;
+    haptics::PointerDevice m_pointer;
+    haptics::ServoLoop m_servo;
+    core::session::SessionLoop m_session;
+    std::unique_ptr<database::sql::Database> m_database;
+    std::unique_ptr<database::AttemptRepository> m_attempts;
+    std::unique_ptr<ui::shell::MainWindow> m_window;
+
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
+    std::uint64_t m_generation = 0;
+    int m_pictureLooks = 0;
+    int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
+    QTimer m_replayWatch;
+    std::unique_ptr<ReplayLoop> m_replay;
+
+    // Threads last: they are joined before what they run on goes away.
+    std::unique_ptr<LoopThread> m_servoThread;
+    std::unique_ptr<LoopThread> m_sessionThread;
+    std::unique_ptr<LoopThread> m_replayThread;
+};
+
+}  // namespace app

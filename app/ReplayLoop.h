@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <set>
+#include <vector>
+
+#include "core/history/TiledHeights.h"
+#include "core/recording/Recording.h"
+#include "core/rt/Loop.h"
+
+namespace app {
+
+/// Plays a recording into the view at the speed at which it was made. It stands in for the servo and the session loop,
+/// which must rest meanwhile: like them it writes states and patches, and only those.
+class ReplayLoop final : public core::rt::Loop
+{
+public:
+    /// @param links  must outlive the loop
+    /// @param generation  what the view has been told the tooth's number is
+    [[nodiscard]] static core::Result<std::unique_ptr<ReplayLoop>>
+    make(const core::recording::Recording& recording, core::session::UiLinks& links, std::uint64_t generation);
+
+    void tick(std::chrono::microseconds dt) override;
+
+    /// Any thread: the last event has been played.
+    [[nodiscard]] bool isFinished() const { return m_finished.load(std::memory_order_acquire); }
+
+private:
+    ReplayLoop(const core::recording::Recording& recording, core::session::UiLinks& links, std::uint64_t generation,
+               std::unique_ptr<core::session::ServoTick> servo);
+
+    void play(const core::session::ServoEvent& event);
+    void sendPatches();
+    void publish();
+
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
+    core::session::UiLinks& m_links;
+    std::uint64_t m_generation;
+    std::unique_ptr<core::session::ServoTick> m_servo;
+    std::unique_ptr<core::contact::LiveTooth> m_tooth;
+    std::vector<core::session::ServoEvent> m_events;
+    std::size_t m_next = 0;
+    std::chrono::microseconds m_due{0};
+    std::chrono::microseconds m_played{0};
+    std::uint64_t m_tick = 0;
+    core::history::TiledHeights m_shown;   ///< what the view has been sent
+    core::history::TiledHeights m_newest;  ///< the tooth, as tiles
+    std::set<std::uint64_t> m_restored;    ///< ticks that some undo goes back to
+    std::vector<std::pair<std::uint64_t, core::history::TiledHeights>> m_moments;
+    std::deque<core::session::TilePatch> m_toSend;
+    core::session::SessionState m_session;
+    int m_beat = 0;
+    std::atomic<bool> m_finished{false};
+};
+
+}  // namespace app

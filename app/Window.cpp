@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Window.h"
+
+#include <cstdio>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSurfaceFormat>
+#include <QTranslator>
+
+#include "app/Application.h"
+#include "app/cli/Arguments.h"
+#include "app/cli/Commands.h"
+#include "ui/shell/Theme.h"
+
+namespace app {
+namespace {
+
+constexpr int kSamples = 4;
+constexpr int kFirstTooth = 36;
+
+/// Without a display Qt would abort with a message of its own.
+bool hasDisplay()
+{
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+void installLanguage(QApplication& application, const QString& language)
+{
+    const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
+    QLocale::setDefault(locale);  // numbers and dates in the language of the words
+    for (const auto& [name, folder] :
+         {std::pair(QStringLiteral("cusp"), QStringLiteral(":/i18n")),
+          std::pair(QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath))}) {
+        auto* const translator = new QTranslator(&application);
+        if (translator->load(locale, name, QStringLiteral("_"), folder))
+            QApplication::installTranslator(translator);
+    }
+}
+
+}  // namespace
+
+int runWindow(int& argc, char** argv)
+{
+    if (!hasDisplay()) {
+        std::fputs("cusp: there is no display to open a window on; \"cusp help\" lists what works without one.\n",
+                   stderr);
+        return cli::kFailed;
+    }
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSamples(kSamples);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("cusp"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Cusp"));
+    QApplication::setApplicationVersion(QStringLiteral(CUSP_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.cusp.Cusp"));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Opens the window."));
+    const auto option = [&](const char* name, const char* help, const char* value) {
+        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
+    };
+    option("tooth", "The tooth to begin with: a mesh file or an FDI number.", "FILE|FDI");
+    option("recording", "Plays a recording.", "FILE");
+    option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
+    option("db", "Keeps grades in this file instead of the user's own.", "FILE");
+    option("theme", "light or dark; the desktop's own if not given.", "THEME");
+    option("language", "en or de; the system's own if not given.", "CODE");
+    cli::addToothOptions(parser);
+    const QString usage = QStringLiteral("cusp [OPTIONS]");
+    if (const auto code = cli::parse(parser, QApplication::arguments().mid(1), usage))
+        return *code;
+    if (!parser.positionalArguments().isEmpty())
+        return cli::wrongUsage(QStringLiteral("\"%1\" belongs to no option; a scan is opened with --tooth FILE")
+                                   .arg(parser.positionalArguments().front()));
+    const auto build = cli::toothOptions(parser);
+    if (!build)
+        return cli::wrongUsage(QString::fromStdString(build.error().detail));
+    const QString theme = parser.value(QStringLiteral("theme"));
+    if (!theme.isEmpty() && theme != u"light" && theme != u"dark")
+        return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
+
+    installLanguage(application, parser.value(QStringLiteral("language")));
+    using ui::shell::ThemeChoice;
+    ui::shell::applyTheme(application, theme == u"light"  ? ThemeChoice::Light
+                                       : theme == u"dark" ? ThemeChoice::Dark
+                                                          : ThemeChoice::System);
+    WindowOptions options;
+    options.build = *build;
+    options.source = parser.isSet(QStringLiteral("tooth"))
+                         ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
+                         : core::teeth::ToothSource{kFirstTooth};
+    options.recording = parser.value(QStringLiteral("recording"));
+    options.picture = parser.value(QStringLiteral("picture"));
+    options.databaseFile = parser.value(QStringLiteral("db"));
+    const auto program = Application::make(options);
+    if (!program)
+        return cli::failed(program.error());
+    (*program)->show();
+    return QApplication::exec();
+}
+
+}  // namespace app

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/Arguments.h"
+
+#include <cstdio>
+#include <limits>
+
+#include <QJsonDocument>
+
+#include "app/cli/Commands.h"
+
+namespace app::cli {
+namespace {
+
+void printTo(std::FILE* stream, const QString& text)
+{
+    const QByteArray bytes = text.toLocal8Bit();
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stream);
+    std::fflush(stream);
+}
+
+void explain(const QString& sentence)
+{
+    QString text = sentence.simplified();
+    if (!text.endsWith(u'.'))
+        text += u'.';
+    printTo(stderr, QStringLiteral("cusp: ") + text + u'\n');
+}
+
+core::Status readNumbers(const QCommandLineParser& parser, core::teeth::BuildOptions& options)
+{
+    if (parser.isSet(QStringLiteral("grid"))) {
+        const auto grid =
+            wholeNumber(parser, QStringLiteral("grid"), core::terrain::kMinGridSide, core::terrain::kMaxGridSide);
+        if (!grid)
+            return tl::unexpected(grid.error());
+        options.gridSide = static_cast<int>(*grid);
+    }
+    if (parser.isSet(QStringLiteral("fdi"))) {
+        const auto fdi = wholeNumber(parser, QStringLiteral("fdi"), 11, 48);
+        if (!fdi || *fdi % 10 == 0 || *fdi % 10 == 9)
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    "--fdi wants the number of a permanent tooth, 11-18, 21-28, 31-38 or 41-48");
+        options.fdi = static_cast<int>(*fdi);
+    }
+    if (parser.isSet(QStringLiteral("seed"))) {
+        const auto seed = wholeNumber(parser, QStringLiteral("seed"), 0, std::numeric_limits<qint64>::max());
+        if (!seed)
+            return tl::unexpected(seed.error());
+        options.seed = static_cast<std::uint64_t>(*seed);
+    }
+    bool isNumber = false;
+    options.cariesExtent = parser.value(QStringLiteral("extent")).toDouble(&isNumber);
+    if (!isNumber || !(options.cariesExtent >= 0.0 && options.cariesExtent <= 1.0))
+        return core::unexpected(core::ErrorCode::OutOfRange, "--extent wants a number from 0 to 1");
+    return {};
+}
+
+core::Status readPlacement(const QCommandLineParser& parser, core::mesh::PlacementOptions& placement)
+{
+    if (parser.isSet(QStringLiteral("unit"))) {
+        auto unit = core::mesh::parseUnit(parser.value(QStringLiteral("unit")).toStdString());
+        if (!unit)
+            return tl::unexpected(std::move(unit).error());
+        placement.unit = *unit;
+    }
+    if (parser.isSet(QStringLiteral("up"))) {
+        auto up = core::mesh::parseAxis(parser.value(QStringLiteral("up")).toStdString());
+        if (!up)
+            return tl::unexpected(std::move(up).error());
+        placement.up = *up;
+    }
+    if (const QString frame = parser.value(QStringLiteral("frame")); frame == u"file")
+        placement.keepFrame = true;
+    else if (frame != u"tooth")
+        return core::unexpected(core::ErrorCode::UnknownName, "--frame wants \"file\" or \"tooth\"");
+    if (placement.keepFrame && (placement.unit || placement.up))
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                "--frame file means millimetres with +z up, so --unit and --up cannot go with it");
+    return {};
+}
+
+core::Status readTissues(const QCommandLineParser& parser, core::teeth::BuildOptions& options)
+{
+    using core::teeth::CariesRule;
+    using core::teeth::LayerRule;
+    const QString layers = parser.value(QStringLiteral("layers"));
+    if (layers != u"anatomical" && layers != u"2011")
+        return core::unexpected(core::ErrorCode::UnknownName, "--layers wants \"anatomical\" or \"2011\"");
+    options.layers = layers == u"2011" ? LayerRule::ConstantDepth2011 : LayerRule::Anatomical;
+    const QString caries = parser.value(QStringLiteral("caries"));
+    if (caries != u"walk" && caries != u"2011" && caries != u"none")
+        return core::unexpected(core::ErrorCode::UnknownName, "--caries wants \"walk\", \"2011\" or \"none\"");
+    if (caries == u"none")
+        options.caries.reset();
+    else
+        options.caries = caries == u"2011" ? CariesRule::LowPointFill2011 : CariesRule::FissureWalk;
+    return {};
+}
+
+}  // namespace
+
+std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage)
+{
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Prints this help."));
+    parser.addOption(help);
+    const bool understood = parser.parse(QStringList{QStringLiteral("cusp")} + arguments);
+    if (understood && parser.isSet(help)) {
+        // Qt's first line names only the program; the rest of its help is what we want.
+        printText(QStringLiteral("Usage: ") + usage + parser.helpText().section(u'\n', 1).prepend(u'\n'));
+        return kDone;
+    }
+    if (understood)
+        return std::nullopt;
+    QString fault = parser.errorText();
+    fault.chop(fault.endsWith(u'.') ? 1 : 0);
+    return wrongUsage(fault + QStringLiteral("; usage: ") + usage);
+}
+
+void addToothOptions(QCommandLineParser& parser)
+{
+    const auto add = [&](const char* name, const char* help, const char* value, const char* standard = "") {
+        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value), QLatin1String(standard)});
+    };
+    add("grid", "Nodes a side of the height maps, 64 to 1024 (150).", "N");
+    add("unit", "Unit of the file: mm, cm, m, or millimetres in one unit; guessed when absent.", "U");
+    add("up", "Direction of the crown in the file: +x -x +y -y +z -z; guessed when absent.", "A");
+    add("fdi", "FDI number of the tooth in the file.", "NN");
+    add("frame", "\"file\" keeps the file's own coordinates, taken as mm with +z up.", "FRAME", "tooth");
+    add("seed", "Seed of shape, layers and decay (0).", "N");
+    add("layers", "Rule of enamel and pulp: anatomical or 2011.", "RULE", "anatomical");
+    add("caries", "Rule of the decay: walk, 2011 or none.", "RULE", "walk");
+    add("extent", "How far the decay has gone, 0 to 1.", "X", "0.5");
+}
+
+core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser)
+{
+    core::teeth::BuildOptions options;
+    for (core::Status status :
+         {readNumbers(parser, options), readPlacement(parser, options.placement), readTissues(parser, options)})
+        if (!status)
+            return tl::unexpected(std::move(status).error());
+    return options;
+}
+
+core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low, qint64 high)
+{
+    bool isNumber = false;
+    const qint64 number = parser.value(option).toLongLong(&isNumber);
+    if (!isNumber || number < low || number > high)
+        return core::unexpected(
+            core::ErrorCode::OutOfRange,
+            QStringLiteral("--%1 wants a whole number from %2 to %3").arg(option).arg(low).arg(high).toStdString());
+    return number;
+}
+
+int wrongUsage(const QString& sentence)
+{
+    explain(sentence);
+    return kWrongUsage;
+}
+
+int failed(const core::Error& error)
+{
+    explain(QString::fromStdString(error.detail));
+    return kFailed;
+}
+
+void printText(const QString& text)
+{
+    printTo(stdout, text);
+}
+
+void printJson(const QJsonObject& object)
+{
+    printTo(stdout, QString::fromUtf8(QJsonDocument(object).toJson()));
+}
+
+}  // namespace app::cli

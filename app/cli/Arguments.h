@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QCommandLineParser>
+#include <QJsonObject>
+#include <QStringList>
+
+#include "core/base/Result.h"
+#include "core/teeth/ToothBuilder.h"
+
+/// What the headless commands share: parsing, messages, and the options that every command with a tooth takes.
+namespace app::cli {
+
+/// Parses the arguments after the command's name, with --help added. Returns an exit code when the command is over:
+/// help was printed, or the usage was wrong and has been explained.
+/// @param usage  the line after "Usage: ", such as "cusp tooth FILE|FDI [OPTIONS]"
+[[nodiscard]] std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage);
+
+/// Adds --grid --unit --up --fdi --frame --seed --layers --caries --extent: how a tooth is read or made.
+void addToothOptions(QCommandLineParser& parser);
+
+/// Their values, or a sentence about the first that is wrong: a matter for wrongUsage().
+[[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser);
+
+/// A whole number within [low, high] given to an option, or a sentence.
+[[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
+                                               qint64 high);
+
+/// Prints the sentence to stderr and returns the exit code that goes with it.
+int wrongUsage(const QString& sentence);
+int failed(const core::Error& error);
+
+void printText(const QString& text);
+void printJson(const QJsonObject& object);
+
+}  // namespace app::cli

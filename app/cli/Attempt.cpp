@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/Attempt.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "lessons/ScoreSheetJson.h"
+
+namespace app::cli {
+namespace {
+
+constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
+constexpr qint64 kMostPresetBytes = 1024 * 1024;
+
+tl::unexpected<core::Error> inPreset(const QString& file, const QString& what)
+{
+    return core::unexpected(core::ErrorCode::BadStructure,
+                            QStringLiteral("Hardness preset %1: %2").arg(file, what).toStdString());
+}
+
+/// Sets `target` from object[key] if it is there; false if it is there and no number.
+bool takeNumber(QJsonObject& object, const QString& key, double& target)
+{
+    const QJsonValue value = object.take(key);
+    if (value.isUndefined())
+        return true;
+    target = value.toDouble();
+    return value.isDouble();
+}
+
+core::Result<core::settings::HardnessPreset> presetFromJson(const QString& file, QJsonObject object)
+{
+    core::settings::HardnessPreset preset;
+    preset.name = object.contains(QStringLiteral("name")) ? object.take(QStringLiteral("name")).toString().toStdString()
+                                                          : QFileInfo(file).completeBaseName().toStdString();
+    for (std::size_t m = 0; m < kMaterials.size(); ++m) {
+        const QString key = QString::fromLatin1(kMaterials[m]);
+        if (!object.contains(key))
+            continue;
+        if (!object.value(key).isObject())
+            return inPreset(file, QStringLiteral("\"%1\" must be an object.").arg(key));
+        QJsonObject material = object.take(key).toObject();
+        if (!takeNumber(material, QStringLiteral("rate_mm3_per_ns"), preset.material[m].rateMm3PerNs) ||
+            !takeNumber(material, QStringLiteral("threshold_n"), preset.material[m].thresholdN))
+            return inPreset(file, QStringLiteral("the figures of \"%1\" must be numbers.").arg(key));
+        if (!material.isEmpty())
+            return inPreset(file, QStringLiteral("\"%1\" has no figure \"%2\".").arg(key, material.keys().front()));
+    }
+    if (!takeNumber(object, QStringLiteral("axial_share"), preset.axialShare) ||
+        !takeNumber(object, QStringLiteral("full_force_n"), preset.fullForceN))
+        return inPreset(file, QStringLiteral("axial_share and full_force_n must be numbers."));
+    if (!object.isEmpty())
+        return inPreset(file, QStringLiteral("unknown key \"%1\".").arg(object.keys().front()));
+    if (const core::Status sound = core::settings::check(preset); !sound)
+        return tl::unexpected(sound.error());
+    return preset;
+}
+
+}  // namespace
+
+core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameOrFile)
+{
+    auto shipped = core::settings::findHardnessPreset(nameOrFile.toStdString());
+    if (shipped || !QFileInfo::exists(nameOrFile))
+        return shipped;
+    QFile file(nameOrFile);
+    if (QFileInfo(nameOrFile).isDir() || !file.open(QIODevice::ReadOnly))
+        return core::unexpected(core::ErrorCode::FileUnreadable,
+                                "The hardness preset " + nameOrFile.toStdString() + " cannot be read.");
+    if (file.size() > kMostPresetBytes)
+        return core::unexpected(core::ErrorCode::FileTooLarge,
+                                "The hardness preset " + nameOrFile.toStdString() + " is larger than a megabyte.");
+    QJsonParseError failure;
+    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &failure);
+    if (!document.isObject())
+        return inPreset(
+            nameOrFile,
+            QStringLiteral("it is not a JSON object (%1 at byte %2).").arg(failure.errorString()).arg(failure.offset));
+    return presetFromJson(nameOrFile, document.object());
+}
+
+QJsonObject toJson(const core::terrain::PerMaterial& values)
+{
+    QJsonObject object;
+    for (std::size_t m = 0; m < kMaterials.size(); ++m)
+        object[QLatin1String(kMaterials[m])] = values[m];
+    return object;
+}
+
+QJsonObject toJson(const core::grading::Measures& measures)
+{
+    return {
+        {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
+        {QStringLiteral("lesion_mm3"), measures.lesionMm3},
+        {QStringLiteral("caries_left_mm3"), measures.cariesLeftMm3},
+        {QStringLiteral("caries_left_percent"), measures.cariesLeftPercent},
+        {QStringLiteral("largest_island_mm3"), measures.largestIslandMm3},
+        {QStringLiteral("access_mm3"), measures.accessMm3},
+        {QStringLiteral("overcut_mm3"), measures.overcutMm3},
+        {QStringLiteral("deepest_cut_mm"), measures.deepestCutMm},
+        {QStringLiteral("pulp_exposed_mm2"), measures.pulpExposedMm2},
+        {QStringLiteral("remaining_over_pulp_mm"),
+         measures.hasRemainingOverPulp ? QJsonValue(measures.remainingOverPulpMm) : QJsonValue()},
+        {QStringLiteral("not_measured"),
+         QJsonArray{QStringLiteral("undercuts"), QStringLiteral("walls past 90 degrees")}},
+    };
+}
+
+QJsonObject toJsonObject(const lessons::ScoreSheet& sheet)
+{
+    return QJsonDocument::fromJson(lessons::toJson(sheet)).object();
+}
+
+QJsonObject percentiles(std::span<const float> tickUs)
+{
+    std::vector<float> sorted(tickUs.begin(), tickUs.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto at = [&](double share) {
+        if (sorted.empty())
+            return 0.0;
+        const auto place = static_cast<std::size_t>(share * static_cast<double>(sorted.size()));
+        return static_cast<double>(sorted[std::min(place, sorted.size() - 1)]);
+    };
+    return {{QStringLiteral("p50"), at(0.5)},
+            {QStringLiteral("p99"), at(0.99)},
+            {QStringLiteral("p999"), at(0.999)},
+            {QStringLiteral("max"), at(1.0)}};
+}
+
+QString hashText(std::uint64_t hash)
+{
+    return QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0'));
+}
+
+QString toText(const lessons::ScoreSheet& sheet)
+{
+    QString text = QStringLiteral("score          %1 of 100, %2 (pass mark %3)\n")
+                       .arg(sheet.total)
+                       .arg(sheet.passed() ? QStringLiteral("passed") : QStringLiteral("not passed"))
+                       .arg(sheet.passMark);
+    for (const lessons::Criterion& criterion : sheet.criteria) {
+        QString rule = QStringLiteral("free %1 %2").arg(criterion.free).arg(QString::fromStdString(criterion.unit));
+        if (criterion.rule == lessons::PointRule::PerUnit)
+            rule += QStringLiteral(", then %1 points per %2, at most %3")
+                        .arg(criterion.pointsPerUnit)
+                        .arg(QString::fromStdString(criterion.unit))
+                        .arg(criterion.maxPoints);
+        else
+            rule += QStringLiteral(", beyond it %1 points at once").arg(criterion.maxPoints);
+        text += QStringLiteral("  %1 %2 %3 (%4): -%5\n")
+                    .arg(QString::fromStdString(criterion.id), -14)
+                    .arg(criterion.measured, 0, 'f', 3)
+                    .arg(QString::fromStdString(criterion.unit), rule)
+                    .arg(criterion.pointsLost);
+    }
+    return text + QStringLiteral("not measured   undercuts and walls past 90 degrees: the model is a height field\n");
+}
+
+}  // namespace app::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include <QCommandLineParser>
+#include <QJsonObject>
+
+#include "core/base/Result.h"
+#include "core/grading/Measures.h"
+#include "core/session/ServoTick.h"
+#include "lessons/ScoreSheet.h"
+
+/// What the commands that make or replay an attempt share: the hardness option, and its figures as JSON.
+namespace app::cli {
+
+/// A shipped preset by name, or a JSON file: {"name": "...", "enamel": {"rate_mm3_per_ns": 0.7, "threshold_n": 0.15},
+/// "dentin": ..., "caries": ..., "pulp": ..., "axial_share": 0.65, "full_force_n": 4}. What a file leaves out keeps the
+/// natural value; an unknown key is refused.
+[[nodiscard]] core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameOrFile);
+
+/// caries, enamel, dentin, pulp.
+[[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);
+[[nodiscard]] QJsonObject toJson(const core::grading::Measures& measures);
+[[nodiscard]] QJsonObject toJsonObject(const lessons::ScoreSheet& sheet);
+/// p50, p99, p999 and max of tick times in microseconds.
+[[nodiscard]] QJsonObject percentiles(std::span<const float> tickUs);
+/// Sixteen hex digits.
+[[nodiscard]] QString hashText(std::uint64_t hash);
+
+/// The score as a person reads it, one line a criterion.
+[[nodiscard]] QString toText(const lessons::ScoreSheet& sheet);
+
+}  // namespace app::cli

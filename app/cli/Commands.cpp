@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/Commands.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <QCoreApplication>
+
+#include "app/cli/Arguments.h"
+
+namespace app::cli {
+namespace {
+
+constexpr Command kCommands[] = {
+    {"tooth", "report on a mesh file or on one of our own teeth", toothCommand},
+    {"simulate", "drive the servo tick over a device path and write what happened", simulateCommand},
+    {"replay", "replay a recording, measure and score it", replayCommand},
+    {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
+    {"bench", "measure accuracy, speed and memory on this machine", benchCommand},
+};
+
+const Command* findCommand(const QString& name)
+{
+    const auto* const found =
+        std::find_if(std::begin(kCommands), std::end(kCommands), [&](const Command& c) { return name == c.name; });
+    return found == std::end(kCommands) ? nullptr : found;
+}
+
+int unknownCommand(const QString& name)
+{
+    return wrongUsage(QStringLiteral("cusp has no command \"%1\"; \"cusp help\" lists those there are").arg(name));
+}
+
+int printHelp()
+{
+    QString text = QStringLiteral("Cusp, a trainer for tooth preparation.\n\n"
+                                  "  cusp                      opens the window\n"
+                                  "  cusp COMMAND [OPTIONS]    works without a display\n"
+                                  "  cusp COMMAND --help       explains a command\n"
+                                  "  cusp --version            prints the version\n\n"
+                                  "Commands:\n");
+    for (const Command& command : kCommands)
+        text += QStringLiteral("  %1 %2\n").arg(QLatin1String(command.name), -11).arg(QLatin1String(command.summary));
+    text += QStringLiteral("\nExit status: 0 done, 1 the input or the run failed, 2 wrong usage.\n");
+    printText(text);
+    return kDone;
+}
+
+int helpCommand(const QStringList& arguments)
+{
+    if (arguments.isEmpty())
+        return printHelp();
+    const Command* const command = findCommand(arguments.front());
+    return command != nullptr ? command->run({QStringLiteral("--help")}) : unknownCommand(arguments.front());
+}
+
+}  // namespace
+
+std::span<const Command> commands()
+{
+    return kCommands;
+}
+
+std::optional<int> run(int& argc, char** argv)
+{
+    if (argc < 2)
+        return std::nullopt;
+    const QString first = QString::fromLocal8Bit(argv[1]);
+    const bool help = first == u"help" || first == u"--help" || first == u"-h";
+    const bool version = first == u"--version" || first == u"-v";
+    if (!help && !version && first.startsWith(u'-'))
+        return std::nullopt;
+    const QCoreApplication application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments().mid(2);
+    if (help)
+        return helpCommand(arguments);
+    if (version) {
+        printText(QStringLiteral("Cusp " CUSP_VERSION "\n"));
+        return kDone;
+    }
+    const Command* const command = findCommand(first);
+    if (command == nullptr)
+        return unknownCommand(first);
+    const int exitCode = command->run(arguments);
+    if (std::ferror(stdout) != 0)
+        return failed({core::ErrorCode::FileUnwritable, "the answer could not be written to standard output"});
+    return exitCode;
+}
+
+}  // namespace app::cli

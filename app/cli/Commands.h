@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <QStringList>
+
+/// The program without its window (design, section 6). Commands need no display and create no QApplication; figures go
+/// to stdout, errors to stderr in one sentence.
+namespace app::cli {
+
+/// Exit codes of every headless command.
+enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2 };
+
+struct Command
+{
+    const char* name;
+    const char* summary;                       ///< one line for `cusp help`
+    int (*run)(const QStringList& arguments);  ///< arguments after the command's name; returns an ExitCode
+};
+
+/// All of them, in the order `cusp help` shows. To add one: XCommand.cpp with a function, and a line in Commands.cpp.
+[[nodiscard]] std::span<const Command> commands();
+
+/// Runs the command that the command line names, or prints help or version. Nothing when the window is to open: no
+/// argument, or an option that is the window's.
+[[nodiscard]] std::optional<int> run(int& argc, char** argv);
+
+// One function per command, each in its own file.
+int toothCommand(const QStringList& arguments);
+int simulateCommand(const QStringList& arguments);
+int replayCommand(const QStringList& arguments);
+int demoCommand(const QStringList& arguments);
+int benchCommand(const QStringList& arguments);
+
+}  // namespace app::cli

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QStandardPaths>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Attempt.h"
+#include "app/cli/Commands.h"
+#include "core/recording/Recording.h"
+#include "haptics/pointer/PointerDevice.h"
+#include "haptics/simulated/DemoHand.h"
+#include "haptics/simulated/Simulation.h"
+#include "lessons/DecayRemovalRubric.h"
+
+namespace app::cli {
+namespace {
+
+constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
+constexpr std::uint64_t kTicksPerDecision = 16;
+constexpr std::uint64_t kTicksAfterwards = 500;
+constexpr int kPictureMs = 60'000;
+
+core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::BuiltTooth& tooth)
+{
+    const haptics::SimulationOptions options;
+    core::rt::TripleBuffer<core::session::PointerInput> pointer;
+    haptics::PointerDevice device(pointer, options.settings.force.stiffnessNPerMm, 1.0 / options.rateHz);
+    haptics::DemoHand hand;
+    std::uint64_t doneAt = kMostTicks;
+    return haptics::simulate(tooth.anatomy, device, kMostTicks, options,
+                             [&](std::uint64_t tick, const core::session::ServoState& state,
+                                 const core::terrain::Tooth& now) -> std::optional<bool> {
+                                 if (tick % kTicksPerDecision == 0)
+                                     pointer.publish(hand.decide(state, now));
+                                 if (hand.isDone())
+                                     doneAt = std::min(doneAt, tick);
+                                 if (tick >= doneAt + kTicksAfterwards)
+                                     return std::nullopt;
+                                 return !hand.isDone();
+                             },
+                             {});
+}
+
+core::Status writeText(const QString& path, const QByteArray& text)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate) || file.write(text) != text.size() || !file.flush())
+        return core::unexpected(core::ErrorCode::FileUnwritable,
+                                path.toStdString() + " could not be written; check the folder and the space left.");
+    return {};
+}
+
+/// The window draws the picture: with the display there is, or one of its own from xvfb-run. False if neither works.
+bool drawPicture(const QString& recording, const QString& picture)
+{
+    QString program = QCoreApplication::applicationFilePath();
+    QStringList arguments{QStringLiteral("--recording"), recording, QStringLiteral("--picture"), picture};
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        const QString xvfb = QStandardPaths::findExecutable(QStringLiteral("xvfb-run"));
+        if (xvfb.isEmpty())
+            return false;
+        arguments =
+            QStringList{QStringLiteral("-a"), QStringLiteral("-s"), QStringLiteral("-screen 0 1280x800x24"), program} +
+            arguments;
+        program = xvfb;
+    }
+    QProcess window;
+    window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    window.start(program, arguments);
+    return window.waitForFinished(kPictureMs) && window.exitStatus() == QProcess::NormalExit && window.exitCode() == 0;
+}
+
+}  // namespace
+
+int demoCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral(
+        "A simulated hand takes the decay out of a tooth. Leaves the recording, its score and a picture in a folder."));
+    parser.addOption({QStringLiteral("out"), QStringLiteral("The folder; cusp-demo if not given."),
+                      QStringLiteral("FOLDER"), QStringLiteral("cusp-demo")});
+    parser.addOption({QStringLiteral("tooth"), QStringLiteral("A mesh file or an FDI number; 36 if not given."),
+                      QStringLiteral("FILE|FDI"), QStringLiteral("36")});
+    addToothOptions(parser);
+    if (const auto code = parse(parser, arguments, QStringLiteral("cusp demo [--out FOLDER] [OPTIONS]")))
+        return *code;
+    const auto build = toothOptions(parser);
+    if (!build)
+        return wrongUsage(QString::fromStdString(build.error().detail));
+    const QDir folder(parser.value(QStringLiteral("out")));
+    if (!folder.mkpath(QStringLiteral(".")))
+        return failed({core::ErrorCode::FileUnwritable,
+                       "The folder " + folder.path().toStdString() + " cannot be made; name another with --out."});
+    const auto tooth =
+        core::teeth::buildTooth(core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString()), *build);
+    if (!tooth)
+        return failed(tooth.error());
+    printText(QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
+                  .arg(QString::fromStdString(tooth->anatomy->name)));
+    const auto outcome = drillOutTheDecay(*tooth);
+    if (!outcome)
+        return failed(outcome.error());
+
+    const QString recording = folder.absoluteFilePath(QStringLiteral("attempt.cusprec"));
+    if (const core::Status written = core::recording::writeRecording(recording.toStdString(), outcome->recording);
+        !written)
+        return failed(written.error());
+    const core::grading::Measures measures = core::grading::measure(outcome->tooth);
+    const lessons::ScoreSheet sheet = lessons::grade(measures);
+    const QJsonObject score{{QStringLiteral("score"), toJsonObject(sheet)},
+                            {QStringLiteral("measures"), toJson(measures)},
+                            {QStringLiteral("state_hash"), hashText(core::terrain::stateHash(outcome->tooth))}};
+    if (const core::Status written =
+            writeText(folder.absoluteFilePath(QStringLiteral("score.json")), QJsonDocument(score).toJson());
+        !written)
+        return failed(written.error());
+    const QString scoreText = toText(sheet);
+    if (const core::Status written =
+            writeText(folder.absoluteFilePath(QStringLiteral("score.txt")), scoreText.toUtf8());
+        !written)
+        return failed(written.error());
+
+    const double lastsS = std::chrono::duration<double>(outcome->recording.duration()).count();
+    printText(QStringLiteral("%1 s of drilling, %2 ticks.\n").arg(lastsS, 0, 'f', 1).arg(outcome->recording.ticks()) +
+              scoreText);
+    const QString picture = folder.absoluteFilePath(QStringLiteral("picture.png"));
+    QFile::remove(picture);
+    const bool drawn = drawPicture(recording, picture) && QFile::exists(picture);
+    printText(QStringLiteral("In %1:\n  attempt.cusprec  replay it with: cusp replay, or in the window\n"
+                             "  score.txt, score.json\n")
+                  .arg(folder.absolutePath()) +
+              (drawn ? QStringLiteral("  picture.png\n") : QString()));
+    if (!drawn)
+        return failed({core::ErrorCode::FileUnwritable,
+                       "The picture could not be drawn: it needs a display or xvfb-run (Debian package xvfb); the "
+                       "recording and the score are complete."});
+    return kDone;
+}
+
+}  // namespace app::cli

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include <QElapsedTimer>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Attempt.h"
+#include "app/cli/Commands.h"
+#include "core/recording/Replay.h"
+#include "haptics/simulated/Simulation.h"
+#include "lessons/DecayRemovalRubric.h"
+
+namespace app::cli {
+
+int replayCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Replays a recording tick by tick, measures and scores the tooth it leaves."));
+    parser.addPositionalArgument(QStringLiteral("RECORDING"), QStringLiteral("A file that Cusp has saved."));
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    const QString usage = QStringLiteral("cusp replay RECORDING [--json]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (parser.positionalArguments().size() != 1)
+        return wrongUsage(QStringLiteral("one recording is wanted; usage: ") + usage);
+    const auto recording = core::recording::readRecording(parser.positionalArguments().front().toStdString());
+    if (!recording)
+        return failed(recording.error());
+    QElapsedTimer timer;
+    timer.start();
+    std::vector<float> tickUs;
+    tickUs.reserve(recording->ticks());
+    double before = haptics::threadCpuUs();
+    const auto outcome =
+        core::recording::replay(*recording, [&](const core::session::ServoState&, const core::contact::LiveTooth&) {
+            const double now = haptics::threadCpuUs();
+            tickUs.push_back(static_cast<float>(now - before));
+            before = now;
+        });
+    if (!outcome)
+        return failed(outcome.error());
+    const double tookS = static_cast<double>(timer.nsecsElapsed()) * 1.0e-9;
+    if (!outcome->agreesWithWitness)
+        return failed(
+            {core::ErrorCode::BadStructure,
+             "The replay came to another tooth than the one recorded: the recording was altered, or this Cusp "
+             "computes differently from the one that made it. Do not trust its score."});
+
+    const core::grading::Measures measures = core::grading::measure(outcome->tooth);
+    const lessons::ScoreSheet sheet = lessons::grade(measures);
+    const double lastsS = std::chrono::duration<double>(recording->duration()).count();
+    if (parser.isSet(QStringLiteral("json"))) {
+        printJson({{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
+                   {QStringLiteral("ticks"), static_cast<qint64>(recording->ticks())},
+                   {QStringLiteral("duration_s"), lastsS},
+                   {QStringLiteral("replay_s"), tookS},
+                   {QStringLiteral("tick_us"), percentiles(tickUs)},
+                   {QStringLiteral("state_hash"), hashText(outcome->stateHash)},
+                   {QStringLiteral("verified"), recording->witness().has_value()},
+                   {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
+                   {QStringLiteral("measures"), toJson(measures)},
+                   {QStringLiteral("score"), toJsonObject(sheet)}});
+        return kDone;
+    }
+    printText(
+        QStringLiteral("tooth          %1\n"
+                       "attempt        %2 s in %3 ticks, replayed in %4 s\n"
+                       "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
+                       "state          %9%10\n")
+            .arg(QString::fromStdString(recording->anatomy()->name))
+            .arg(lastsS, 0, 'f', 2)
+            .arg(recording->ticks())
+            .arg(tookS, 0, 'f', 2)
+            .arg(measures.removedMm3[0], 0, 'f', 4)
+            .arg(measures.removedMm3[1], 0, 'f', 4)
+            .arg(measures.removedMm3[2], 0, 'f', 4)
+            .arg(measures.removedMm3[3], 0, 'f', 4)
+            .arg(hashText(outcome->stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString()) +
+        toText(sheet));
+    return kDone;
+}
+
+}  // namespace app::cli

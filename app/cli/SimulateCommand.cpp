@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include <QFile>
+#include <QFileInfo>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Attempt.h"
+#include "app/cli/Commands.h"
+#include "haptics/simulated/PathDevice.h"
+#include "haptics/simulated/Simulation.h"
+
+namespace app::cli {
+namespace {
+
+constexpr double kLeastRateHz = 20.0;
+constexpr double kMostRateHz = 20000.0;
+constexpr std::uint64_t kMostTicks = 100'000'000;
+
+/// Writes the trace row by row: beside its place first, renamed when it is whole, so that a failure leaves no half
+/// file.
+class TraceWriter
+{
+public:
+    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path + QStringLiteral(".part")) {}
+    ~TraceWriter()
+    {
+        if (m_file.isOpen())
+            m_file.remove();
+    }
+    TraceWriter(const TraceWriter&) = delete;
+    TraceWriter& operator=(const TraceWriter&) = delete;
+
+    [[nodiscard]] core::Status open()
+    {
+        // Renaming over a device or a pipe would put a file in its place.
+        if ((QFileInfo::exists(m_path) && !QFileInfo(m_path).isFile()) ||
+            !m_file.open(QIODevice::WriteOnly | QIODevice::Truncate))
+            return unwritable();
+        m_line =
+            "t_s,x_mm,y_mm,z_mm,ax_mm,ay_mm,az_mm,fx_n,fy_n,fz_n,contact,caries_mm3,enamel_mm3,dentin_mm3,pulp_mm3\n";
+        return {};
+    }
+
+    void row(double timeS, const core::session::ServoState& state)
+    {
+        number(timeS);
+        for (const glm::dvec3& v : {state.deviceMm, state.anchorMm, state.forceN})
+            for (int axis = 0; axis < 3; ++axis)
+                number(v[axis]);
+        m_line += state.touching ? "1," : "0,";
+        for (const double removed : state.removedMm3)
+            number(removed);
+        m_line.back() = '\n';
+        if (m_line.size() > 65536)
+            flush();
+    }
+
+    [[nodiscard]] core::Status finish()
+    {
+        flush();
+        if (!m_written || !m_file.flush())
+            return unwritable();
+        m_file.close();
+        QFile::remove(m_path);
+        if (!m_file.rename(m_path))
+            return unwritable();
+        return {};
+    }
+
+private:
+    /// Shortest digits that read back to the same double, whatever the locale.
+    void number(double value)
+    {
+        char digits[32];
+        const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+        m_line.append(digits, static_cast<std::size_t>(end - digits));
+        m_line += ',';
+    }
+    void flush()
+    {
+        m_written = m_written && m_file.write(m_line.data(), static_cast<qint64>(m_line.size())) ==
+                                     static_cast<qint64>(m_line.size());
+        m_line.clear();
+    }
+    [[nodiscard]] tl::unexpected<core::Error> unwritable() const
+    {
+        return core::unexpected(core::ErrorCode::FileUnwritable,
+                                "The trace could not be written to " + m_path.toStdString() +
+                                    "; check the folder, its rights and the space left.");
+    }
+
+    QString m_path;
+    QFile m_file;
+    std::string m_line;
+    bool m_written = true;
+};
+
+void addOptions(QCommandLineParser& parser)
+{
+    const auto option = [&](const char* name, const char* help, const char* value) {
+        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
+    };
+    option("tooth", "The tooth to work on: a mesh file or an FDI number.", "FILE|FDI");
+    option("path", "Device path: CSV with t_s,x_mm,y_mm,z_mm,drill.", "P.csv");
+    option("out", "Where the trace goes, one row a tick.", "T.csv");
+    parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
+    option("bur", "2, 330 (default), 245 or 57.", "NAME");
+    option("method", "continuous (default), lattice or penalty.", "M");
+    option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
+    option("preset", "Hardness: natural (default), typodont, or a JSON file.", "NAME|FILE");
+    option("record", "Saves a recording for cusp replay.", "FILE");
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+}
+
+core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLineParser& parser)
+{
+    haptics::SimulationOptions options;
+    if (parser.isSet(QStringLiteral("bur"))) {
+        const auto bur = core::drilling::findBur(parser.value(QStringLiteral("bur")).toStdString());
+        if (!bur)
+            return tl::unexpected(bur.error());
+        options.burIndex = *bur;
+    }
+    if (parser.isSet(QStringLiteral("method")))
+        options.settings.method = parser.value(QStringLiteral("method")).toStdString();
+    if (const auto method = core::contact::makeContactMethod(options.settings.method); !method)
+        return tl::unexpected(method.error());
+    if (parser.isSet(QStringLiteral("rate"))) {
+        bool isNumber = false;
+        options.rateHz = parser.value(QStringLiteral("rate")).toDouble(&isNumber);
+        if (!isNumber || !(options.rateHz >= kLeastRateHz && options.rateHz <= kMostRateHz))
+            return core::unexpected(core::ErrorCode::OutOfRange, "--rate wants a number from 20 to 20000");
+    }
+    return options;
+}
+
+}  // namespace
+
+int simulateCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Drives the servo tick over a device path and writes what "
+                                                    "happened, one row a tick. Coordinates are in the tooth "
+                                                    "frame, mm; with --frame file they are the mesh file's own."));
+    addOptions(parser);
+    addToothOptions(parser);
+    const QString usage = QStringLiteral("cusp simulate --tooth FILE|FDI --path P.csv --out T.csv [OPTIONS]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    for (const char* needed : {"tooth", "path", "out"})
+        if (parser.value(QLatin1String(needed)).isEmpty())
+            return wrongUsage(QStringLiteral("--%1 is missing; usage: ").arg(QLatin1String(needed)) + usage);
+    if (!parser.positionalArguments().isEmpty())
+        return wrongUsage(
+            QStringLiteral("\"%1\" belongs to no option; usage: ").arg(parser.positionalArguments().front()) + usage);
+    const auto build = toothOptions(parser);
+    if (!build)
+        return wrongUsage(QString::fromStdString(build.error().detail));
+    auto options = simulationOptions(parser);
+    if (!options)
+        return wrongUsage(QString::fromStdString(options.error().detail));
+    if (parser.isSet(QStringLiteral("preset"))) {
+        const auto preset = hardnessPreset(parser.value(QStringLiteral("preset")));
+        if (!preset)
+            return preset.error().code == core::ErrorCode::UnknownName
+                       ? wrongUsage(QString::fromStdString(preset.error().detail))
+                       : failed(preset.error());
+        options->settings.hardness = *preset;
+    }
+
+    const bool drillAlways = parser.isSet(QStringLiteral("drill"));
+    const auto path = core::recording::readDevicePath(parser.value(QStringLiteral("path")).toStdString(), !drillAlways);
+    if (!path)
+        return failed(path.error());
+    const std::uint64_t ticks = path->ticks(options->rateHz);
+    if (ticks > kMostTicks)
+        return failed(
+            {core::ErrorCode::OutOfRange, "The device path is too long for this rate: " + std::to_string(ticks) +
+                                              " ticks, at most 100 million are run."});
+    const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
+    const auto tooth = core::teeth::buildTooth(source, *build);
+    if (!tooth)
+        return failed(tooth.error());
+
+    for (const char* input : {"path", "tooth"})
+        if (const QFileInfo out(parser.value(QStringLiteral("out")));
+            out.exists() &&
+            out.canonicalFilePath() == QFileInfo(parser.value(QLatin1String(input))).canonicalFilePath())
+            return wrongUsage(QStringLiteral("--out would overwrite the file given with --%1; name another")
+                                  .arg(QLatin1String(input)));
+    TraceWriter trace(parser.value(QStringLiteral("out")));
+    if (const core::Status opened = trace.open(); !opened)
+        return failed(opened.error());
+    const double startS = path->points.front().timeS;
+    haptics::PathDevice device(*path, options->rateHz);
+    core::recording::PathCursor drillCursor(*path);
+    const auto outcome = haptics::simulate(
+        tooth->anatomy, device, ticks, *options,
+        [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) {
+            return drillCursor.at(static_cast<double>(tick) / options->rateHz).drill || drillAlways;
+        },
+        [&](std::uint64_t tick, const core::session::ServoState& state) {
+            trace.row(startS + static_cast<double>(tick) / options->rateHz, state);
+        });
+    if (!outcome)
+        return failed(outcome.error());
+    if (const core::Status written = trace.finish(); !written)
+        return failed(written.error());
+    if (const QString record = parser.value(QStringLiteral("record")); !record.isEmpty())
+        if (const core::Status written = core::recording::writeRecording(record.toStdString(), outcome->recording);
+            !written)
+            return failed(written.error());
+
+    const QString hash = hashText(core::terrain::stateHash(outcome->tooth));
+    const QJsonObject tickUs = percentiles(outcome->tickUs);
+    if (parser.isSet(QStringLiteral("json"))) {
+        printJson({{QStringLiteral("ticks"), static_cast<qint64>(ticks)},
+                   {QStringLiteral("tick_us"), tickUs},
+                   {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
+                   {QStringLiteral("state_hash"), hash},
+                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}});
+        return kDone;
+    }
+    const auto& removed = outcome->last.removedMm3;
+    printText(QStringLiteral("ticks          %1 at %2 Hz\n"
+                             "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"
+                             "removed        caries %7, enamel %8, dentin %9, pulp %10 mm3\n"
+                             "state          %11\n")
+                  .arg(ticks)
+                  .arg(options->rateHz)
+                  .arg(tickUs[QStringLiteral("p50")].toDouble(), 0, 'f', 1)
+                  .arg(tickUs[QStringLiteral("p99")].toDouble(), 0, 'f', 1)
+                  .arg(tickUs[QStringLiteral("p999")].toDouble(), 0, 'f', 1)
+                  .arg(tickUs[QStringLiteral("max")].toDouble(), 0, 'f', 1)
+                  .arg(removed[0], 0, 'f', 4)
+                  .arg(removed[1], 0, 'f', 4)
+                  .arg(removed[2], 0, 'f', 4)
+                  .arg(removed[3], 0, 'f', 4)
+                  .arg(hash));
+    return kDone;
+}
+
+}  // namespace app::cli

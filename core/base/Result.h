@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+namespace core {
+
+/// What went wrong, for code that must tell cases apart and for the ui, which owns the translated sentences.
+enum class ErrorCode {
+    FileMissing,     ///< nothing there
+    FileUnreadable,  ///< there, but a directory, or not ours to read
+    FileUnwritable,  ///< could not be created or filled
+    FileEmpty,       ///< zero bytes
+    FileTruncated,   ///< ends before what its own header promises
+    FileTooLarge,    ///< more than the program is willing to hold
+    WrongKind,       ///< readable, but not the format it is named for
+    NewerVersion,    ///< written by a later program
+    BadNumber,       ///< not a number, or not a finite one
+    BadStructure,    ///< right format, impossible content
+    NoTriangles,     ///< a mesh without one usable face
+    UnknownName,     ///< a bur, method, tooth or preset that does not exist
+    OutOfRange,      ///< a value outside what is allowed
+};
+
+struct Error
+{
+    ErrorCode code = ErrorCode::WrongKind;
+    std::string detail;  ///< one English sentence: what, where, what to do; for the log and the command line
+};
+
+/// Expected failure as a value (style guide, section 6). C++23's std::expected has the same member names.
+template <class T>
+using Result = tl::expected<T, Error>;
+using Status = Result<void>;
+
+[[nodiscard]] inline tl::unexpected<Error> unexpected(ErrorCode code, std::string detail)
+{
+    return tl::unexpected<Error>(Error{code, std::move(detail)});
+}
+
+}  // namespace core

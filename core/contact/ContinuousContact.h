@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/contact/ContactMethod.h"
+
+namespace core::contact {
+
+/// The bur as a point over the clearance field: the anchor is the nearest free point to the device that can be reached
+/// from the last anchor without climbing a wall.
+///
+/// Only (x, y) is searched, for over a point the best height is known: max(device z, C). Eight directions, steps
+/// from about the device's last move down to 1/128 cell (haptics.md 3.2). A step that would climb more than four cells
+/// a cell is refused, so the anchor neither hops onto a wall nor through a ridge. Beneath an overhang the same search
+/// runs along the underside, min(device z, D).
+class ContinuousContact final : public ContactMethod
+{
+public:
+    [[nodiscard]] std::string_view name() const noexcept override { return "continuous"; }
+    glm::dvec3 update(LiveTooth& tooth, const glm::dvec3& device) noexcept override;
+    void moveTo(const glm::dvec3& anchor) noexcept override;
+    void restart(const glm::dvec3& device) noexcept override;
+
+private:
+    glm::dvec3 m_anchor{0.0, 0.0, 10.0};
+    glm::dvec3 m_device{0.0, 0.0, 10.0};
+};
+
+}  // namespace core::contact

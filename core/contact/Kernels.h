@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drilling/BurMask.h"
+
+/// The innermost loops of contact: maxima and minima over a bur's footprint. One source, compiled for the plain
+/// architecture and for AVX2; every element goes through the same IEEE operations in both, so they agree to the bit.
+namespace core::contact {
+
+/// The heights a kernel reads: a square map, row by row.
+struct HeightView
+{
+    const float* heights = nullptr;
+    int side = 0;
+};
+
+struct Kernels
+{
+    const char* name;  ///< "plain" or "avx2"
+    /// max over the mask of H(i + di, j + dj) - underside(di, dj); very low where the mask meets no node.
+    float (*highestAtNode)(HeightView top, const drilling::BurMask& mask, int i, int j) noexcept;
+    /// min over the mask of bottom(i + di, j + dj) - upperSide(di, dj); very high where the mask meets no node.
+    float (*lowestAtNode)(HeightView bottom, const drilling::BurMask& mask, int i, int j) noexcept;
+    /// max over nodes within the head of H(q) - underside(|q - p|), p in lattice units, at a point between nodes.
+    /// May stop early and return any value above `enough`.
+    float (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
+                            float enough) noexcept;
+};
+
+extern const Kernels kPlainKernels;
+/// The fastest this processor runs; the plain ones if CUSP_PLAIN_KERNELS is set in the environment (for tests).
+[[nodiscard]] const Kernels& kernels();
+
+}  // namespace core::contact

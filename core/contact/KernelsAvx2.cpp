@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled with -mavx2 (and without FMA, which would change results). Empty where the processor family has no AVX2.
+#ifdef CUSP_HAVE_AVX2
+#include "core/contact/KernelsImpl.inc"
+
+namespace core::contact {
+
+extern const Kernels kAvx2Kernels;
+const Kernels kAvx2Kernels{"avx2", highestAtNode, lowestAtNode, highestAtPoint};
+
+}  // namespace core::contact
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/contact/Kernels.h"
+#include "core/drilling/BurMask.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::contact {
+
+/// The tooth the servo works on: the height maps with, for the bur in hand, the clearance field
+///
+///     C(p) = max over |q - p| <= R of (H(q) - b(|q - p|)),   the tip (p, z) is free above if z >= C(p)
+///
+/// and its mirror image from below, D(p) = min (bottom(q) - u(|q - p|)), free beneath if z <= D(p)
+/// (design section 2; inverse tool offset of CAM, tip dilation of Villarrubia 1997).
+///
+/// Values at nodes are computed when first asked for and kept until a cut dirties them. Built outside the servo thread
+/// (it allocates); afterwards owned by the servo thread alone, and no member below allocates.
+class LiveTooth
+{
+public:
+    explicit LiveTooth(terrain::Tooth tooth);
+
+    [[nodiscard]] const terrain::Tooth& tooth() const noexcept { return m_tooth; }
+    [[nodiscard]] const terrain::Grid& grid() const noexcept { return m_tooth.anatomy->grid; }
+    [[nodiscard]] const drilling::BurMask& mask() const noexcept { return m_masks[m_bur]; }
+    [[nodiscard]] std::size_t burIndex() const noexcept { return m_bur; }
+
+    /// Takes another bur in hand: index into drilling::burs(). Constant time, all clearances become stale.
+    void selectBur(std::size_t index) noexcept;
+
+    /// C at a node; kEmptyTop or less where the bur meets no material. Node must be on the grid.
+    [[nodiscard]] float clearanceAtNode(int i, int j) noexcept;
+    /// D at a node; kEmptyBottom or more where the bur meets no material.
+    [[nodiscard]] float undersideAtNode(int i, int j) noexcept;
+
+    /// Least height at which the tip is free above everything, at any point of the tooth frame, mm.
+    ///
+    /// Over uncut surface bilinear between nodes, which is exact on planes and does not cog (haptics.md 3.1). Over
+    /// columns that have been cut, the maximum over the columns under the bur itself: a pocket as wide as the bur that
+    /// made it lies between the nodes and none of them sees it.
+    /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
+    [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept;
+    /// Whether clearanceAt() takes the columns themselves here, because one of the four around has been cut.
+    [[nodiscard]] bool isFeltByColumns(glm::dvec2 pointMm) const noexcept;
+    /// Greatest height at which the tip is free beneath everything, at any point, mm.
+    [[nodiscard]] double undersideAt(glm::dvec2 pointMm) noexcept;
+
+    /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
+    /// Clearances go stale only with markCut().
+    void lower(std::size_t index, float heightMm) noexcept;
+    /// Says that columns i0..i1 x j0..j1 (on the grid) were lowered: dirties the clearances within the bur's reach.
+    void markCut(int i0, int j0, int i1, int j1) noexcept;
+
+private:
+    struct Field
+    {
+        std::vector<float> value;
+        std::vector<std::uint32_t> stamp;  ///< value is fresh if this equals m_epoch
+    };
+
+    [[nodiscard]] bool isCut(int i, int j) const noexcept
+    {
+        const std::size_t k = grid().index(i, j);
+        return m_tooth.top[k] < m_tooth.anatomy->top[k];
+    }
+    [[nodiscard]] bool isAnyCut(int i, int j) const noexcept
+    {
+        return isCut(i, j) || isCut(i + 1, j) || isCut(i, j + 1) || isCut(i + 1, j + 1);
+    }
+    [[nodiscard]] bool corners(glm::dvec2 pointMm, int& i, int& j, double& fx, double& fy) const noexcept;
+
+    terrain::Tooth m_tooth;
+    std::vector<drilling::BurMask> m_masks;
+    std::size_t m_bur = 0;
+    Field m_above;
+    Field m_below;
+    std::uint32_t m_epoch = 1;
+    const Kernels& m_kernels;
+};
+
+}  // namespace core::contact

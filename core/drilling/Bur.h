@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/Result.h"
+
+namespace core::drilling {
+
+/// Above the head there is only the shank; inside its radius the upper side of the bur never ends.
+inline constexpr double kShankTopMm = 1.0e3;
+
+/// One axisymmetric bur. Heights are above its tip, radii from its axis, mm. US numbers and sizes: teeth.md section 6.
+struct Bur
+{
+    std::string_view id;    ///< what the command line and recordings call it: "330"
+    std::string_view name;  ///< "pear, No. 330"
+    double headRadiusMm = 0.0;
+    double headLengthMm = 0.0;
+    double shankRadiusMm = 0.0;  ///< neck just above the head
+    /// Half outline of the head from (0, 0) at the tip to the shank, as points (radius, height), heights never falling.
+    struct Point
+    {
+        double radiusMm;
+        double heightMm;
+    };
+    std::vector<Point> outline;
+
+    /// Height of the underside at radius r <= headRadiusMm: the lowest point of the head there.
+    [[nodiscard]] double undersideMm(double radiusMm) const;
+    /// Height of the upper side at radius r <= headRadiusMm; kShankTopMm where the shank continues it.
+    [[nodiscard]] double upperSideMm(double radiusMm) const;
+};
+
+/// The burs that exist, in the order a chooser shows them: round 2, pear 330, long pear 245, straight fissure 57.
+[[nodiscard]] std::span<const Bur> burs();
+
+/// Index into burs() by id, or UnknownName naming those there are.
+[[nodiscard]] Result<std::size_t> findBur(std::string_view id);
+
+}  // namespace core::drilling

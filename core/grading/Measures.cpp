@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grading/Measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace core::grading {
+namespace {
+
+using terrain::ColumnLayers;
+using terrain::Material;
+using terrain::PerMaterial;
+using terrain::Tooth;
+using terrain::ToothAnatomy;
+
+constexpr double kFarMm = 5.0;
+
+double of(const PerMaterial& lengths, Material material)
+{
+    return lengths[static_cast<std::size_t>(material)];
+}
+
+double soundOf(const PerMaterial& lengths)
+{
+    return of(lengths, Material::Enamel) + of(lengths, Material::Dentin);
+}
+
+bool wasSolid(const ToothAnatomy& anatomy, std::size_t k)
+{
+    return anatomy.top[k] > anatomy.bottom[k];
+}
+
+/// Where a column ends now: its top, or the tooth's under surface where it was cut through.
+float endOf(const Tooth& tooth, std::size_t k)
+{
+    return tooth.isSolid(k) ? tooth.top[k] : tooth.anatomy->bottom[k];
+}
+
+bool isCut(const Tooth& tooth, std::size_t k)
+{
+    return wasSolid(*tooth.anatomy, k) && endOf(tooth, k) < tooth.anatomy->top[k];
+}
+
+bool hasPulp(const ToothAnatomy& anatomy, std::size_t k)
+{
+    const ColumnLayers& column = anatomy.layers[k];
+    return wasSolid(anatomy, k) && column.pulpRoof > column.pulpFloor && column.pulpRoof > anatomy.bottom[k] &&
+           column.pulpFloor < anatomy.top[k];
+}
+
+/// The decay left in a column, floor < roof, or nothing.
+struct Decay
+{
+    float floor = 0.0F;
+    float roof = 0.0F;
+    [[nodiscard]] bool any() const { return roof > floor; }
+};
+
+Decay decayIn(const Tooth& tooth, std::size_t k)
+{
+    if (!tooth.isSolid(k))
+        return {};
+    const ColumnLayers& column = tooth.anatomy->layers[k];
+    return {std::max(column.cariesFloor, tooth.bottom[k]), std::min(column.cariesRoof, tooth.top[k])};
+}
+
+double largestIsland(const Tooth& tooth)
+{
+    const terrain::Grid& grid = tooth.grid();
+    std::vector<std::uint8_t> seen(grid.count(), 0);
+    std::vector<std::size_t> open;
+    double largest = 0.0;
+    for (std::size_t start = 0; start < grid.count(); ++start) {
+        if (seen[start] != 0 || !decayIn(tooth, start).any())
+            continue;
+        double volume = 0.0;
+        open.assign(1, start);
+        seen[start] = 1;
+        while (!open.empty()) {
+            const std::size_t k = open.back();
+            open.pop_back();
+            const Decay here = decayIn(tooth, k);
+            volume += (static_cast<double>(here.roof) - static_cast<double>(here.floor)) *
+                      static_cast<double>(tooth.anatomy->areaMm2[k]);
+            const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
+            const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));
+            const auto visit = [&](int ni, int nj) {
+                if (!grid.contains(ni, nj) || seen[grid.index(ni, nj)] != 0)
+                    return;
+                const Decay there = decayIn(tooth, grid.index(ni, nj));
+                if (!there.any() || std::min(here.roof, there.roof) < std::max(here.floor, there.floor))
+                    return;
+                seen[grid.index(ni, nj)] = 1;
+                open.push_back(grid.index(ni, nj));
+            };
+            visit(i + 1, j);
+            visit(i - 1, j);
+            visit(i, j + 1);
+            visit(i, j - 1);
+        }
+        largest = std::max(largest, volume);
+    }
+    return largest;
+}
+
+constexpr int kTileSide = 8;
+
+/// A square of columns and the height of the one that counts most for nearness: the lowest end, or the highest roof.
+struct Tile
+{
+    int i = 0;
+    int j = 0;
+    double heightMm = 0.0;
+};
+
+/// The tiles in which `heightOf` has anything to say (it answers NaN otherwise); `sign` -1 keeps lowest heights.
+template <class HeightOf>
+std::vector<Tile> tilesWith(const terrain::Grid& grid, double sign, HeightOf heightOf)
+{
+    std::vector<Tile> tiles;
+    for (int j0 = 0; j0 < grid.side; j0 += kTileSide) {
+        for (int i0 = 0; i0 < grid.side; i0 += kTileSide) {
+            double most = -std::numeric_limits<double>::infinity();
+            for (int j = j0; j < std::min(grid.side, j0 + kTileSide); ++j)
+                for (int i = i0; i < std::min(grid.side, i0 + kTileSide); ++i)
+                    if (const double height = heightOf(grid.index(i, j)); !std::isnan(height))
+                        most = std::max(most, sign * height);
+            if (std::isfinite(most))
+                tiles.push_back({i0, j0, sign * most});
+        }
+    }
+    return tiles;
+}
+
+/// Shortest distance from any cut surface to any pulp, at most kFarMm. Pairs of tiles that cannot hold a shorter one
+/// than is known are left out, the rest is compared column by column.
+double remainingOverPulp(const Tooth& tooth)
+{
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    const terrain::Grid& grid = tooth.grid();
+    const auto roofOf = [&](std::size_t k) {
+        return hasPulp(anatomy, k) ? static_cast<double>(anatomy.layers[k].pulpRoof) : std::nan("");
+    };
+    const auto cutEnd = [&](std::size_t k) {
+        return isCut(tooth, k) ? static_cast<double>(endOf(tooth, k)) : std::nan("");
+    };
+    const std::vector<Tile> pulps = tilesWith(grid, 1.0, roofOf);
+    const std::vector<Tile> cuts = tilesWith(grid, -1.0, cutEnd);
+
+    const auto apart = [&](int di, int dj, double over) {
+        return std::sqrt(grid.cellMm * grid.cellMm * (1.0 * di * di + 1.0 * dj * dj) + over * over);
+    };
+    const auto least = [&](const Tile& pulp, const Tile& cut) {
+        const int di = std::max(0, std::abs(pulp.i - cut.i) - (kTileSide - 1));
+        const int dj = std::max(0, std::abs(pulp.j - cut.j) - (kTileSide - 1));
+        return apart(di, dj, std::max(0.0, cut.heightMm - pulp.heightMm));
+    };
+    double nearest = kFarMm;
+    const auto compare = [&](const Tile& pulp, const Tile& cut) {
+        for (int j = pulp.j; j < std::min(grid.side, pulp.j + kTileSide); ++j) {
+            for (int i = pulp.i; i < std::min(grid.side, pulp.i + kTileSide); ++i) {
+                const double roof = roofOf(grid.index(i, j));
+                if (std::isnan(roof))
+                    continue;
+                for (int nj = cut.j; nj < std::min(grid.side, cut.j + kTileSide); ++nj) {
+                    for (int ni = cut.i; ni < std::min(grid.side, cut.i + kTileSide); ++ni) {
+                        const double end = cutEnd(grid.index(ni, nj));
+                        if (!std::isnan(end))
+                            nearest = std::min(nearest, apart(ni - i, nj - j, std::max(0.0, end - roof)));
+                    }
+                }
+            }
+        }
+    };
+
+    // The most promising pair first: what it finds rules out nearly all others.
+    const Tile* bestPulp = nullptr;
+    const Tile* bestCut = nullptr;
+    double promise = kFarMm;
+    for (const Tile& pulp : pulps) {
+        for (const Tile& cut : cuts) {
+            if (least(pulp, cut) < promise) {
+                promise = least(pulp, cut);
+                bestPulp = &pulp;
+                bestCut = &cut;
+            }
+        }
+    }
+    if (bestPulp == nullptr)
+        return kFarMm;
+    compare(*bestPulp, *bestCut);
+    for (const Tile& pulp : pulps)
+        for (const Tile& cut : cuts)
+            if (least(pulp, cut) < nearest)
+                compare(pulp, cut);
+    return nearest;
+}
+
+}  // namespace
+
+Measures measure(const Tooth& tooth)
+{
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    Measures result;
+    result.removedMm3 = terrain::removedVolumes(tooth);
+    bool anyCut = false;
+    bool anyPulp = false;
+    for (std::size_t k = 0; k < anatomy.top.size(); ++k) {
+        if (!wasSolid(anatomy, k))
+            continue;
+        const ColumnLayers& column = anatomy.layers[k];
+        const auto area = static_cast<double>(anatomy.areaMm2[k]);
+        const float top = anatomy.top[k];
+        const float bottom = anatomy.bottom[k];
+        const float now = endOf(tooth, k);
+
+        const double lesion = of(terrain::lengthsBetween(column, bottom, top), Material::Caries);
+        // Down to here a column has to be cut to clear its decay.
+        const float needed = lesion > 0.0 ? std::max(bottom, column.cariesFloor) : top;
+        result.lesionMm3 += lesion * area;
+        result.accessMm3 += soundOf(terrain::lengthsBetween(column, needed, top)) * area;
+        if (tooth.isSolid(k))
+            result.cariesLeftMm3 +=
+                of(terrain::lengthsBetween(column, tooth.bottom[k], tooth.top[k]), Material::Caries) * area;
+        anyPulp = anyPulp || hasPulp(anatomy, k);
+        if (!(now < top))
+            continue;
+        anyCut = true;
+        result.deepestCutMm = std::max(result.deepestCutMm, static_cast<double>(top) - static_cast<double>(now));
+        if (now < needed)
+            result.overcutMm3 += soundOf(terrain::lengthsBetween(column, now, needed)) * area;
+        if (hasPulp(anatomy, k) && now <= column.pulpRoof)
+            result.pulpExposedMm2 += area;
+    }
+    if (result.lesionMm3 > 0.0) {
+        result.cariesLeftPercent = 100.0 * result.cariesLeftMm3 / result.lesionMm3;
+        result.largestIslandMm3 = largestIsland(tooth);
+    }
+    result.hasRemainingOverPulp = anyCut && anyPulp;
+    if (result.hasRemainingOverPulp)
+        result.remainingOverPulpMm = result.pulpExposedMm2 > 0.0 ? 0.0 : remainingOverPulp(tooth);
+    return result;
+}
+
+}  // namespace core::grading

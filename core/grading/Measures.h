@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/terrain/Tooth.h"
+
+namespace core::grading {
+
+/// What an attempt did to a tooth. Every figure is a sum, minimum or maximum over columns: exact for the model, the
+/// same bits on every machine. Not measured, because a height map cannot hold it: undercuts, walls past 90 degrees.
+struct Measures
+{
+    /// mm3 of each material removed: caries, enamel, dentin, pulp.
+    terrain::PerMaterial removedMm3{};
+
+    /// mm3 of the lesion before anything was cut.
+    double lesionMm3 = 0.0;
+    /// mm3 of the lesion still in the tooth.
+    double cariesLeftMm3 = 0.0;
+    /// cariesLeftMm3 in per cent of lesionMm3; 0 for a tooth without a lesion.
+    double cariesLeftPercent = 0.0;
+    /// mm3 of the largest piece of lesion left; columns hang together where they share an edge and their decay overlaps
+    /// in height.
+    double largestIslandMm3 = 0.0;
+
+    /// mm3 of sound enamel and dentin that lie straight above the lesion: a handpiece held upright cannot reach the
+    /// decay without taking them.
+    double accessMm3 = 0.0;
+    /// mm3 of sound enamel and dentin removed elsewhere: beside the lesion or below it.
+    double overcutMm3 = 0.0;
+
+    /// mm, largest lowering of the surface; over the full height of the tooth where a column was cut through.
+    double deepestCutMm = 0.0;
+    /// mm2, area of the columns, seen from above, that were cut down to pulp or through it.
+    double pulpExposedMm2 = 0.0;
+    /// True if there is a pulp and a cut; only then does remainingOverPulpMm say anything.
+    bool hasRemainingOverPulp = false;
+    /// mm, shortest straight distance in any direction from a cut surface to the pulp; 0 where it is exposed. What lies
+    /// between, dentin or decay left behind, is counted. Nodes are points: true to one cell sideways. Distances over
+    /// 5 mm read 5.
+    double remainingOverPulpMm = 0.0;
+
+    bool operator==(const Measures&) const = default;
+};
+
+/// Measures a finished (or running) attempt. A few milliseconds at 150 x 150. Any thread that owns the tooth.
+[[nodiscard]] Measures measure(const terrain::Tooth& tooth);
+
+}  // namespace core::grading

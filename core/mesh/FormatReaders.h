@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/mesh/MeshReader.h"
+
+/// One reader per format; readMesh() chooses. `name` is what the sentences call the file.
+namespace core::mesh {
+
+/// Wavefront OBJ: v and f lines with any of v, v/vt, v//vn, v/vt/vn and negative indices; polygons; continued lines.
+/// Everything else (materials, groups, comments, curves) is passed over.
+[[nodiscard]] Result<MeshFile> readObj(std::string_view text, std::string_view name);
+
+/// STL, binary where the stated count fits the size, ASCII where it begins with "solid".
+[[nodiscard]] Result<MeshFile> readStl(std::string_view bytes, std::string_view name);
+
+/// PLY 1.0, ASCII and binary in both byte orders; the elements "vertex" (x, y, z) and "face" (a list of indices),
+/// all others passed over.
+[[nodiscard]] Result<MeshFile> readPly(std::string_view bytes, std::string_view name);
+
+/// "scan.obj has more than 5000000 triangles, ..."
+[[nodiscard]] tl::unexpected<Error> tooManyTriangles(std::string_view name);
+
+}  // namespace core::mesh

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/base/Result.h"
+#include "core/mesh/TriangleMesh.h"
+
+namespace core::mesh {
+
+/// Writes a mesh as Wavefront OBJ: `#` lines of the comment, `v` lines with six decimals, `f` lines. Independent of the
+/// locale.
+///
+/// The file appears whole or not at all: it is written beside its place and then renamed. FileUnwritable otherwise.
+[[nodiscard]] Status writeObj(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view comment);
+
+}  // namespace core::mesh

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/mesh/FormatReaders.h"
+#include "core/mesh/TextScanner.h"
+
+namespace core::mesh {
+namespace {
+
+enum class Scalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+
+std::optional<Scalar> scalarNamed(std::string_view word)
+{
+    static constexpr std::pair<std::string_view, Scalar> kNames[] = {
+        {"char", Scalar::Int8},      {"int8", Scalar::Int8},       {"uchar", Scalar::UInt8},
+        {"uint8", Scalar::UInt8},    {"short", Scalar::Int16},     {"int16", Scalar::Int16},
+        {"ushort", Scalar::UInt16},  {"uint16", Scalar::UInt16},   {"int", Scalar::Int32},
+        {"int32", Scalar::Int32},    {"uint", Scalar::UInt32},     {"uint32", Scalar::UInt32},
+        {"float", Scalar::Float32},  {"float32", Scalar::Float32}, {"double", Scalar::Float64},
+        {"float64", Scalar::Float64}};
+    for (const auto& [name, scalar] : kNames)
+        if (word == name)
+            return scalar;
+    return std::nullopt;
+}
+
+std::size_t sizeOf(Scalar type)
+{
+    switch (type) {
+    case Scalar::Int8:
+    case Scalar::UInt8:
+        return 1;
+    case Scalar::Int16:
+    case Scalar::UInt16:
+        return 2;
+    case Scalar::Int32:
+    case Scalar::UInt32:
+    case Scalar::Float32:
+        return 4;
+    case Scalar::Float64:
+        return 8;
+    }
+    return 1;
+}
+
+struct Property
+{
+    std::string name;
+    Scalar type = Scalar::Float32;
+    std::optional<Scalar> countType;  ///< a list, and what its length is written as
+};
+
+struct Element
+{
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+};
+
+enum class Encoding { Ascii, LittleEndian, BigEndian };
+
+/// The values of the body one after the other, whatever their encoding. Doubles hold every PLY scalar exactly.
+class Body
+{
+public:
+    Body(std::string_view bytes, Encoding encoding) : m_rest(bytes), m_encoding(encoding) {}
+
+    /// Nothing at the end of the file, or where text is no number.
+    std::optional<double> take(Scalar type) { return m_encoding == Encoding::Ascii ? takeText() : takeBinary(type); }
+
+    [[nodiscard]] std::size_t bytesLeft() const { return m_rest.size(); }
+
+    /// Fewest bytes that one such value can take.
+    [[nodiscard]] std::size_t leastBytes(Scalar type) const { return m_encoding == Encoding::Ascii ? 1 : sizeOf(type); }
+
+private:
+    std::optional<double> takeText()
+    {
+        std::size_t begin = 0;
+        while (begin < m_rest.size() && (isBlank(m_rest[begin]) || m_rest[begin] == '\n'))
+            ++begin;
+        std::size_t end = begin;
+        while (end < m_rest.size() && !isBlank(m_rest[end]) && m_rest[end] != '\n')
+            ++end;
+        std::string_view word = m_rest.substr(begin, end - begin);
+        m_rest.remove_prefix(end);
+        if (word.starts_with('+'))
+            word.remove_prefix(1);
+        double value = 0.0;
+        const auto [stop, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (word.empty() || stop != word.data() + word.size())
+            return std::nullopt;
+        if (failure == std::errc::result_out_of_range)
+            return word.find_first_of("eE") != std::string_view::npos && word.find('-', 1) != std::string_view::npos
+                       ? 0.0
+                       : std::numeric_limits<double>::infinity();
+        return value;
+    }
+
+    std::optional<double> takeBinary(Scalar type)
+    {
+        const std::size_t size = sizeOf(type);
+        if (m_rest.size() < size)
+            return std::nullopt;
+        std::uint64_t word = 0;
+        for (std::size_t k = 0; k < size; ++k) {
+            const std::size_t place = m_encoding == Encoding::LittleEndian ? k : size - 1 - k;
+            word |= static_cast<std::uint64_t>(static_cast<unsigned char>(m_rest[k])) << (8 * place);
+        }
+        m_rest.remove_prefix(size);
+        switch (type) {
+        case Scalar::Int8:
+            return static_cast<std::int8_t>(word);
+        case Scalar::Int16:
+            return static_cast<std::int16_t>(word);
+        case Scalar::Int32:
+            return static_cast<std::int32_t>(word);
+        case Scalar::Float32:
+            return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(word)));
+        case Scalar::Float64:
+            return std::bit_cast<double>(word);
+        default:
+            return static_cast<double>(word);
+        }
+    }
+
+    std::string_view m_rest;
+    Encoding m_encoding;
+};
+
+class PlyParser
+{
+public:
+    explicit PlyParser(std::string_view name) : m_name(name) {}
+
+    Result<MeshFile> parse(std::string_view bytes)
+    {
+        const std::optional<std::size_t> bodyAt = readHeader(bytes);
+        if (!bodyAt)
+            return unexpected(ErrorCode::WrongKind, m_name + " is not a PLY file that Cusp reads: its header " +
+                                                        m_headerFault + "; check that it is the mesh you meant");
+        Body body(bytes.substr(*bodyAt), m_encoding);
+        for (const Element& element : m_elements)
+            if (Status status = takeElement(element, body); !status)
+                return tl::unexpected(std::move(status).error());
+        return finish();
+    }
+
+private:
+    /// Where the body begins; nothing, with m_headerFault set, when there is no usable header.
+    std::optional<std::size_t> readHeader(std::string_view bytes)
+    {
+        bool encodingGiven = false;
+        std::size_t at = 0;
+        for (int number = 1; at < bytes.size(); ++number) {
+            std::size_t end = bytes.find('\n', at);
+            if (end == std::string_view::npos)
+                break;
+            std::string_view line = bytes.substr(at, end - at);
+            at = end + 1;
+            const std::string_view keyword = takeWord(line);
+            if (number == 1 && keyword != "ply") {
+                m_headerFault = "does not begin with \"ply\"";
+                return std::nullopt;
+            }
+            if (keyword == "format") {
+                const std::string_view encoding = takeWord(line);
+                encodingGiven =
+                    encoding == "ascii" || encoding == "binary_little_endian" || encoding == "binary_big_endian";
+                m_encoding = encoding == "ascii"                  ? Encoding::Ascii
+                             : encoding == "binary_little_endian" ? Encoding::LittleEndian
+                                                                  : Encoding::BigEndian;
+            } else if (keyword == "element" || keyword == "property") {
+                if (!(keyword == "element" ? addElement(line) : addProperty(line))) {
+                    m_headerFault = "has a faulty line " + std::to_string(number);
+                    return std::nullopt;
+                }
+            } else if (keyword == "end_header") {
+                if (encodingGiven)
+                    return at;
+                m_headerFault = "names no known encoding";
+                return std::nullopt;
+            }
+        }
+        m_headerFault = "has no end";
+        return std::nullopt;
+    }
+
+    bool addElement(std::string_view line)
+    {
+        Element element;
+        element.name = takeWord(line);
+        const std::string_view count = takeWord(line);
+        const auto [stop, failure] = std::from_chars(count.data(), count.data() + count.size(), element.count);
+        if (element.name.empty() || count.empty() || failure != std::errc() || stop != count.data() + count.size())
+            return false;
+        m_elements.push_back(std::move(element));
+        return true;
+    }
+
+    bool addProperty(std::string_view line)
+    {
+        if (m_elements.empty())
+            return false;
+        Property property;
+        std::string_view type = takeWord(line);
+        if (type == "list") {
+            property.countType = scalarNamed(takeWord(line));
+            if (!property.countType || *property.countType >= Scalar::Float32)
+                return false;
+            type = takeWord(line);
+        }
+        const auto scalar = scalarNamed(type);
+        property.name = takeWord(line);
+        if (!scalar || property.name.empty())
+            return false;
+        property.type = *scalar;
+        m_elements.back().properties.push_back(std::move(property));
+        return true;
+    }
+
+    Status takeElement(const Element& element, Body& body)
+    {
+        // A count may claim anything; the bytes that are left say what can be true. No loop runs on a claim alone.
+        std::size_t rowBytes = 0;
+        for (const Property& property : element.properties)
+            rowBytes += body.leastBytes(property.countType.value_or(property.type));
+        if (rowBytes == 0)
+            return {};
+        const bool vertices = element.name == "vertex";
+        const bool faces = element.name == "face";
+        if ((vertices && element.count > kMaxVertices) || (faces && element.count > kMaxTriangles))
+            return tooManyTriangles(m_name);
+        if (element.count > body.bytesLeft() / rowBytes)
+            return cutShort(element.name + " count of " + std::to_string(element.count));
+        if (vertices)
+            m_file.mesh.vertices.reserve(static_cast<std::size_t>(element.count));
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            glm::vec3 position{};
+            int coordinates = 0;
+            for (const Property& property : element.properties) {
+                const bool corners = faces && (property.name == "vertex_indices" || property.name == "vertex_index");
+                Status status;
+                if (property.countType)
+                    status = takeList(element, property, row, corners, body);
+                else
+                    status = takeScalar(element, property, row, vertices, position, coordinates, body);
+                if (!status)
+                    return status;
+            }
+            if (vertices && coordinates != 3)
+                return unexpected(ErrorCode::BadStructure,
+                                  m_name + ": its vertices have no x, y and z; export the mesh again");
+            if (vertices)
+                m_file.mesh.vertices.push_back(position);
+        }
+        return {};
+    }
+
+    Status takeScalar(const Element& element, const Property& property, std::uint64_t row, bool vertices,
+                      glm::vec3& position, int& coordinates, Body& body) const
+    {
+        const auto value = body.take(property.type);
+        if (!value)
+            return cutShort(element.name + " " + std::to_string(row + 1));
+        const bool coordinate = property.name == "x" || property.name == "y" || property.name == "z";
+        if (!vertices || !coordinate)
+            return {};
+        // Beyond the range of float, the conversion itself would be undefined.
+        if (!(std::abs(*value) <= static_cast<double>(std::numeric_limits<float>::max())))
+            return unexpected(ErrorCode::BadNumber, m_name + ", vertex " + std::to_string(row + 1) +
+                                                        ": a coordinate is not a finite number; export the mesh again");
+        position[property.name[0] - 'x'] = static_cast<float>(*value);
+        ++coordinates;
+        return {};
+    }
+
+    Status takeList(const Element& element, const Property& property, std::uint64_t row, bool corners, Body& body)
+    {
+        const auto length = body.take(*property.countType);
+        if (!length || !(*length >= 0.0) || *length > static_cast<double>(body.bytesLeft()))
+            return cutShort(element.name + " " + std::to_string(row + 1));
+        const auto count = static_cast<std::uint64_t>(*length);
+        std::uint32_t first = 0;
+        std::uint32_t previous = 0;
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const auto value = body.take(property.type);
+            if (!value)
+                return cutShort(element.name + " " + std::to_string(row + 1));
+            if (!corners)
+                continue;
+            if (!(*value >= 0.0 && *value < static_cast<double>(kMaxVertices)))
+                return unexpected(ErrorCode::BadStructure, m_name + ", face " + std::to_string(row + 1) +
+                                                               " names a vertex that cannot be; export the mesh again");
+            const auto index = static_cast<std::uint32_t>(*value);
+            if (k == 0)
+                first = index;
+            if (k >= 2) {
+                if (m_file.mesh.triangles.size() == kMaxTriangles)
+                    return tooManyTriangles(m_name);
+                m_file.mesh.triangles.push_back({first, previous, index});
+            }
+            previous = index;
+        }
+        m_thinFaces += corners && count < 3 ? 1 : 0;
+        return {};
+    }
+
+    Result<MeshFile> finish()
+    {
+        const TriangleMesh& mesh = m_file.mesh;
+        if (mesh.triangles.empty())
+            return unexpected(ErrorCode::NoTriangles,
+                              m_name + " holds " + std::to_string(mesh.vertices.size()) +
+                                  " points and no face; export the surface, not only its points");
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const std::uint32_t index : mesh.triangles[t])
+                if (index >= mesh.vertices.size())
+                    return unexpected(ErrorCode::BadStructure, m_name + ": a face names vertex " +
+                                                                   std::to_string(index) + " of only " +
+                                                                   std::to_string(mesh.vertices.size()) +
+                                                                   " (counted from 0); export the mesh again");
+        if (m_thinFaces > 0)
+            m_file.warnings.push_back(std::to_string(m_thinFaces) + " faces with fewer than three corners passed over");
+        return std::move(m_file);
+    }
+
+    tl::unexpected<Error> cutShort(const std::string& where) const
+    {
+        return unexpected(ErrorCode::FileTruncated, m_name + " is cut short or not what its header says, at " + where +
+                                                        "; copy the file again or export it anew");
+    }
+
+    std::string m_name;
+    std::string m_headerFault;
+    Encoding m_encoding = Encoding::Ascii;
+    std::vector<Element> m_elements;
+    MeshFile m_file;
+    std::size_t m_thinFaces = 0;
+};
+
+}  // namespace
+
+Result<MeshFile> readPly(std::string_view bytes, std::string_view name)
+{
+    return PlyParser(name).parse(bytes);
+}
+
+}  // namespace core::mesh

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/Result.h"
+
+namespace core::recording {
+
+/// Where a device is at one time.
+struct PathPoint
+{
+    double timeS = 0.0;
+    glm::dvec3 tipMm{0.0};
+    bool drill = false;  ///< from this point until the next
+};
+
+/// A device path: points in time, straight lines between them.
+struct DevicePath
+{
+    std::vector<PathPoint> points;  ///< at least one, times rising
+
+    [[nodiscard]] double durationS() const { return points.back().timeS - points.front().timeS; }
+    /// Number of ticks at `rateHz`, both ends included.
+    [[nodiscard]] std::uint64_t ticks(double rateHz) const;
+};
+
+/// Walks a path at rising times; remembers its place, so a whole walk costs one pass.
+class PathCursor
+{
+public:
+    explicit PathCursor(const DevicePath& path) : m_path(path) {}
+    /// The point at `timeS` after the path's start; before it the first point, after it the last.
+    PathPoint at(double timeS) noexcept;
+
+private:
+    const DevicePath& m_path;
+    std::size_t m_segment = 0;
+};
+
+inline constexpr std::size_t kMaxPathPoints = 5'000'000;
+inline constexpr double kMaxPathMm = 1000.0;
+
+/// Reads CSV text with a header naming t_s, x_mm, y_mm, z_mm and drill (0 or 1) in any order; further columns are
+/// ignored. Times must not go backwards. The error names line and column.
+/// @param needDrill  false: the drill column may be missing
+[[nodiscard]] Result<DevicePath> parseDevicePath(std::string_view text, bool needDrill);
+[[nodiscard]] Result<DevicePath> readDevicePath(const std::filesystem::path& path, bool needDrill);
+
+}  // namespace core::recording

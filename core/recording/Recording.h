@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/session/ServoLinks.h"
+#include "core/session/ServoTick.h"
+
+namespace core::recording {
+
+/// A tooth's state at one tick, kept so that a replay can prove itself.
+struct Witness
+{
+    std::uint64_t tick = 0;
+    std::uint64_t stateHash = 0;
+    bool operator==(const Witness&) const = default;
+};
+
+/// One attempt: the tooth it began with and everything that happened to the servo since. Replaying it gives the
+/// bit-identical tooth (design section 5).
+///
+/// Events are packed as they come, 4096 at a time (device positions as exclusive-or with the one before, split into
+/// byte planes, Zstandard), so an attempt holds about half a megabyte a minute. Any one thread at a time.
+class Recording
+{
+public:
+    Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy);
+
+    void append(const session::ServoEvent& event);
+    /// Notes what the tooth was after a tick; the last one said is stored.
+    void setWitness(const Witness& witness) { m_witness = witness; }
+
+    [[nodiscard]] const session::ServoSettings& settings() const { return m_settings; }
+    [[nodiscard]] const std::shared_ptr<const terrain::ToothAnatomy>& anatomy() const { return m_anatomy; }
+    [[nodiscard]] const std::optional<Witness>& witness() const { return m_witness; }
+    [[nodiscard]] std::uint64_t ticks() const { return m_ticks; }
+    /// Sum of the steps of all ticks.
+    [[nodiscard]] std::chrono::microseconds duration() const { return m_duration; }
+    [[nodiscard]] std::size_t packedBytes() const;
+
+    /// All events in order.
+    void forEach(const std::function<void(const session::ServoEvent&)>& visit) const;
+
+    /// The file's bytes.
+    [[nodiscard]] std::string toBytes() const;
+    /// Checks everything it reads; the error says what is wrong and where. Never holds more than the file promises
+    /// within fixed limits.
+    [[nodiscard]] static Result<Recording> fromBytes(std::string_view bytes);
+
+private:
+    void packTail();
+
+    session::ServoSettings m_settings;
+    std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
+    std::vector<std::string> m_chunks;  ///< packed
+    std::vector<session::ServoEvent> m_tail;
+    std::optional<Witness> m_witness;
+    std::uint64_t m_ticks = 0;
+    std::chrono::microseconds m_duration{0};
+};
+
+/// Reads a whole file, with a sentence for each thing that can be wrong with it.
+[[nodiscard]] Result<Recording> readRecording(const std::filesystem::path& path);
+
+/// Writes beside the target and renames: an older file survives any failure.
+[[nodiscard]] Status writeRecording(const std::filesystem::path& path, const Recording& recording);
+
+}  // namespace core::recording

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace core::rt {
+
+/// Queue of fixed capacity from one producer thread to one consumer thread: all arrive, in order, nobody waits.
+/// Storage is allocated once, in the constructor. Capacity must be a power of two.
+template <class T, std::size_t Capacity>
+class SpscQueue
+{
+    static_assert((Capacity & (Capacity - 1)) == 0 && Capacity > 0);
+    static_assert(std::is_trivially_copyable_v<T>, "no hidden heap may cross a real-time boundary");
+
+public:
+    SpscQueue() : m_slots(std::make_unique<T[]>(Capacity)) {}
+
+    /// Producer: false when full, and nothing is stored.
+    [[nodiscard]] bool tryPush(const T& value) noexcept
+    {
+        const std::size_t tail = m_tail.load(std::memory_order_relaxed);
+        if (tail - m_head.load(std::memory_order_acquire) == Capacity)
+            return false;
+        m_slots[tail & (Capacity - 1)] = value;
+        m_tail.store(tail + 1, std::memory_order_release);
+        return true;
+    }
+
+    /// Consumer: false when empty, and `value` is untouched.
+    [[nodiscard]] bool tryPop(T& value) noexcept
+    {
+        const std::size_t head = m_head.load(std::memory_order_relaxed);
+        if (head == m_tail.load(std::memory_order_acquire))
+            return false;
+        value = m_slots[head & (Capacity - 1)];
+        m_head.store(head + 1, std::memory_order_release);
+        return true;
+    }
+
+    /// Producer: how many tryPush() will surely succeed now.
+    [[nodiscard]] std::size_t space() const noexcept
+    {
+        return Capacity - (m_tail.load(std::memory_order_relaxed) - m_head.load(std::memory_order_acquire));
+    }
+
+private:
+    std::unique_ptr<T[]> m_slots;
+    alignas(64) std::atomic<std::size_t> m_head{0};
+    alignas(64) std::atomic<std::size_t> m_tail{0};
+};
+
+}  // namespace core::rt

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/rt/SpscQueue.h"
+#include "core/rt/TripleBuffer.h"
+#include "core/terrain/Tooth.h"
+
+/// What crosses between the threads: the servo (1 kHz), the session (about 100 Hz) and the ui. Plain values only.
+namespace core::session {
+
+/// Bits of ServoState::health.
+enum Health : std::uint32_t {
+    kDeviceLost = 1U << 0U,      ///< no sample from the device: force is zero
+    kForceClamped = 1U << 1U,    ///< the wanted force passed the clamp this tick
+    kPatchQueueFull = 1U << 2U,  ///< the session is late: cut tiles wait in the servo
+    kRecordGap = 1U << 3U,       ///< the session was so late that ticks are missing from the recording
+};
+
+/// Newest state of the servo. Servo thread writes, ui reads.
+struct ServoState
+{
+    std::uint64_t tick = 0;
+    std::uint64_t missedPeriods = 0;      ///< periods skipped since the start, never made up for
+    std::uint64_t toothGeneration = 0;    ///< grows by one with every tooth handed to the servo
+    glm::dvec3 deviceMm{0.0, 0.0, 10.0};  ///< where the hand is, tooth frame
+    glm::dvec3 anchorMm{0.0, 0.0, 10.0};  ///< tip of the bur as it is drawn: never inside the tooth
+    glm::dvec3 forceN{0.0};               ///< on the hand
+    bool touching = false;
+    bool drillOn = false;
+    bool cutting = false;  ///< material came away this tick
+    std::uint8_t burIndex = 0;
+    terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
+    double depthMm = 0.0;               ///< of the tip below the original surface, 0 outside
+    terrain::PerMaterial removedMm3{};  ///< since the tooth was handed over whole
+    std::uint32_t health = 0;
+};
+
+/// Side of the square tiles in which cut heights travel and are remembered.
+inline constexpr int kTileSide = 16;
+
+/// New top heights of one tile. A height of kEmptyTop means the column is gone: its bottom is empty as well.
+/// Patches come in groups, each group the whole difference between two moments of the tooth; `last` closes a group,
+/// and a reader applies a group only when it has all of it, so it never sees the model half done.
+struct TilePatch
+{
+    std::uint64_t tick = 0;             ///< the tooth after this servo tick
+    std::uint64_t toothGeneration = 0;  ///< which tooth; patches of an older one are to be ignored
+    std::uint16_t tileX = 0;
+    std::uint16_t tileY = 0;
+    bool last = false;
+    bool strokeEnded = false;  ///< with `last`: the bur has left the material, an undo step ends here
+    std::array<float, static_cast<std::size_t>(kTileSide) * kTileSide> top{};  ///< row by row, i fast
+};
+
+/// What the mouse, pen or keys ask of the pointer device. Ui writes (TripleBuffer), the pointer device reads.
+struct PointerInput
+{
+    glm::dvec2 targetMm{0.0, 0.0};  ///< where over the tooth, tooth frame
+    double hoverMm = 4.0;           ///< height of the tip while not pushing, tooth frame z
+    bool pushing = false;           ///< button held: lean on the tooth
+    double pushForceN = 1.0;        ///< how hard
+};
+
+/// What the ui asks of the session. Ui writes, session reads and passes on what concerns the servo.
+struct Undo
+{};
+struct Redo
+{};
+/// Back to the uncut tooth; an undo step like any other.
+struct Reload
+{};
+/// A new tooth; ownership of `tooth` goes to the session with the command.
+struct ReplaceTooth
+{
+    terrain::Tooth* tooth = nullptr;
+    std::uint64_t generation = 0;  ///< the number that states and patches of this tooth will carry
+};
+struct SetBur
+{
+    std::uint8_t index = 0;
+};
+struct SetDrill
+{
+    bool on = false;
+};
+using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill>;
+static_assert(std::is_trivially_copyable_v<SessionCommand>);
+
+/// Newest state of the session. Session thread writes, ui reads.
+struct SessionState
+{
+    std::uint64_t toothGeneration = 0;
+    int undoSteps = 0;  ///< strokes that can be taken back
+    int redoSteps = 0;
+    int strokes = 0;                    ///< made since the tooth was opened
+    terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
+    terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all
+    double recordedS = 0.0;
+};
+
+/// The four channels between ui and the loops, owned by the application, handed by reference.
+struct UiLinks
+{
+    rt::TripleBuffer<ServoState> servo;          ///< servo -> ui
+    rt::TripleBuffer<SessionState> session;      ///< session -> ui
+    rt::SpscQueue<TilePatch, 512> patches;       ///< session -> ui
+    rt::SpscQueue<SessionCommand, 64> commands;  ///< ui -> session
+    rt::TripleBuffer<PointerInput> pointer;      ///< ui -> pointer device
+};
+
+}  // namespace core::session

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include <glm/vec3.hpp>
+
+#include "core/contact/LiveTooth.h"
+#include "core/session/Links.h"
+
+namespace core::session {
+
+/// Another tooth for the servo; the pointer owns. Undo and reload hand over a restored copy of the same tooth.
+struct SwapTooth
+{
+    contact::LiveTooth* tooth = nullptr;
+    std::uint64_t generation = 0;    ///< of the ReplaceTooth it goes back to
+    std::uint64_t serial = 0;        ///< of this hand-over; patches carry it, so that late ones are told apart
+    bool anew = false;               ///< a tooth to begin with, not a step back
+    std::uint64_t restoredTick = 0;  ///< not anew: the tick of this attempt after which the tooth stood like this
+};
+/// Session to servo.
+using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill>;
+static_assert(std::is_trivially_copyable_v<ServoCommand>);
+
+/// One thing that happened to the servo, in the order in which it happened: what a recording is made of.
+struct ServoEvent
+{
+    enum class Kind : std::uint8_t {
+        Tick,      ///< a step with `deviceMm` and `dtUs`
+        NoDevice,  ///< a step without a reading
+        Drill,     ///< value: 0 off, 1 on
+        Bur,       ///< value: index into burs()
+        Restore,   ///< value: the tick whose tooth was put back
+        Begin,     ///< a new tooth; value: its generation. Ends the recording before it
+    };
+    Kind kind = Kind::Tick;
+    std::uint16_t dtUs = 1000;
+    glm::vec3 deviceMm{0.0F};
+    std::uint64_t value = 0;
+    bool operator==(const ServoEvent&) const = default;
+};
+
+/// Room for every tile of the largest grid: the servo sends a group of patches whole or waits.
+inline constexpr std::size_t kServoPatches = 4096;
+
+/// The channels between servo and session.
+struct ServoLinks
+{
+    rt::SpscQueue<ServoCommand, 64> commands;         ///< session -> servo
+    rt::SpscQueue<contact::LiveTooth*, 64> retired;   ///< servo -> session: teeth to be freed
+    rt::SpscQueue<TilePatch, kServoPatches> patches;  ///< servo -> session
+    rt::SpscQueue<ServoEvent, 16384> events;          ///< servo -> session: 16 s at 1 kHz before anything is lost
+};
+
+}  // namespace core::session

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/ServoTick.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace core::session {
+namespace {
+
+/// Penetration below which the bur is said to hover: a nanometre is rounding, not touch.
+constexpr double kTouchMm = 1.0e-6;
+
+/// No hand is farther from the tooth: such a reading is as bad as none.
+constexpr float kFarthestMm = 1000.0F;
+
+bool isPlausible(const glm::vec3& device)
+{
+    // False for NaN as well.
+    return std::abs(device.x) <= kFarthestMm && std::abs(device.y) <= kFarthestMm && std::abs(device.z) <= kFarthestMm;
+}
+
+}  // namespace
+
+ServoTick::ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings)
+    : m_method(std::move(method)), m_force(settings.force), m_drill(settings.hardness)
+{}
+
+Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
+{
+    if (auto sound = contact::check(settings.force); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = settings::check(settings.hardness); !sound)
+        return tl::unexpected(sound.error());
+    auto method = contact::makeContactMethod(settings.method);
+    if (!method)
+        return tl::unexpected(method.error());
+    return std::make_unique<ServoTick>(std::move(*method), settings);
+}
+
+contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) noexcept
+{
+    contact::LiveTooth* old = m_tooth;
+    m_tooth = tooth;
+    m_tooth->selectBur(m_state.burIndex);
+    m_drill.rest();
+    if (anew) {
+        const ServoState before = m_state;
+        m_state = ServoState{};
+        m_state.burIndex = before.burIndex;
+        m_state.drillOn = before.drillOn;
+        m_state.deviceMm = before.deviceMm;
+        m_state.anchorMm = before.anchorMm;
+        m_force.drop();
+        m_restart = true;
+    }
+    return old;
+}
+
+void ServoTick::setBur(std::size_t index) noexcept
+{
+    m_state.burIndex = static_cast<std::uint8_t>(index);
+    m_drill.rest();
+    if (m_tooth != nullptr)
+        m_tooth->selectBur(index);
+}
+
+void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noexcept
+{
+    ++m_state.tick;
+    m_changed = {};
+    m_state.cutting = false;
+    m_state.health &= ~(kDeviceLost | kForceClamped);
+    if (device == nullptr || !isPlausible(*device)) {
+        m_force.drop();
+        m_drill.rest();
+        m_state.forceN = glm::dvec3(0.0);
+        m_state.touching = false;
+        m_state.health |= kDeviceLost;
+        return;
+    }
+    m_state.deviceMm = glm::dvec3(*device);
+    const double seconds = static_cast<double>(dt.count()) * 1.0e-6;
+    if (m_restart) {
+        m_method->restart(m_state.deviceMm);
+        m_restart = false;
+    }
+    m_state.anchorMm = m_method->update(*m_tooth, m_state.deviceMm);
+    const glm::dvec3 stretch = m_state.anchorMm - m_state.deviceMm;
+    const double depth = std::sqrt(glm::dot(stretch, stretch));
+    m_state.touching = depth > kTouchMm;
+
+    if (m_state.drillOn && m_state.touching) {
+        const double pull = std::min(depth * m_force.settings().stiffnessNPerMm, m_force.settings().clampN);
+        const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_state.deviceMm, pull, seconds);
+        m_changed = cut.changed;
+        m_state.cutting = !cut.changed.isEmpty();
+        double most = 0.0;
+        for (std::size_t m = 0; m < cut.removedMm3.size(); ++m) {
+            m_state.removedMm3[m] += cut.removedMm3[m];
+            if (cut.removedMm3[m] > most) {
+                most = cut.removedMm3[m];
+                m_state.materialUnderBur = static_cast<terrain::Material>(m);
+            }
+        }
+        if (m_state.cutting) {
+            m_state.anchorMm = cut.tipMm;
+            m_method->moveTo(cut.tipMm);
+        }
+    } else {
+        m_drill.rest();
+    }
+    m_state.forceN = m_force.update(m_state.deviceMm, m_state.anchorMm, seconds);
+    if (m_force.clamped())
+        m_state.health |= kForceClamped;
+    describe();
+}
+
+/// Depth and material under the tip, for the eye: from the nearest column.
+void ServoTick::describe() noexcept
+{
+    const terrain::Tooth& tooth = m_tooth->tooth();
+    const glm::dvec2 at = tooth.grid().latticeOf({m_state.anchorMm.x, m_state.anchorMm.y});
+    const int i = static_cast<int>(std::floor(at.x + 0.5));
+    const int j = static_cast<int>(std::floor(at.y + 0.5));
+    m_state.depthMm = 0.0;
+    if (!tooth.grid().contains(i, j))
+        return;
+    const std::size_t k = tooth.grid().index(i, j);
+    const terrain::ToothAnatomy& anatomy = *tooth.anatomy;
+    if (anatomy.top[k] > anatomy.bottom[k])
+        m_state.depthMm = std::max(0.0, static_cast<double>(anatomy.top[k]) - m_state.anchorMm.z);
+    if (m_state.touching && !m_state.cutting && tooth.isSolid(k))
+        m_state.materialUnderBur = terrain::materialAt(anatomy.layers[k], tooth.top[k]);
+}
+
+}  // namespace core::session

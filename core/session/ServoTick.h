@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "core/contact/ContactMethod.h"
+#include "core/contact/ForceLaw.h"
+#include "core/contact/LiveTooth.h"
+#include "core/drilling/Drill.h"
+#include "core/session/Links.h"
+
+namespace core::session {
+
+/// Everything that decides what a tick computes. Stored in a recording, so that a replay computes the same.
+struct ServoSettings
+{
+    std::string method = "continuous";
+    contact::ForceSettings force;
+    settings::HardnessPreset hardness;
+    bool operator==(const ServoSettings&) const = default;
+};
+
+/// What one servo tick computes from one device position: contact, cutting, force. No device, no queue, no clock, so
+/// the servo loop and a replay run the very same code to the very same bits.
+///
+/// Servo thread (or the one thread of a replay). After construction nothing allocates, locks or throws.
+class ServoTick
+{
+public:
+    /// @param settings  method name must exist and values be checked: see makeServoTick()
+    ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings);
+
+    /// Takes another tooth and gives the old one back for its owner to free. Constant time.
+    /// @param anew  a tooth to begin with: bur to the device, force, removed volumes and tick number to zero
+    contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew) noexcept;
+    void setBur(std::size_t index) noexcept;
+    void setDrill(bool on) noexcept { m_state.drillOn = on; }
+
+    /// One tick. A tooth must be there.
+    /// @param device  null: no reading this tick, the force is zero at once and nothing moves; a position that is not
+    ///                finite or more than a metre away counts as none
+    void step(const glm::vec3* device, std::chrono::microseconds dt) noexcept;
+
+    /// As of the last step. `tick` counts steps since the tooth was taken anew; links' fields are not filled here.
+    [[nodiscard]] const ServoState& state() const noexcept { return m_state; }
+    /// Columns that the last step lowered.
+    [[nodiscard]] const drilling::CutRect& changed() const noexcept { return m_changed; }
+    [[nodiscard]] const contact::LiveTooth* tooth() const noexcept { return m_tooth; }
+
+private:
+    void describe() noexcept;
+
+    std::unique_ptr<contact::ContactMethod> m_method;
+    contact::ForceLaw m_force;
+    drilling::Drill m_drill;
+    contact::LiveTooth* m_tooth = nullptr;
+    ServoState m_state;
+    drilling::CutRect m_changed;
+    bool m_restart = true;
+};
+
+/// Checks the settings, then builds. The error names the first thing wrong.
+[[nodiscard]] Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings);
+
+}  // namespace core::session

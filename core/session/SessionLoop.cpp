@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/SessionLoop.h"
+
+#include <algorithm>
+
+namespace core::session {
+
+SessionLoop::SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings)
+    : m_servo(servo), m_ui(ui), m_settings(std::move(settings))
+{}
+
+SessionLoop::~SessionLoop()
+{
+    freeRetired();
+    for (SessionCommand command; m_ui.commands.tryPop(command);)
+        if (const auto* replace = std::get_if<ReplaceTooth>(&command))
+            delete replace->tooth;
+}
+
+void SessionLoop::tick(std::chrono::microseconds)
+{
+    freeRetired();
+    takeEvents();
+    takePatches();
+    takeCommands();
+    forward();
+    publish();
+}
+
+void SessionLoop::end()
+{
+    freeRetired();
+    takeEvents();
+    takePatches();
+    publish();
+}
+
+void SessionLoop::freeRetired()
+{
+    for (contact::LiveTooth* tooth = nullptr; m_servo.retired.tryPop(tooth);)
+        delete tooth;
+}
+
+void SessionLoop::takeEvents()
+{
+    const std::lock_guard lock(m_mutex);
+    for (ServoEvent event; m_servo.events.tryPop(event);) {
+        if (event.kind == ServoEvent::Kind::Begin) {
+            while (!m_upcoming.empty() && m_upcoming.front().generation < event.value)
+                m_upcoming.pop_front();
+            if (!m_upcoming.empty())
+                m_recording.emplace(m_settings, m_upcoming.front().anatomy);
+            m_recordedGeneration = event.value;
+            continue;
+        }
+        if (m_recording)
+            m_recording->append(event);
+    }
+}
+
+void SessionLoop::takePatches()
+{
+    for (TilePatch patch; m_servo.patches.tryPop(patch);) {
+        if (patch.toothGeneration != m_serial) {
+            m_group.clear();
+            continue;
+        }
+        m_group.push_back(patch);
+        if (patch.last) {
+            applyGroup();
+            m_group.clear();
+        }
+    }
+}
+
+void SessionLoop::applyGroup()
+{
+    const std::lock_guard lock(m_mutex);
+    for (TilePatch& patch : m_group) {
+        m_mirror.setTile(patch.tileX, patch.tileY, patch.top);
+        patch.toothGeneration = m_generation;
+        m_toUi.push_back(patch);
+    }
+    m_mirrorTick = m_group.back().tick;
+    m_vouched = {m_mirror, m_mirrorTick};
+    m_unfinished = true;
+    m_volumesStale = true;
+    if (m_group.back().strokeEnded) {
+        rememberUnfinished();
+        ++m_strokes;
+    }
+}
+
+/// The mirror as it is becomes a moment that can be gone back to.
+void SessionLoop::rememberUnfinished()
+{
+    if (!m_unfinished)
+        return;
+    m_undo.push({m_mirror, m_mirrorTick});
+    m_unfinished = false;
+}
+
+void SessionLoop::takeCommands()
+{
+    // A command may hand a tooth to the servo: it is taken only when there is room for that.
+    for (SessionCommand command; m_servo.commands.space() > 0 && m_ui.commands.tryPop(command);)
+        std::visit([this](const auto& known) { apply(known); }, command);
+}
+
+void SessionLoop::apply(const Undo&)
+{
+    if (!m_anatomy)
+        return;
+    rememberUnfinished();
+    if (m_undo.undo())
+        handOver(m_undo.current());
+}
+
+void SessionLoop::apply(const Redo&)
+{
+    if (!m_anatomy || m_unfinished)
+        return;
+    if (m_undo.redo())
+        handOver(m_undo.current());
+}
+
+void SessionLoop::apply(const Reload&)
+{
+    if (!m_anatomy)
+        return;
+    rememberUnfinished();
+    if (m_undo.current().tick == 0)
+        return;
+    m_undo.push({m_uncut, 0});
+    handOver(m_undo.current());
+}
+
+void SessionLoop::apply(const ReplaceTooth& replace)
+{
+    const std::unique_ptr<terrain::Tooth> tooth(replace.tooth);
+    const std::lock_guard lock(m_mutex);
+    m_anatomy = tooth->anatomy;
+    m_generation = replace.generation;
+    m_upcoming.push_back({m_generation, m_anatomy});
+    m_uncut = history::TiledHeights(m_anatomy->grid, m_anatomy->top);
+    m_mirror = m_uncut;
+    m_mirrorTick = 0;
+    m_vouched = {m_uncut, 0};
+    m_undo.restart({m_mirror, 0});
+    m_unfinished = false;
+    m_strokes = 0;
+    m_wholeMm3 = terrain::volumes(*tooth);
+    m_volumesStale = true;
+    m_group.clear();
+    m_toUi.clear();
+    static_cast<void>(m_servo.commands.tryPush(
+        SwapTooth{new contact::LiveTooth(terrain::Tooth(m_anatomy)), m_generation, ++m_serial, true, 0}));
+}
+
+void SessionLoop::apply(const SetBur& bur)
+{
+    static_cast<void>(m_servo.commands.tryPush(bur));
+}
+
+void SessionLoop::apply(const SetDrill& drill)
+{
+    static_cast<void>(m_servo.commands.tryPush(drill));
+}
+
+/// Gives the servo the tooth of a moment and shows the view what that changes.
+void SessionLoop::handOver(const history::ToothMoment& moment)
+{
+    const std::lock_guard lock(m_mutex);
+    m_group.clear();
+    for (const TilePatch& patch : history::patchesBetween(m_mirror, moment.top, moment.tick, m_generation))
+        m_toUi.push_back(patch);
+    m_mirror = moment.top;
+    m_mirrorTick = moment.tick;
+    m_volumesStale = true;
+    static_cast<void>(
+        m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, moment.top.flat())),
+                                           m_generation, ++m_serial, false, moment.tick}));
+}
+
+void SessionLoop::forward()
+{
+    while (!m_toUi.empty() && m_ui.patches.tryPush(m_toUi.front()))
+        m_toUi.pop_front();
+}
+
+void SessionLoop::publish()
+{
+    if (m_volumesStale && m_anatomy) {
+        m_removedMm3 = terrain::removedVolumes(terrain::restored(m_anatomy, m_mirror.flat()));
+        m_volumesStale = false;
+    }
+    SessionState& out = m_ui.session.back();
+    out = {};
+    out.toothGeneration = m_generation;
+    out.undoSteps = m_undo.undoSteps() + (m_unfinished ? 1 : 0);
+    out.redoSteps = m_unfinished ? 0 : m_undo.redoSteps();
+    out.strokes = m_strokes;
+    out.wholeMm3 = m_wholeMm3;
+    out.removedMm3 = m_removedMm3;
+    out.recordedS = m_recording ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
+    m_ui.session.publish();
+}
+
+std::optional<recording::Recording> SessionLoop::recordingSoFar() const
+{
+    const std::lock_guard lock(m_mutex);
+    std::optional<recording::Recording> copy = m_recording;
+    // Patches come in groups, so the mirror may be a few ticks behind the events, never ahead: a moment it can vouch
+    // for, unless the recording had to stop before it.
+    if (copy && m_recordedGeneration == m_generation && m_vouched.tick <= copy->ticks())
+        copy->setWitness({m_vouched.tick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.top.flat()))});
+    return copy;
+}
+
+std::optional<terrain::Tooth> SessionLoop::toothSoFar() const
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_anatomy)
+        return std::nullopt;
+    return terrain::restored(m_anatomy, m_mirror.flat());
+}
+
+}  // namespace core::session

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "core/history/UndoStack.h"
+#include "core/recording/Recording.h"
+#include "core/rt/Loop.h"
+#include "core/session/ServoLinks.h"
+
+namespace core::session {
+
+/// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
+/// restored teeth and hands them over, passes cut tiles on to the view. It may wait and allocate; the servo never does.
+class SessionLoop final : public rt::Loop
+{
+public:
+    /// @param servo, ui  must outlive the loop
+    SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings);
+    ~SessionLoop() override;
+
+    void tick(std::chrono::microseconds dt) override;
+    void end() override;
+
+    /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth.
+    [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
+    /// The tooth as the mirror has it. Any thread; empty before the first tooth.
+    [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
+
+private:
+    struct Upcoming
+    {
+        std::uint64_t generation = 0;
+        std::shared_ptr<const terrain::ToothAnatomy> anatomy;
+    };
+
+    void freeRetired();
+    void takeEvents();
+    void takePatches();
+    void applyGroup();
+    void takeCommands();
+    void apply(const Undo&);
+    void apply(const Redo&);
+    void apply(const Reload&);
+    void apply(const ReplaceTooth& replace);
+    void apply(const SetBur& bur);
+    void apply(const SetDrill& drill);
+    void rememberUnfinished();
+    void handOver(const history::ToothMoment& moment);
+    void forward();
+    void publish();
+
+    ServoLinks& m_servo;
+    UiLinks& m_ui;
+    ServoSettings m_settings;
+
+    mutable std::mutex m_mutex;  ///< guards what recordingSoFar() and toothSoFar() read; the servo never comes here
+    std::optional<recording::Recording> m_recording;
+    std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
+    std::uint64_t m_recordedGeneration = 0;  ///< the tooth that m_recording is about
+    history::TiledHeights m_uncut;
+    history::TiledHeights m_mirror;
+    std::uint64_t m_mirrorTick = 0;
+    history::ToothMoment m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
+
+    std::deque<Upcoming> m_upcoming;  ///< handed to the servo, not yet begun there
+    history::UndoStack m_undo;
+    bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
+    int m_strokes = 0;
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_generation = 0;
+    terrain::PerMaterial m_wholeMm3{};
+    terrain::PerMaterial m_removedMm3{};
+    bool m_volumesStale = true;
+    std::vector<TilePatch> m_group;  ///< patches of a group that is not complete yet
+    std::deque<TilePatch> m_toUi;
+};
+
+}  // namespace core::session

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/settings/HardnessPreset.h"
+
+#include <string_view>
+
+namespace core::settings {
+namespace {
+
+bool within(double value, double low, double high)
+{
+    return value >= low && value <= high;  // false for NaN
+}
+
+}  // namespace
+
+Result<HardnessPreset> findHardnessPreset(std::string_view name)
+{
+    if (name == "natural")
+        return HardnessPreset{};
+    if (name == "typodont") {
+        HardnessPreset plastic;
+        plastic.name = "typodont";
+        plastic.material.fill({2.5, 0.12});
+        return plastic;
+    }
+    return unexpected(ErrorCode::UnknownName, "There is no hardness preset '" + std::string(name) +
+                                                  "'; choose natural or typodont, or name a file.");
+}
+
+Status check(const HardnessPreset& preset)
+{
+    static constexpr std::array<std::string_view, terrain::kMaterialCount> kNames{"caries", "enamel", "dentin", "pulp"};
+    for (std::size_t m = 0; m < kNames.size(); ++m) {
+        if (!within(preset.material[m].rateMm3PerNs, kMinRateMm3PerNs, kMaxRateMm3PerNs))
+            return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the rate of " +
+                                                         std::string(kNames[m]) +
+                                                         " must lie between 0 and 100 mm3/(N s).");
+        if (!within(preset.material[m].thresholdN, 0.0, kMaxThresholdN))
+            return unexpected(ErrorCode::OutOfRange, "Hardness preset '" + preset.name + "': the threshold of " +
+                                                         std::string(kNames[m]) + " must lie between 0 and 10 N.");
+    }
+    if (!within(preset.axialShare, 0.01, 1.0))
+        return unexpected(ErrorCode::OutOfRange,
+                          "Hardness preset '" + preset.name + "': the axial share must lie between 0.01 and 1.");
+    if (!within(preset.fullForceN, 0.1, 20.0))
+        return unexpected(ErrorCode::OutOfRange,
+                          "Hardness preset '" + preset.name + "': the full force must lie between 0.1 and 20 N.");
+    return {};
+}
+
+}  // namespace core::settings

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/AnteriorCrown.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace core::teeth {
+namespace {
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+constexpr int kSections = 150;
+constexpr int kAround = 256;
+constexpr int kFine = 384;
+/// Share of the crown over which the incisal edge is rounded, and what is left of its thickness at the very top.
+constexpr double kEdgeShare = 0.07;
+constexpr double kEdgeLeft = 0.12;
+
+/// Cubic B-spline over nine even control values, t in 0 .. 1; it starts and ends in the first and the last.
+double on(const Curve& curve, double t)
+{
+    const double place = std::clamp(t, 0.0, 1.0) * 8.0;
+    const int first = std::min(static_cast<int>(place), 7);
+    const double u = place - first;
+    const double v = 1.0 - u;
+    const auto control = [&](int k) {
+        // Past the ends the curve goes straight on.
+        if (k < 0)
+            return 2.0 * curve[0] - curve[1];
+        if (k > 8)
+            return 2.0 * curve[8] - curve[7];
+        return curve[static_cast<std::size_t>(k)];
+    };
+    return (v * v * v * control(first - 1) + (3.0 * u * u * u - 6.0 * u * u + 4.0) * control(first) +
+            (3.0 * v * v * v - 6.0 * v * v + 4.0) * control(first + 1) + u * u * u * control(first + 2)) /
+           6.0;
+}
+
+/// Parabola through the values at the edge, in the middle and at the CEJ.
+double on(const std::array<double, 3>& three, double t)
+{
+    return three[0] * (1.0 - t) * (1.0 - 2.0 * t) + three[1] * 4.0 * t * (1.0 - t) + three[2] * t * (2.0 * t - 1.0);
+}
+
+double smoothStep(double from, double to, double x)
+{
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+double bell(double x, double centre, double width)
+{
+    const double t = (x - centre) / width;
+    return std::exp(-t * t);
+}
+
+/// How far the lingual surface lies above (towards the lip) or below its envelope.
+double lingualRelief(const AnteriorDesign& d, double xi, double t)
+{
+    // A bowl that narrows towards the cingulum: a shield between two marginal ridges that meet below.
+    const double down = std::clamp((t - d.fossaFrom) / (d.fossaTo - d.fossaFrom), 0.0, 1.0);
+    const double length = 4.0 * down * (1.0 - down) * (1.2 - 0.4 * down);
+    const double half = d.fossaHalf * (1.25 - 0.75 * down);
+    const double across = std::max(1.0 - (xi / half) * (xi / half), 0.0);
+    const double fossa = d.fossaMm * length * across * across;
+    const double ridge = d.lingualRidgeMm * bell(xi, -0.05, 0.3) * smoothStep(0.0, 0.3, t) * smoothStep(0.9, 0.5, t);
+    const double pit = d.pitMm * bell(xi, 0.0, 0.12) * bell(t, d.fossaTo - 0.06, 0.045);
+    return fossa - ridge + pit;
+}
+
+double labialRelief(const AnteriorDesign& d, double xi, double t)
+{
+    const double grooves =
+        (bell(xi, -0.36, 0.22) + 0.8 * bell(xi, 0.33, 0.22)) * smoothStep(0.75, 0.1, t) * smoothStep(-0.03, 0.08, t);
+    const double ridge = bell(xi, -0.1, 0.34) * smoothStep(1.0, 0.7, t);
+    return d.labialRidgeMm * ridge - d.labialGrooveMm * grooves;
+}
+
+/// One section, resampled to even steps: labial half first, from the distal to the mesial side, then the lingual half.
+std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes, double t)
+{
+    const double edge = std::max(1.0 - t / kEdgeShare, 0.0);
+    const double thickness = std::max(std::sqrt(1.0 - edge * edge), kEdgeLeft);
+    const double narrowing = 1.0 - 0.03 * edge * edge;
+    const double mesial = on(d.mesialX, t) * narrowing;
+    const double distal = on(d.distalX, t) * narrowing;
+    const double labial = on(d.labialY, t);
+    const double lingual = on(d.lingualY, t);
+    const double middle = 0.5 * (labial + lingual);
+
+    std::vector<glm::dvec3> fine;
+    fine.reserve(kFine);
+    for (int k = 0; k < kFine; ++k) {
+        const double angle = kTau * k / kFine;
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const bool front = 2 * k <= kFine;
+        const double power = on(front ? d.labialPower : d.lingualPower, t);
+        const double xi = std::copysign(std::pow(std::abs(c), 2.0 / power), c);
+        const double out = std::pow(std::abs(s), 2.0 / power);
+        double y = 0.0;
+        if (front)
+            y = middle + (labial - middle + labialRelief(d, xi, t) * std::min(out * 2.0, 1.0)) * out * thickness;
+        else
+            y = middle + (lingual - middle + lingualRelief(d, xi, t) * std::min(out * 2.0, 1.0)) * out * thickness;
+        // The lingual side is narrower than the labial one, most of all at the cingulum.
+        const double taper = front ? 0.0 : d.lingualTaper * smoothStep(0.1, 0.8, t) * out * out;
+        const double shift = front ? 0.0 : d.cingulumX * t * out * out;
+        const double x = 0.5 * (mesial + distal) + 0.5 * (distal - mesial) * xi * (1.0 - taper) + shift;
+        const double upper = 1.0 - t;
+        const double rise = (c < 0.0 ? sizes.cejCurveMesialMm : sizes.cejCurveDistalMm) * xi * xi;
+        const double z =
+            -sizes.crownHeightMm * t + on(d.edgeZ, 0.5 + 0.5 * xi) * upper * upper * upper + rise * t * t * t;
+        fine.emplace_back(x, y, z);
+    }
+    std::vector<glm::dvec3> even;
+    even.reserve(kAround);
+    for (int half = 0; half < 2; ++half) {
+        const int start = half * kFine / 2;
+        std::vector<double> along{0.0};
+        for (int k = 0; k < kFine / 2; ++k) {
+            const auto a = static_cast<std::size_t>(start + k);
+            along.push_back(along.back() + glm::distance(fine[a], fine[(a + 1) % kFine]));
+        }
+        std::size_t k = 0;
+        for (int i = 0; i < kAround / 2; ++i) {
+            const double want = along.back() * 2.0 * i / kAround;
+            while (k + 2 < along.size() && along[k + 1] < want)
+                ++k;
+            const double u = (want - along[k]) / std::max(along[k + 1] - along[k], 1.0e-12);
+            const auto a = static_cast<std::size_t>(start) + k;
+            even.push_back(fine[a] + (fine[(a + 1) % kFine] - fine[a]) * u);
+        }
+    }
+    return even;
+}
+
+}  // namespace
+
+MeshBuilder::Ring buildAnteriorCrown(MeshBuilder& builder, const AnteriorDesign& design, const ToothSizes& sizes)
+{
+    MeshBuilder::Ring above;
+    for (int r = 0; r <= kSections; ++r) {
+        // Sections lie closer where the incisal edge turns over.
+        const double t = std::pow(static_cast<double>(r) / kSections, 1.5);
+        const std::vector<glm::dvec3> points = section(design, sizes, t);
+        MeshBuilder::Ring ring;
+        for (std::size_t k = 0; k < points.size(); k += r < kSections ? 1 : 2)
+            ring.push_back(builder.add(points[k]));
+        if (r == 0) {
+            // The edge itself is a narrow strip between the labial and the lingual half.
+            for (std::size_t k = 0; k < kAround / 2; ++k) {
+                const MeshBuilder::Index a = ring[k];
+                const MeshBuilder::Index b = ring[k + 1];
+                const MeshBuilder::Index c = ring[(kAround - k - 1) % kAround];
+                const MeshBuilder::Index d = ring[(kAround - k) % kAround];
+                if (k > 0)
+                    builder.triangle(a, b, d);
+                if (k + 1 < kAround / 2)
+                    builder.triangle(b, c, d);
+            }
+        } else {
+            builder.band(above, ring);
+        }
+        above = std::move(ring);
+    }
+    return above;
+}
+
+}  // namespace core::teeth

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/Caries.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Rng.h"
+#include "core/teeth/Lattice.h"
+#include "core/teeth/ValueNoise.h"
+
+namespace core::teeth {
+namespace {
+
+constexpr float kOverPulpMm = 0.5F;       ///< dentin that no lesion takes (Murray 2003: below it the pulp is hurt)
+constexpr double kJunctionAt = 0.25;      ///< severity at which a lesion has gone through the enamel
+constexpr double kValleyRadiusMm = 0.7;   ///< half the width of a groove between two inclines
+constexpr double kFissureRadiusMm = 0.3;  ///< half the width of the fissure in it
+constexpr double kTableShare = 0.36;      ///< of the greatest distance from the outline: inside lies the occlusal table
+constexpr double kPitShare = 0.55;        ///< inside lie the pits that a lesion begins in
+constexpr float kBelowTipsMm = 1.0F;      ///< and this far below the highest cusp
+constexpr double kWallShare = 0.2;        ///< outside lies the wall, which these lesions leave alone
+constexpr float kValleyMm = 0.06F;        ///< deeper than this below its shoulders a place is a valley
+
+/// The tooth a lesion grows in.
+struct Ground
+{
+    const terrain::Grid& grid;
+    std::span<const float> top;
+    std::span<const float> bottom;
+    std::vector<terrain::ColumnLayers>& layers;
+    Lattice lattice;
+    std::vector<float> sideMm;  ///< [side * side]
+    std::vector<float> limit;   ///< minus the lowest height a lesion may reach, on the lattice; kNoValue: no pulp near
+    double broadestMm = 0.0;    ///< greatest distance from the outline
+
+    [[nodiscard]] bool solid(std::size_t k) const { return top[k] > bottom[k]; }
+
+    /// The lowest height that a lesion may reach in a column.
+    [[nodiscard]] float lowest(int i, int j) const
+    {
+        const std::size_t k = grid.index(i, j);
+        const float minusLimit = lattice.at(limit, i, j);
+        const float ground = bottom[k] + kOverPulpMm;
+        return minusLimit == kNoValue ? ground : std::max(ground, -minusLimit);
+    }
+};
+
+Ground survey(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+              std::vector<terrain::ColumnLayers>& layers)
+{
+    Ground ground{grid, top, bottom, layers, Lattice(grid), {}, {}, 0.0};
+    std::vector<std::uint8_t> solid(grid.count());
+    std::vector<float> minusRoof(grid.count(), kNoValue);
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        solid[k] = ground.solid(k) ? 1 : 0;
+        if (solid[k] != 0 && layers[k].pulpRoof > layers[k].pulpFloor)
+            minusRoof[k] = -layers[k].pulpRoof;
+    }
+    ground.sideMm = distanceInside(grid, solid);
+    ground.broadestMm = static_cast<double>(*std::max_element(ground.sideMm.begin(), ground.sideMm.end()));
+    // A ball of the spared dentin around the pulp, wider by what lies between the lattice's nodes.
+    const float radius = kOverPulpMm + 1.5F * static_cast<float>(ground.lattice.cellMm());
+    ground.limit = ground.lattice.ballsBelow(ground.lattice.pick(minusRoof, kNoValue),
+                                             std::vector<float>(ground.lattice.count(), radius));
+    return ground;
+}
+
+/// Where a fissure lesion has come to: a place and its distance from the pit it began in.
+struct Stop
+{
+    int a = 0;
+    int b = 0;
+    double fromPitMm = 0.0;
+    int alongA = 0;  ///< the step that led here
+    int alongB = 0;
+};
+
+class FissureMap
+{
+public:
+    explicit FissureMap(const Ground& ground) : m_ground(ground)
+    {
+        const Lattice& lattice = ground.lattice;
+        m_top = lattice.pick(ground.top, terrain::kEmptyTop);
+        m_side = lattice.pick(ground.sideMm, 0.0F);
+        const std::vector<float> lowest = lattice.pickLowest(ground.top, terrain::kEmptyTop);
+        const std::vector<float> mouths = lattice.close(lowest, kFissureRadiusMm, terrain::kEmptyTop);
+        m_valley = lattice.close(lowest, kValleyRadiusMm, terrain::kEmptyTop);
+        for (std::size_t k = 0; k < m_valley.size(); ++k)
+            m_valley[k] = inTable(k) ? m_valley[k] - lowest[k] + 3.0F * (mouths[k] - lowest[k]) : 0.0F;
+    }
+
+    /// The path of a lesion: a pit and the fissure to both sides of it.
+    [[nodiscard]] std::vector<Stop> walk(std::uint64_t seed, double longestMm) const
+    {
+        Rng rng(seed ^ 0x66697373757265ULL);
+        const Stop pit = choosePit(seed, rng);
+        std::vector<Stop> path{pit};
+        std::vector<std::uint8_t> taken(m_ground.lattice.count(), 0);
+        take(taken, pit);
+        for (int arm = 0; arm < 2; ++arm) {
+            Stop at = pit;
+            if (arm == 1 && path.size() > 1) {  // away from where the first arm went
+                at.alongA = -path[1].alongA;
+                at.alongB = -path[1].alongB;
+            }
+            while (at.fromPitMm < longestMm && step(at, taken, rng))
+                path.push_back(at);
+        }
+        return path;
+    }
+
+private:
+    static constexpr int kReach = 4;  ///< nodes to each side of the path that it will not come back to
+
+    [[nodiscard]] bool inTable(std::size_t k) const
+    {
+        return m_top[k] > terrain::kEmptyTop && static_cast<double>(m_side[k]) > kTableShare * m_ground.broadestMm;
+    }
+
+    [[nodiscard]] Stop choosePit(std::uint64_t seed, Rng& rng) const
+    {
+        const Lattice& lattice = m_ground.lattice;
+        const float deepest = *std::max_element(m_valley.begin(), m_valley.end());
+        const float tip = *std::max_element(m_top.begin(), m_top.end());
+        std::vector<Stop> pits;
+        const int apart = static_cast<int>(1.0 / lattice.cellMm());
+        for (int b = 0; b < lattice.side(); ++b) {
+            for (int a = 0; a < lattice.side(); ++a) {
+                const std::size_t k = lattice.index(a, b);
+                if (m_valley[k] < std::max(kValleyMm, 0.5F * deepest) ||
+                    static_cast<double>(m_side[k]) < kPitShare * m_ground.broadestMm || m_top[k] > tip - kBelowTipsMm)
+                    continue;
+                bool highest = true;
+                for (int nb = std::max(0, b - apart); nb <= std::min(lattice.side() - 1, b + apart); ++nb)
+                    for (int na = std::max(0, a - apart); na <= std::min(lattice.side() - 1, a + apart); ++na)
+                        highest =
+                            highest && (m_valley[lattice.index(na, nb)] < m_valley[k] || lattice.index(na, nb) >= k);
+                if (highest)
+                    pits.push_back({a, b});
+            }
+        }
+        if (pits.empty())
+            return lowestInside();
+        if (seed != 0)
+            return pits[static_cast<std::size_t>(rng.below(static_cast<int>(pits.size())))];
+        return *std::max_element(pits.begin(), pits.end(), [&](const Stop& p, const Stop& q) {
+            return m_side[lattice.index(p.a, p.b)] < m_side[lattice.index(q.a, q.b)];
+        });
+    }
+
+    /// On a crown without a fissure: the lowest place well inside the outline.
+    [[nodiscard]] Stop lowestInside() const
+    {
+        const Lattice& lattice = m_ground.lattice;
+        Stop best{lattice.side() / 2, lattice.side() / 2};
+        float lowest = kNoValue;
+        for (int b = 0; b < lattice.side(); ++b) {
+            for (int a = 0; a < lattice.side(); ++a) {
+                const std::size_t k = lattice.index(a, b);
+                if (m_top[k] <= terrain::kEmptyTop || static_cast<double>(m_side[k]) < kPitShare * m_ground.broadestMm)
+                    continue;
+                if (m_top[k] < lowest) {
+                    lowest = m_top[k];
+                    best = {a, b};
+                }
+            }
+        }
+        return best;
+    }
+
+    void take(std::vector<std::uint8_t>& taken, const Stop& at) const { taken[m_ground.lattice.index(at.a, at.b)] = 1; }
+
+    /// Nodes of the path so far beside (a, b), `at` itself and its surroundings left out.
+    [[nodiscard]] bool touchesPath(int a, int b, const Stop& at, const std::vector<std::uint8_t>& taken) const
+    {
+        const Lattice& lattice = m_ground.lattice;
+        for (int nb = std::max(0, b - kReach); nb <= std::min(lattice.side() - 1, b + kReach); ++nb)
+            for (int na = std::max(0, a - kReach); na <= std::min(lattice.side() - 1, a + kReach); ++na)
+                if (taken[lattice.index(na, nb)] != 0 && std::max(std::abs(na - at.a), std::abs(nb - at.b)) > kReach)
+                    return true;
+        return false;
+    }
+
+    /// Goes on to the deepest neighbour in the valley; false at its end.
+    bool step(Stop& at, std::vector<std::uint8_t>& taken, Rng& rng) const
+    {
+        const Lattice& lattice = m_ground.lattice;
+        Stop next = at;
+        double best = 0.0;
+        for (int db = -1; db <= 1; ++db) {
+            for (int da = -1; da <= 1; ++da) {
+                const int a = at.a + da;
+                const int b = at.b + db;
+                if (a < 0 || b < 0 || a >= lattice.side() || b >= lattice.side())
+                    continue;
+                const std::size_t k = lattice.index(a, b);
+                const double wander = rng.uniform(0.8, 1.2);
+                if (taken[k] != 0 || m_valley[k] < kValleyMm || touchesPath(a, b, at, taken))
+                    continue;
+                // Straight on rather than round a corner, and never back.
+                const int turn = da * at.alongA + db * at.alongB;
+                if (turn < 0)
+                    continue;
+                const double worth = (wander + 0.2 * turn) * static_cast<double>(m_valley[k]);
+                if (worth > best) {
+                    best = worth;
+                    next = {a, b, at.fromPitMm + lattice.cellMm() * std::sqrt(1.0 * (da * da + db * db)), da, db};
+                }
+            }
+        }
+        if (best == 0.0)
+            return false;
+        // Whatever could have been stepped on instead is no way forward any more.
+        for (int db = -1; db <= 1; ++db)
+            for (int da = -1; da <= 1; ++da)
+                if (at.a + da >= 0 && at.b + db >= 0 && at.a + da < lattice.side() && at.b + db < lattice.side())
+                    taken[lattice.index(at.a + da, at.b + db)] = 1;
+        at = next;
+        take(taken, at);
+        return true;
+    }
+
+    const Ground& m_ground;
+    std::vector<float> m_top;
+    std::vector<float> m_side;
+    std::vector<float> m_valley;  ///< depth below the shoulders, mm
+};
+
+/// Widens a column's lesion to [floor, roof]; what it held stays in.
+void addInterval(terrain::ColumnLayers& column, float roof, float floor)
+{
+    if (!(roof > floor))
+        return;
+    if (column.cariesRoof > column.cariesFloor) {
+        roof = std::max(roof, column.cariesRoof);
+        floor = std::min(floor, column.cariesFloor);
+    }
+    column.cariesRoof = roof;
+    column.cariesFloor = floor;
+}
+
+/// The lesion of one severity (0 .. 1) at one stop. Every length grows with the severity, so that lesions nest.
+void growAt(Ground& ground, int i0, int j0, double severity)
+{
+    const terrain::Grid& grid = ground.grid;
+    const std::size_t centre = grid.index(i0, j0);
+    if (!ground.solid(centre))
+        return;
+    const double through = std::min(1.0, severity / kJunctionAt);
+    const double deep = std::max(0.0, (severity - kJunctionAt) / (1.0 - kJunctionAt));
+    const double mouth = 0.22 * through + 0.08 * deep;
+    const double base = mouth + 0.15 * through + 1.4 * deep * (2.0 - deep);
+    const auto room = std::min(2.8, static_cast<double>(ground.layers[centre].dej - ground.lowest(i0, j0)));
+    const double depth = std::max(0.0, 0.95 * room * deep * (2.0 - deep));
+
+    const int reach = static_cast<int>(base / grid.cellMm);
+    for (int j = std::max(0, j0 - reach); j <= std::min(grid.side - 1, j0 + reach); ++j) {
+        for (int i = std::max(0, i0 - reach); i <= std::min(grid.side - 1, i0 + reach); ++i) {
+            const std::size_t k = grid.index(i, j);
+            terrain::ColumnLayers& column = ground.layers[k];
+            const double aside = grid.cellMm * std::sqrt(1.0 * ((i - i0) * (i - i0) + (j - j0) * (j - j0)));
+            // Where enamel fills the whole column there is no junction to run along, and none down the wall.
+            if (!ground.solid(k) || aside > base || column.dej - ground.bottom[k] < 0.3F ||
+                column.dej < ground.layers[centre].dej - 1.0F ||
+                static_cast<double>(ground.sideMm[k]) < kWallShare * ground.broadestMm)
+                continue;
+            const auto surface = static_cast<double>(ground.top[k]);
+            const double junction = std::min(surface, static_cast<double>(column.dej));
+            const double enamel = surface - junction;
+            double roof = surface;
+            double floor = surface;
+            if (aside <= mouth || aside == 0.0)
+                floor = surface - through * enamel * (1.0 - (mouth > 0.0 ? 0.6 * aside / mouth : 0.0));
+            if (deep > 0.0) {
+                const double out = aside / base;
+                floor = std::min(floor, junction - depth * (1.0 - out) * (1.0 + 0.5 * out));
+                if (aside > mouth) {
+                    const double under = 1.0 - (aside - mouth) / (base - mouth);
+                    roof = junction + enamel * under * under * under;
+                }
+            }
+            addInterval(column, static_cast<float>(roof), std::max(static_cast<float>(floor), ground.lowest(i, j)));
+        }
+    }
+}
+
+void walkFissures(Ground& ground, double extent, std::uint64_t seed)
+{
+    constexpr double kLongestMm = 3.5;
+    constexpr double kFading = 0.5;  ///< severity lost from the pit to the end of the walk
+    for (const Stop& stop : FissureMap(ground).walk(seed, kLongestMm)) {
+        const double severity = extent - kFading * stop.fromPitMm / kLongestMm;
+        const int i = stop.a * ground.lattice.stride();
+        const int j = stop.b * ground.lattice.stride();
+        if (severity > 0.0 && i < ground.grid.side && j < ground.grid.side)
+            growAt(ground, i, j, std::min(1.0, severity));
+    }
+}
+
+/// The 2011 rule: from the lowest point near the centre, depth first, the lower neighbour first.
+void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
+{
+    constexpr double kLargestMm2 = 12.0;
+    constexpr float kLowMm = 1.2F;  ///< above the start, still a low point
+    const terrain::Grid& grid = ground.grid;
+    Rng rng(seed ^ 0x6C6F77ULL);
+    double x = 0.0;
+    double y = 0.0;
+    double columns = 0.0;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            if (!ground.solid(grid.index(i, j)))
+                continue;
+            x += i;
+            y += j;
+            columns += 1.0;
+        }
+    }
+    const double astray = seed == 0 ? 0.0 : 0.5 / grid.cellMm;
+    x = x / columns + rng.uniform(-astray, astray);
+    y = y / columns + rng.uniform(-astray, astray);
+
+    const auto allowed = [&](int i, int j) {
+        return grid.contains(i, j) && ground.solid(grid.index(i, j)) &&
+               static_cast<double>(ground.sideMm[grid.index(i, j)]) > kTableShare * ground.broadestMm;
+    };
+    const auto height = [&](int i, int j) { return ground.top[grid.index(i, j)]; };
+    // A seed turns the fill where two ways are about as low.
+    const ValueNoise lure(seed, 0.8);
+    const auto pull = [&](const std::pair<int, int>& at) {
+        if (!allowed(at.first, at.second))
+            return static_cast<double>(kNoValue);
+        const glm::dvec2 place = grid.nodeMm(at.first, at.second);
+        return static_cast<double>(height(at.first, at.second)) + 0.15 * lure.at(place.x, place.y);
+    };
+    int i0 = static_cast<int>(std::lround(x));
+    int j0 = static_cast<int>(std::lround(y));
+    const double nearMm = 1.5;
+    const int near = static_cast<int>(nearMm / grid.cellMm);
+    float lowest = kNoValue;
+    const int ci = i0;
+    const int cj = j0;
+    for (int j = cj - near; j <= cj + near; ++j) {
+        for (int i = ci - near; i <= ci + near; ++i) {
+            if (allowed(i, j) && height(i, j) < lowest) {
+                lowest = height(i, j);
+                i0 = i;
+                j0 = j;
+            }
+        }
+    }
+    if (lowest == kNoValue)
+        return;
+
+    const auto budget = static_cast<std::size_t>(std::ceil(extent * kLargestMm2 / (grid.cellMm * grid.cellMm)));
+    std::vector<std::uint8_t> seen(grid.count(), 0);
+    std::vector<std::pair<int, int>> open{{i0, j0}};
+    std::size_t filled = 0;
+    while (!open.empty() && filled < budget) {
+        const auto [i, j] = open.back();
+        open.pop_back();
+        const std::size_t k = grid.index(i, j);
+        if (seen[k] != 0)
+            continue;
+        seen[k] = 1;
+        ++filled;
+        terrain::ColumnLayers& column = ground.layers[k];
+        const float deepest = ground.lowest(i, j);
+        const float junction = std::min(ground.top[k], column.dej);
+        const float into = static_cast<float>(0.7 * extent) * std::max(0.0F, junction - deepest);
+        addInterval(column, ground.top[k], std::max(deepest, junction - std::min(2.0F, into)));
+
+        std::pair<int, int> neighbours[4] = {{i + 1, j}, {i - 1, j}, {i, j + 1}, {i, j - 1}};
+        std::stable_sort(std::begin(neighbours), std::end(neighbours),
+                         [&](const auto& p, const auto& q) { return pull(p) > pull(q); });
+        for (const auto& [ni, nj] : neighbours)
+            if (allowed(ni, nj) && seen[grid.index(ni, nj)] == 0 && height(ni, nj) < lowest + kLowMm)
+                open.emplace_back(ni, nj);
+    }
+}
+
+}  // namespace
+
+void addCaries(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+               std::vector<terrain::ColumnLayers>& layers, const CariesOptions& options)
+{
+    const double extent = std::clamp(options.extent, 0.0, 1.0);
+    Ground ground = survey(grid, top, bottom, layers);
+    if (!(extent > 0.0) || ground.broadestMm <= 0.0)
+        return;
+    if (options.rule == CariesRule::FissureWalk)
+        walkFissures(ground, extent, options.seed);
+    else
+        fillLowPoints(ground, extent, options.seed);
+}
+
+}  // namespace core::teeth

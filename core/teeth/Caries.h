@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/terrain/Grid.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::teeth {
+
+enum class CariesRule {
+    FissureWalk,      ///< follows the fissures, narrow in enamel, wide at the junction
+    LowPointFill2011  ///< fills low points depth first from the centre, open from above
+};
+
+struct CariesOptions
+{
+    CariesRule rule = CariesRule::FissureWalk;
+    double extent = 0.5;     ///< 0 none .. 1 deepest; a larger extent contains every smaller one of the same seed
+    std::uint64_t seed = 0;  ///< where the walk starts and which way it turns
+};
+
+/// Puts a lesion into layers made by buildLayers for the same maps: sets cariesRoof and cariesFloor.
+///
+/// FissureWalk. In enamel the lesion is a cone with its narrow mouth outside and its base at the enamel-dentin
+/// junction; there it runs sideways under sound enamel (cariesRoof below the top), and a second cone points to the
+/// pulp. Up to an extent of about 0.25 it stays in enamel.
+/// Whatever the extent, 0.5 mm of dentin stay between lesion and pulp in every direction. Any thread.
+void addCaries(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+               std::vector<terrain::ColumnLayers>& layers, const CariesOptions& options);
+
+}  // namespace core::teeth

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/Layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Rng.h"
+#include "core/teeth/Lattice.h"
+#include "core/teeth/Pulp.h"
+#include "core/teeth/TissueFigures.h"
+#include "core/teeth/ValueNoise.h"
+
+namespace core::teeth {
+namespace {
+
+constexpr double kThinnestMm = 0.2;         ///< enamel left under the deepest fissure
+constexpr double kFissureHalfMouth = 0.35;  ///< what is narrower than twice this is a fissure, not a fossa
+
+double smoothstep(double low, double high, double value)
+{
+    const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// Enamel thickness beside a surface point and the height of the CEJ, over one tooth.
+class Enamel
+{
+public:
+    Enamel(const terrain::Grid& grid, std::span<const float> top, std::span<const float> sideMm,
+           const TissueFigures& figures, std::uint64_t seed)
+        : m_figures(figures), m_patches(seed, 2.5)
+    {
+        Rng rng(seed ^ 0x656E616D656CULL);
+        m_person = seed == 0 ? 1.0 : 1.0 + 0.05 * std::clamp(rng.normal(), -2.0, 2.0);
+        m_highest = static_cast<double>(*std::max_element(top.begin(), top.end()));
+        m_deepestSide = static_cast<double>(*std::max_element(sideMm.begin(), sideMm.end()));
+
+        double left = 1.0e9;
+        double right = -1.0e9;
+        m_fossa = m_highest;
+        for (int j = 0; j < grid.side; ++j) {
+            for (int i = 0; i < grid.side; ++i) {
+                const std::size_t k = grid.index(i, j);
+                if (static_cast<double>(sideMm[k]) <= 0.0)
+                    continue;
+                left = std::min(left, grid.nodeMm(i, j).x);
+                right = std::max(right, grid.nodeMm(i, j).x);
+                if (static_cast<double>(sideMm[k]) > 0.5 * m_deepestSide)
+                    m_fossa = std::min(m_fossa, static_cast<double>(top[k]));
+            }
+        }
+        m_fossa = std::clamp(m_fossa, m_highest - 3.2, m_highest - 1.0);
+        m_centreX = 0.5 * (left + right);
+        m_halfWidth = std::max(grid.cellMm, 0.5 * (right - left));
+    }
+
+    /// Height of the CEJ over a place: lowest on the facial and lingual side, curving up mesially (-x) and distally.
+    [[nodiscard]] double cervixAt(double x) const
+    {
+        const double u = std::clamp((x - m_centreX) / m_halfWidth, -1.0, 1.0);
+        return m_highest - m_figures.crownHeight +
+               (u < 0.0 ? m_figures.sizes.cejCurveMesialMm : m_figures.sizes.cejCurveDistalMm) * u * u;
+    }
+
+    /// Person and place: a factor near 1 on every thickness.
+    [[nodiscard]] double variation(double x, double y) const { return m_person * (1.0 + 0.08 * m_patches.at(x, y)); }
+
+    /// Enamel on a side wall at a height above the CEJ (reference/teeth.md section 3: within 0.12 of a CT molar).
+    [[nodiscard]] double lateral(double aboveCervix) const
+    {
+        if (aboveCervix <= 0.0)
+            return 0.0;
+        return std::min(kEdge * std::min(1.0, aboveCervix / kEdgeHeight) + m_figures.enamelPerHeight * aboveCervix,
+                        m_figures.cuspEnamel);
+    }
+
+    /// The height above the CEJ at which lateral() is `thickness`: where the junction meets a wall that far away.
+    [[nodiscard]] double heightOf(double thickness) const
+    {
+        const double low = thickness / (m_figures.enamelPerHeight + kEdge / kEdgeHeight);
+        return low < kEdgeHeight ? low : (thickness - kEdge) / m_figures.enamelPerHeight;
+    }
+
+    /// Enamel under a surface point at height z over (x, y), `side` away from the outline.
+    [[nodiscard]] double thickness(double x, double y, double z, double side) const
+    {
+        const double above = z - cervixAt(x);
+        const double wall = lateral(above);
+        const bool hasTable = m_figures.kind == ToothKind::Premolar || m_figures.kind == ToothKind::Molar;
+        if (!hasTable || above <= 0.0)
+            return wall * variation(x, y);
+        const double share = std::clamp((z - m_fossa) / (m_highest - m_fossa), 0.0, 1.0);
+        const double table = m_figures.fossaEnamel + (m_figures.cuspEnamel - m_figures.fossaEnamel) * share * share;
+        const double inner = smoothstep(0.2 * m_deepestSide, 0.45 * m_deepestSide, side);
+        return (wall + (table - wall) * inner) * variation(x, y);
+    }
+
+private:
+    static constexpr double kEdge = 0.05;
+    static constexpr double kEdgeHeight = 0.2;
+
+    TissueFigures m_figures;
+    ValueNoise m_patches;
+    double m_person = 1.0;
+    double m_highest = 0.0;
+    double m_fossa = 0.0;
+    double m_deepestSide = 0.0;
+    double m_centreX = 0.0;
+    double m_halfWidth = 1.0;
+};
+
+/// The most enamel that a place near a fissure may have: 1.2 below its mouth and 0.25 below its base
+/// (a cavity 1.5 mm deep has its floor in dentin, section 7), growing with the distance. kNoValue far from any.
+std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Grid& grid, std::span<const float> top,
+                                       std::uint64_t seed)
+{
+    constexpr float kFissureMm = 0.15F;  // a shallower groove has the fossa's enamel
+    constexpr double kUnderMouth = 1.2;
+    constexpr double kUnderBase = 0.25;
+    constexpr double kGrowth = 0.4;
+    constexpr double kReachMm = 1.4;
+    const std::vector<float> lowest = lattice.pickLowest(top, terrain::kEmptyTop);
+    const std::vector<float> closed = lattice.close(lowest, kFissureHalfMouth, terrain::kEmptyTop);
+    const ValueNoise noise(seed ^ (seed == 0 ? 0 : 0x66697373ULL), 1.2);
+    std::vector<float> limit(lattice.count(), kNoValue);
+    const int reach = static_cast<int>(kReachMm / lattice.cellMm());
+    for (int b = 0; b < lattice.side(); ++b) {
+        for (int a = 0; a < lattice.side(); ++a) {
+            const std::size_t k = lattice.index(a, b);
+            if (lowest[k] <= terrain::kEmptyTop || closed[k] - lowest[k] < kFissureMm)
+                continue;
+            const double vary =
+                noise.at(grid.originMm.x + a * lattice.cellMm(), grid.originMm.y + b * lattice.cellMm());
+            const double base =
+                (1.0 + 0.2 * vary) * std::max(kUnderMouth, static_cast<double>(closed[k] - lowest[k]) + kUnderBase);
+            for (int nb = std::max(0, b - reach); nb <= std::min(lattice.side() - 1, b + reach); ++nb) {
+                for (int na = std::max(0, a - reach); na <= std::min(lattice.side() - 1, a + reach); ++na) {
+                    const double aside =
+                        lattice.cellMm() * std::sqrt(1.0 * ((na - a) * (na - a) + (nb - b) * (nb - b)));
+                    float& most = limit[lattice.index(na, nb)];
+                    most = std::min(most, static_cast<float>(base + kGrowth * aside));
+                }
+            }
+        }
+    }
+    return limit;
+}
+
+void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+               std::span<const float> sideMm, std::span<const float> cervixMm, const Enamel& enamel, std::uint64_t seed,
+               std::vector<terrain::ColumnLayers>& layers)
+{
+    const Lattice lattice(grid);
+    const std::vector<float> closed =
+        lattice.close(lattice.pick(top, terrain::kEmptyTop), kFissureHalfMouth, terrain::kEmptyTop);
+    const std::vector<float> side = lattice.pick(sideMm, 0.0F);
+    const std::vector<float> limit = limitBesideFissures(lattice, grid, top, seed);
+    std::vector<float> centres(lattice.count(), kNoValue);
+    std::vector<float> radius(lattice.count(), 0.0F);
+    for (int b = 0; b < lattice.side(); ++b) {
+        for (int a = 0; a < lattice.side(); ++a) {
+            const std::size_t k = lattice.index(a, b);
+            if (closed[k] <= terrain::kEmptyTop)
+                continue;
+            const double x = grid.originMm.x + a * lattice.cellMm();
+            const double y = grid.originMm.y + b * lattice.cellMm();
+            centres[k] = closed[k];
+            const auto thickness = static_cast<float>(
+                enamel.thickness(x, y, static_cast<double>(closed[k]), static_cast<double>(side[k])));
+            radius[k] = std::min(thickness, limit[k]);
+        }
+    }
+    const std::vector<float> under = lattice.ballsBelow(centres, radius);
+
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            if (!(top[k] > bottom[k]))
+                continue;
+            const glm::dvec2 at = grid.nodeMm(i, j);
+            const auto surface = static_cast<double>(top[k]);
+            const auto cervix = static_cast<double>(cervixMm[k]);
+            const auto toSide = static_cast<double>(sideMm[k]);
+            const double here = enamel.thickness(at.x, at.y, surface, toSide);
+            const float below = lattice.at(under, i, j);
+            double dej = below == kNoValue ? surface - here : static_cast<double>(below);
+            // The wall beside the tooth goes straight down from its outline to the CEJ, thinning all the way.
+            dej = std::min(dej, cervix + enamel.heightOf(toSide / enamel.variation(at.x, at.y)));
+            dej = std::min(dej, surface - std::min({kThinnestMm, here, std::max(0.0, surface - cervix)}));
+            if (static_cast<double>(bottom[k]) > cervix) {
+                // The underside of a bulge has its own enamel; with that the column may hold no dentin at all.
+                const double beneath = enamel.lateral(static_cast<double>(bottom[k]) - cervix);
+                if (dej - static_cast<double>(bottom[k]) < beneath)
+                    dej = static_cast<double>(bottom[k]);
+            } else {
+                dej = std::max(dej, std::min(cervix, surface));
+            }
+            layers[k].dej = static_cast<float>(dej);
+        }
+    }
+}
+
+/// The 2011 rule: layers parallel to the top, and walls a constant distance inside the outline.
+void layConstantDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+                      std::span<const float> sideMm, std::vector<terrain::ColumnLayers>& layers)
+{
+    constexpr float kEnamelMm = 2.0F;
+    constexpr float kEnamelSideMm = 1.5F;
+    constexpr float kPulpDepthMm = 6.0F;
+    constexpr float kPulpSideMm = 3.2F;
+    constexpr float kPulpHeightMm = 2.0F;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (!(top[k] > bottom[k]))
+            continue;
+        layers[k].dej = sideMm[k] < kEnamelSideMm ? bottom[k] : std::max(bottom[k], top[k] - kEnamelMm);
+        if (sideMm[k] >= kPulpSideMm && top[k] - kPulpDepthMm - kPulpHeightMm > bottom[k] + 1.0F) {
+            layers[k].pulpRoof = top[k] - kPulpDepthMm;
+            layers[k].pulpFloor = layers[k].pulpRoof - kPulpHeightMm;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::span<const float> top,
+                                               std::span<const float> bottom, const LayerOptions& options)
+{
+    std::vector<terrain::ColumnLayers> layers(grid.count());
+    std::vector<std::uint8_t> solid(grid.count());
+    bool anything = false;
+    for (std::size_t k = 0; k < solid.size(); ++k) {
+        solid[k] = top[k] > bottom[k] ? 1 : 0;
+        anything = anything || solid[k] != 0;
+    }
+    if (!anything)
+        return layers;
+    const std::vector<float> side = distanceInside(grid, solid);
+    if (options.rule == LayerRule::ConstantDepth2011) {
+        layConstantDepth(grid, top, bottom, side, layers);
+        return layers;
+    }
+
+    const TissueFigures figures = figuresFor(options.fdi, grid, top);
+    const Enamel enamel(grid, top, side, figures, options.seed);
+    std::vector<float> cervix(grid.count());
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i)
+            cervix[grid.index(i, j)] = static_cast<float>(enamel.cervixAt(grid.nodeMm(i, j).x));
+    layEnamel(grid, top, bottom, side, cervix, enamel, options.seed, layers);
+    hollowPulp(grid, top, bottom, cervix, figures, options.seed, layers);
+    return layers;
+}
+
+}  // namespace core::teeth

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/terrain/Grid.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::teeth {
+
+enum class LayerRule {
+    Anatomical,        ///< enamel thins from cusp to cervix, pulp chamber with horns
+    ConstantDepth2011  ///< every layer a constant depth below the top and a constant distance from the side
+};
+
+struct LayerOptions
+{
+    LayerRule rule = LayerRule::Anatomical;
+    int fdi = 0;             ///< FDI number; 0 when unknown: the kind of tooth is then guessed from its crown
+    std::uint64_t seed = 0;  ///< of the variation between people; 0 is the mean of the tables
+};
+
+/// Lays enamel, dentin and pulp under the surface of a whole tooth (roots in `bottom`), tooth frame, mm.
+///
+/// Anatomical. Enamel is everything closer to the outer surface than its thickness there, so thickness is measured
+/// along the normal on a cusp, on an incline and on the side alike: 0 at the enamel-cement junction (CEJ) and
+/// 0.05 + 0.32 h at h mm above it on a molar (less on premolars, canines and incisors), towards the fossa's own
+/// figure inside the occlusal table. Fissures are closed first: the junction dips under their mouth, not their base;
+/// at least 0.2 mm of enamel stays below one. The pulp has a horn under each cusp, its walls keep 1 mm of dentin on
+/// every side. Figures: reference/teeth.md, section 3 (Deutsch and Musikant 2004 for molar pulps).
+///
+/// A column holds one junction, so enamel on the underside of a bulge is kept only where it fills the column.
+///
+/// @param top, bottom  [side * side], kEmptyTop and kEmptyBottom outside the tooth
+/// @return one entry a node, without caries; entries of empty columns are all zero. Any thread.
+[[nodiscard]] std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::span<const float> top,
+                                                             std::span<const float> bottom,
+                                                             const LayerOptions& options);
+
+}  // namespace core::teeth

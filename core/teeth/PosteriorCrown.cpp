@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/PosteriorCrown.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace core::teeth {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTau = 2.0 * kPi;
+/// Cells along the side of the square that is laid over the occlusal surface: under 0.09 mm each on a molar.
+constexpr int kTopCells = 160;
+constexpr int kSideRings = 30;
+
+/// Coefficients of the wave a + b cos + c sin + d cos 2 that passes through the four sides.
+FourSides waveThrough(const FourSides& sides)
+{
+    const auto [distal, buccal, mesial, lingual] = sides;
+    return {(distal + buccal + mesial + lingual) / 4.0, (distal - mesial) / 2.0, (buccal - lingual) / 2.0,
+            (distal - buccal + mesial - lingual) / 4.0};
+}
+
+double onWave(const FourSides& wave, double cosine, double sine)
+{
+    return wave[0] + wave[1] * cosine + wave[2] * sine + wave[3] * (cosine * cosine - sine * sine);
+}
+
+double smoothStep(double from, double to, double x)
+{
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+double smoothMin(double a, double b, double k)
+{
+    return 0.5 * (a + b - std::sqrt((a - b) * (a - b) + k * k));
+}
+
+/// Square [-1, 1]^2 on to the unit disc, keeping areas even (Shirley and Chiu 1997): angle and radius in 0 .. 1.
+std::pair<double, double> discFromSquare(double a, double b)
+{
+    if (a == 0.0 && b == 0.0)
+        return {0.0, 0.0};
+    if (std::abs(a) > std::abs(b))
+        return {kPi / 4.0 * (b / a) + (a < 0.0 ? kPi : 0.0), std::abs(a)};
+    return {kPi / 2.0 - kPi / 4.0 * (a / b) + (b < 0.0 ? kPi : 0.0), std::abs(b)};
+}
+
+}  // namespace
+
+PosteriorCrown::PosteriorCrown(PosteriorDesign design, std::vector<OcclusalField::Wave> wander, double beadPhase)
+    : m_design(std::move(design)), m_field(m_design.lobes, m_design.blendMm, m_design.furrows, std::move(wander)),
+      m_beadPhase(beadPhase), m_contour(waveThrough(m_design.contourZ)), m_rise(waveThrough(m_design.domeRise)),
+      m_power(waveThrough(m_design.domePower))
+{}
+
+double PosteriorCrown::outlineMm(double angle) const
+{
+    const double turns = angle / kTau;
+    const double place = (turns - std::floor(turns)) * 16.0;
+    const auto first = static_cast<std::size_t>(place);
+    const double t = place - static_cast<double>(first);
+    const double s = 1.0 - t;
+    const auto control = [&](std::size_t k) { return m_design.outline[(first + k) % 16]; };
+    return (s * s * s * control(15) + (3.0 * t * t * t - 6.0 * t * t + 4.0) * control(0) +
+            (3.0 * s * s * s - 6.0 * s * s + 4.0) * control(1) + t * t * t * control(2)) /
+           6.0;
+}
+
+PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
+{
+    const double radius = std::sqrt(glm::dot(point, point));
+    const double cosine = radius > 1.0e-9 ? point.x / radius : 1.0;
+    const double sine = radius > 1.0e-9 ? point.y / radius : 0.0;
+    const double angle = std::atan2(sine, cosine);
+    double rho = std::min(radius / outlineMm(angle), 1.0);
+    for (const SideGroove& groove : m_design.sideGrooves) {
+        const double degrees = std::remainder(angle - groove.angleDeg / 360.0 * kTau, kTau) * 360.0 / kTau;
+        const double near = std::exp(-degrees * degrees / (groove.widthDeg * groove.widthDeg));
+        rho = std::min(rho + groove.depthMm / 5.0 * near * smoothStep(0.3, 0.7, rho) * smoothStep(1.0, 0.7, rho), 1.0);
+    }
+    // Towards the middle the four sides become one dome: no seam where all angles meet.
+    const double apart = smoothStep(0.0, 0.45, rho);
+    const double power = onWave(m_power, cosine * apart, sine * apart);
+    double side = onWave(m_contour, cosine * apart, sine * apart) +
+                  onWave(m_rise, cosine * apart, sine * apart) * std::sqrt(std::max(1.0 - std::pow(rho, power), 0.0));
+
+    for (const SideFurrow& furrow : m_design.sideFurrows) {
+        const double degrees = std::remainder(angle - furrow.angleDeg / 360.0 * kTau, kTau) * 360.0 / kTau;
+        // The furrow bends round the tubercle below it.
+        const double bend = degrees / furrow.widthDeg;
+        const double off = (rho - furrow.place - 0.06 * bend * bend) / 0.04;
+        side -= furrow.depthMm * std::exp(-bend * bend - off * off);
+    }
+    const OcclusalField::Sample field = m_field.at(point);
+    Top top;
+    top.z = smoothMin(field.height, side, m_design.shoulderMm);
+    top.grooveDistanceMm = field.grooveDistanceMm;
+    top.bank = field.bank;
+    top.awayFromGroove = field.awayFromGroove;
+
+    if (field.grooveDistanceMm < m_design.mouthMm) {
+        // It ends where the table does; the weaker ones (beside marginal ridges) keep to the fossa.
+        const double end = 0.60 + 0.36 * field.groove;
+        const double share =
+            field.groove * smoothStep(-0.2, 0.6, side - field.height) * smoothStep(end, end - 0.3, rho);
+        // A V with a slightly flared mouth; along the groove it is a chain of pits, wide where deep.
+        const double bead = std::sin(4.1 * point.x + m_beadPhase) * std::sin(3.7 * point.y + 1.3 * m_beadPhase);
+        top.fissure = m_design.fissureMm * share * (0.82 + 0.18 * bead);
+        top.lipMm = 0.5 * m_design.mouthMm * (0.65 + 0.25 * share + 0.1 * bead);
+        const double v = std::max(1.0 - field.grooveDistanceMm / top.lipMm, 0.0);
+        top.carved = top.fissure * v * (0.3 + 0.7 * v);
+        top.z -= top.carved;
+    }
+    return top;
+}
+
+namespace {
+
+constexpr int kSide = kTopCells + 1;
+
+/// The vertices over the occlusal surface, row by row.
+class TopGrid
+{
+public:
+    struct Node
+    {
+        glm::dvec2 home{0.0};  ///< where the bent grid puts it
+        glm::dvec2 place{0.0};
+        PosteriorCrown::Top sample;
+    };
+    using Cell = std::array<std::size_t, 4>;  ///< corners, counter-clockwise
+
+    explicit TopGrid(const PosteriorCrown& crown) : m_crown(crown), m_nodes(static_cast<std::size_t>(kSide * kSide))
+    {
+        for (int row = 0; row < kSide; ++row)
+            for (int column = 0; column < kSide; ++column)
+                m_nodes[at(column, row)] = lay(column, row);
+        // Beside sharp bends two moves can cross: those vertices go home, until no cell is folded.
+        for (bool folded = true; folded;) {
+            folded = false;
+            for (int row = 0; row < kTopCells; ++row)
+                for (int column = 0; column < kTopCells; ++column)
+                    if (const Cell corners = cell(column, row); isFolded(corners))
+                        for (const std::size_t k : corners)
+                            folded = sendHome(m_nodes[k]) || folded;
+        }
+    }
+
+    static std::size_t at(int column, int row) { return static_cast<std::size_t>(row * kSide + column); }
+    [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }
+
+    /// Corners of a cell, first and third on the diagonal that runs along a fissure rather than across it.
+    [[nodiscard]] Cell cell(int column, int row) const
+    {
+        const Cell corners{at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)};
+        const auto apart = [&](std::size_t from, std::size_t to) {
+            return std::abs(bankDistance(m_nodes[from]) - bankDistance(m_nodes[to]));
+        };
+        const Cell turned{corners[1], corners[2], corners[3], corners[0]};
+        // On the square's own diagonals a corner of the cell is bent flat: only one way leaves two proper triangles.
+        if (column == row)
+            return corners;
+        if (column + row == kTopCells - 1)
+            return turned;
+        return apart(corners[0], corners[2]) <= apart(corners[1], corners[3]) ? corners : turned;
+    }
+
+private:
+    [[nodiscard]] double bankDistance(const Node& node) const
+    {
+        return node.sample.bank * std::min(node.sample.grooveDistanceMm, 2.0 * m_crown.design().mouthMm);
+    }
+
+    [[nodiscard]] Node lay(int column, int row) const
+    {
+        // Denser where the sides get steep.
+        const auto [angle, r] = discFromSquare(2.0 * column / kTopCells - 1.0, 2.0 * row / kTopCells - 1.0);
+        const double outline = m_crown.outlineMm(angle);
+        const double rho = r + 0.3 * (r - r * r * r * r);
+        Node node;
+        node.home = {outline * rho * std::cos(angle), outline * rho * std::sin(angle)};
+        node.place = node.home;
+        node.sample = m_crown.top(node.place);
+        // Vertices beside a fissure move on to its line or its lip, so that both are edges of the mesh.
+        const double reach = 2.0 * outline / kTopCells;
+        for (int pass = 0; pass < 2 && node.sample.fissure > 0.005; ++pass) {
+            const double distance = node.sample.grooveDistanceMm;
+            const double lip = node.sample.lipMm;
+            if (distance > lip + 0.5 * reach)
+                break;
+            const double aim = distance < std::min(reach, 0.62 * lip) ? 0.0 : lip;
+            node.place += node.sample.awayFromGroove * (aim - distance);
+            node.sample = m_crown.top(node.place);
+        }
+        return node;
+    }
+
+    [[nodiscard]] bool isFolded(const Cell& corners) const
+    {
+        const auto area = [&](std::size_t a, std::size_t b, std::size_t c) {
+            const glm::dvec2 u = m_nodes[corners[b]].place - m_nodes[corners[a]].place;
+            const glm::dvec2 v = m_nodes[corners[c]].place - m_nodes[corners[a]].place;
+            return u.x * v.y - u.y * v.x;
+        };
+        constexpr double kSliverMm2 = 1.0e-6;
+        return area(0, 1, 2) < kSliverMm2 || area(0, 2, 3) < kSliverMm2;
+    }
+
+    bool sendHome(Node& node) const
+    {
+        if (node.place == node.home)
+            return false;
+        node.place = node.home;
+        node.sample = m_crown.top(node.place);
+        return true;
+    }
+
+    const PosteriorCrown& m_crown;
+    std::vector<Node> m_nodes;
+};
+
+}  // namespace
+
+MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& sizes) const
+{
+    const TopGrid top(*this);
+    const auto at = TopGrid::at;
+    std::vector<MeshBuilder::Index> grid;
+    grid.reserve(top.nodes().size());
+    double buccalTip = -1.0e9;
+    for (const TopGrid::Node& node : top.nodes()) {
+        grid.push_back(builder.add({node.place.x, node.place.y, node.sample.z}));
+        if (node.place.y > 0.0)
+            buccalTip = std::max(buccalTip, node.sample.z);
+    }
+    for (int row = 0; row < kTopCells; ++row)
+        for (int column = 0; column < kTopCells; ++column) {
+            const auto [a, b, c, d] = top.cell(column, row);
+            builder.triangle(grid[a], grid[b], grid[c]);
+            builder.triangle(grid[a], grid[c], grid[d]);
+        }
+
+    // Its rim, starting at the distal side: counter-clockwise, as the angle grows.
+    MeshBuilder::Ring above;
+    constexpr int kHalf = kTopCells / 2;
+    for (int k = kHalf; k < kTopCells; ++k)
+        above.push_back(grid[at(kTopCells, k)]);
+    for (int k = kTopCells; k > 0; --k)
+        above.push_back(grid[at(k, kTopCells)]);
+    for (int k = kTopCells; k > 0; --k)
+        above.push_back(grid[at(0, k)]);
+    for (int k = 0; k < kTopCells; ++k)
+        above.push_back(grid[at(k, 0)]);
+    for (int k = 0; k < kHalf; ++k)
+        above.push_back(grid[at(kTopCells, k)]);
+
+    // The sides, from the contour in to the CEJ.
+    const MeshBuilder::Ring rim = above;
+    const std::vector<glm::dvec3> neck = cej(rim.size() / 2, buccalTip - sizes.crownHeightMm, sizes);
+    for (int r = 1; r <= kSideRings; ++r) {
+        const double t = static_cast<double>(r) / kSideRings;
+        // Leaves the contour upright and comes in faster towards the neck.
+        const double in = std::pow(t, 1.7);
+        MeshBuilder::Ring ring;
+        for (std::size_t k = 0; k < neck.size(); k += r < kSideRings ? 1 : 2) {
+            const glm::dvec3 from = builder.point(rim[2 * k]);
+            const glm::dvec3& to = neck[k];
+            ring.push_back(builder.add(
+                {from.x + (to.x - from.x) * in, from.y + (to.y - from.y) * in, from.z + (to.z - from.z) * t}));
+        }
+        builder.band(above, ring);
+        above = std::move(ring);
+    }
+    return above;
+}
+
+std::vector<glm::dvec3> PosteriorCrown::cej(std::size_t count, double facialZ, const ToothSizes& sizes) const
+{
+    std::vector<glm::dvec3> line;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double angle = kTau * static_cast<double>(k) / static_cast<double>(count);
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const double p = m_design.cervixPower;
+        const double radius = std::pow(std::pow(2.0 * std::abs(c) / sizes.cervixWidthMm, p) +
+                                           std::pow(2.0 * std::abs(s) / sizes.cervixDepthMm, p),
+                                       -1.0 / p);
+        const glm::dvec2 place{m_design.cervixX + radius * c, m_design.cervixY + radius * s};
+        // Nowhere wider than the crown above it, not even under the missing corner of a heart.
+        const double reach = std::sqrt(glm::dot(place, place));
+        const double within = smoothMin(reach, 0.97 * outlineMm(std::atan2(place.y, place.x)), 0.25) / reach;
+        const double rise = (c < 0.0 ? sizes.cejCurveMesialMm : sizes.cejCurveDistalMm) * c * c * c * c;
+        line.emplace_back(place.x * within, place.y * within, facialZ + rise);
+    }
+    return line;
+}
+
+}  // namespace core::teeth

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/teeth/TissueFigures.h"
+#include "core/terrain/Grid.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::teeth {
+
+/// Hollows the pulp out of layers that already hold their enamel-dentin junction: a chamber as wide as the cervix
+/// less its dentin wall, a horn under each cusp, and canals as far as vertical columns can follow them. At least
+/// 1 mm of dentin stays on every side; where a tooth has no room for that, it has no pulp.
+///
+/// @param cervixMm  height of the enamel-cement junction over each node, [side * side]
+void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+                std::span<const float> cervixMm, const TissueFigures& figures, std::uint64_t seed,
+                std::vector<terrain::ColumnLayers>& layers);
+
+}  // namespace core::teeth

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "core/teeth/ToothTable.h"
+#include "core/terrain/Grid.h"
+
+namespace core::teeth {
+
+enum class ToothKind { Incisor, Canine, Premolar, Molar };
+
+/// What the layers of a tooth are measured from, mm. Means of reference/teeth.md section 3 (a micro-CT molar, Deutsch
+/// and Musikant 2004, textbooks).
+struct TissueFigures
+{
+    ToothKind kind = ToothKind::Molar;
+    ToothSizes sizes;              ///< of the mean tooth
+    double crownHeight = 0.0;      ///< highest point to the CEJ on the facial side, of this tooth
+    double enamelPerHeight = 0.0;  ///< growth of lateral enamel with the height above the CEJ
+    double cuspEnamel = 0.0;       ///< at the cusp tip, normal to the surface
+    double fossaEnamel = 0.0;      ///< at the floor of the fossa beside a fissure
+    double pulpWall = 0.0;         ///< root surface to pulp at the cervix
+    double tipToHorn = 0.0;        ///< cusp tip or incisal edge to the pulp horn under it
+    double hornHeight = 0.0;       ///< of the horn above the chamber's roof
+    double chamberHeight = 0.0;    ///< roof to floor; 0: no floor, the chamber narrows into the canal
+};
+
+/// The figures of an FDI number, 11 .. 48. With 0 or any other number: of the kind that the crown looks like, by its
+/// size and by how much of it lies near its highest point.
+[[nodiscard]] TissueFigures figuresFor(int fdi, const terrain::Grid& grid, std::span<const float> top);
+
+}  // namespace core::teeth

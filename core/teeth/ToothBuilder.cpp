@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/ToothBuilder.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <time.h>
+
+#include <glm/geometric.hpp>
+
+#include "core/mesh/Holes.h"
+#include "core/mesh/MeshAnalysis.h"
+#include "core/mesh/MeshReader.h"
+#include "core/mesh/Weld.h"
+#include "core/teeth/ToothGenerator.h"
+#include "core/terrain/Rasteriser.h"
+#include "core/terrain/Rim.h"
+
+namespace core::teeth {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double threadCpuMs()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1.0e3 + static_cast<double>(time.tv_nsec) * 1.0e-6;
+}
+
+/// A tooth narrower than this has no grid worth the name.
+constexpr double kLeastWidthMm = 0.2;
+/// Holes whose patch is smaller than this part of the tooth's outline are patched without further thought.
+constexpr double kSmallHole = 0.05;
+
+class Builder
+{
+public:
+    Builder(const ToothSource& source, const BuildOptions& options) : m_source(source), m_options(options) {}
+
+    Result<BuiltTooth> build()
+    {
+        const auto start = Clock::now();
+        const double cpuStart = threadCpuMs();
+        m_lap = start;
+        const bool fromFile = std::holds_alternative<std::filesystem::path>(m_source.what);
+        m_report.source = nameOfSource();
+        for (const auto step : {&Builder::checkOptions, fromFile ? &Builder::readFile : &Builder::generate,
+                                &Builder::judge, fromFile ? &Builder::place : &Builder::keepFrame, &Builder::closeHoles,
+                                &Builder::rasterise, &Builder::layTissues})
+            if (Status status = (this->*step)(); !status)
+                return tl::unexpected(std::move(status).error());
+        auto anatomy = std::make_shared<const terrain::ToothAnatomy>(std::move(m_anatomy));
+        m_report.loadMs = millisecondsSince(start);
+        m_report.loadCpuMs = threadCpuMs() - cpuStart;
+        m_report.layersMm3 = terrain::volumes(terrain::Tooth(anatomy));
+        return BuiltTooth{std::move(anatomy), std::move(m_mesh), std::move(m_report)};
+    }
+
+private:
+    [[nodiscard]] std::string nameOfSource() const
+    {
+        if (const int* fdi = std::get_if<int>(&m_source.what))
+            return std::to_string(*fdi);
+        return std::get<std::filesystem::path>(m_source.what).string();
+    }
+
+    /// "scan.stl: what is wrong"
+    [[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, const std::string& what) const
+    {
+        return unexpected(code, m_report.source + ": " + what);
+    }
+
+    void endStage(const char* name)
+    {
+        m_report.stagesMs.emplace_back(name, millisecondsSince(m_lap));
+        m_lap = Clock::now();
+    }
+
+    Status checkOptions()
+    {
+        if (m_options.gridSide < terrain::kMinGridSide || m_options.gridSide > terrain::kMaxGridSide)
+            return unexpected(ErrorCode::OutOfRange, "a grid of " + std::to_string(m_options.gridSide) +
+                                                         " nodes a side is out of range; choose " +
+                                                         std::to_string(terrain::kMinGridSide) + " to " +
+                                                         std::to_string(terrain::kMaxGridSide));
+        if (!(m_options.cariesExtent >= 0.0 && m_options.cariesExtent <= 1.0))
+            return unexpected(ErrorCode::OutOfRange, "the extent of caries must be a number from 0 to 1");
+        return {};
+    }
+
+    Status generate()
+    {
+        m_anatomy.fdi = std::get<int>(m_source.what);
+        auto mesh = generateTooth(m_anatomy.fdi, m_options.seed);
+        if (!mesh)
+            return tl::unexpected(std::move(mesh).error());
+        m_mesh = std::move(*mesh);
+        endStage("generate");
+        return {};
+    }
+
+    Status readFile()
+    {
+        m_anatomy.fdi = m_options.fdi;
+        auto file = mesh::readMesh(std::get<std::filesystem::path>(m_source.what));
+        if (!file)
+            return tl::unexpected(std::move(file).error());
+        m_mesh = std::move(file->mesh);
+        m_report.warnings = std::move(file->warnings);
+        endStage("read");
+        return {};
+    }
+
+    Status judge()
+    {
+        mesh::weldByPosition(m_mesh);
+        m_facts = mesh::analyse(m_mesh);
+        if (m_facts.shells.empty() || m_facts.area == 0.0)
+            return failure(ErrorCode::NoTriangles, "every one of its " + std::to_string(m_facts.triangles) +
+                                                       " faces has zero area; export the mesh again");
+        if (m_facts.triangles < 4)
+            return failure(ErrorCode::NoTriangles, "its surface has " + std::to_string(m_facts.triangles) +
+                                                       (m_facts.triangles == 1 ? " triangle" : " triangles") +
+                                                       ", too few to enclose anything; export the whole tooth");
+        if (m_facts.openEdges.size() > m_facts.triangles)
+            return failure(ErrorCode::BadStructure,
+                           "its faces do not hang together: " + std::to_string(m_facts.openEdges.size()) +
+                               " edges have a face on one side only; export it as one "
+                               "connected surface");
+        m_report.triangles = m_facts.triangles;
+        m_report.vertices = m_facts.vertices;
+        m_report.closed = m_facts.closed;
+        m_report.oriented = m_facts.oriented;
+        m_report.boundaryEdges = m_facts.boundaryEdges;
+        m_report.nonManifoldEdges = m_facts.nonManifoldEdges;
+        m_report.flippedEdges = m_facts.flippedEdges;
+        m_report.zeroAreaFaces = m_facts.zeroAreaFaces;
+        m_report.duplicateFaces = m_facts.duplicateFaces;
+        m_report.shells = m_facts.shells.size();
+        m_report.shellsInside = static_cast<std::size_t>(
+            std::count_if(m_facts.shells.begin(), m_facts.shells.end(), [](const auto& s) { return s.inside; }));
+        m_report.shellsInsideOut = mesh::turnOutwards(m_mesh, m_facts);
+        warnAboutMesh();
+        endStage("analyse");
+        return {};
+    }
+
+    void warnAboutMesh()
+    {
+        const auto warn = [&](std::size_t count, const std::string& sentence) {
+            if (count > 0)
+                m_report.warnings.push_back(sentence);
+        };
+        const auto n = [](std::size_t count) { return std::to_string(count); };
+        warn(m_report.zeroAreaFaces, n(m_report.zeroAreaFaces) + " faces have zero area and were passed over");
+        warn(m_report.duplicateFaces, n(m_report.duplicateFaces) + " faces are there twice");
+        warn(m_report.nonManifoldEdges, "the mesh is not a manifold: " + n(m_report.nonManifoldEdges) +
+                                            " edges belong to three or more faces, so its volume means little");
+        warn(m_report.flippedEdges, n(m_report.flippedEdges) +
+                                        " edges have faces that disagree which side is outside, so the mesh volume "
+                                        "means little; the height maps do not mind");
+        warn(m_report.shellsInsideOut,
+             m_report.shells == 1
+                 ? "the mesh was inside out and has been turned"
+                 : n(m_report.shellsInsideOut) + " of the shells were inside out and have been turned");
+        if (m_report.shells > 1)
+            m_report.warnings.push_back("the mesh has " + n(m_report.shells) + " separate shells, " +
+                                        n(m_report.shellsInside) +
+                                        " of them inside another; the model keeps the outermost surface and is solid");
+    }
+
+    Status keepFrame()
+    {
+        m_report.placement.unitReason = m_report.placement.upReason = "generated in the tooth frame";
+        return measureBounds();
+    }
+
+    Status place()
+    {
+        auto placement = mesh::findPlacement(m_mesh, m_facts, m_options.placement);
+        if (!placement)
+            return failure(placement.error().code, placement.error().detail);
+        m_report.placement = std::move(*placement);
+        m_report.warnings.insert(m_report.warnings.end(), m_report.placement.warnings.begin(),
+                                 m_report.placement.warnings.end());
+        mesh::moveToToothFrame(m_mesh, m_report.placement);
+        return measureBounds();
+    }
+
+    Status measureBounds()
+    {
+        m_report.lowMm = glm::dvec3(std::numeric_limits<double>::max());
+        m_report.highMm = -m_report.lowMm;
+        for (const glm::vec3& vertex : m_mesh.vertices) {
+            m_report.lowMm = glm::min(m_report.lowMm, glm::dvec3(vertex));
+            m_report.highMm = glm::max(m_report.highMm, glm::dvec3(vertex));
+        }
+        const double scale = m_report.placement.unit.mmPerUnit;
+        m_report.meshAreaMm2 = m_facts.area * scale * scale;
+        m_report.meshVolumeMm3 = m_facts.volume * scale * scale * scale;
+        const glm::dvec3 size = m_report.highMm - m_report.lowMm;
+        if (std::max(size.x, size.y) < kLeastWidthMm)
+            return failure(ErrorCode::BadStructure, "seen from above the crown it is narrower than 0.2 mm; check --up "
+                                                    "and --unit");
+        endStage("place");
+        return {};
+    }
+
+    /// Small holes are patched; one that looks down is left to the rasteriser, which puts a bottom at its lowest point.
+    Status closeHoles()
+    {
+        if (m_facts.openEdges.empty())
+            return {};
+        const std::vector<mesh::Hole> holes = mesh::findHoles(m_mesh, m_facts);
+        const glm::dvec3 size = m_report.highMm - m_report.lowMm;
+        std::size_t patched = 0;
+        for (const mesh::Hole& hole : holes) {
+            const double area = glm::length(hole.areaVector);
+            const bool small = area < kSmallHole * size.x * size.y;
+            if (!small && hole.areaVector.z < -0.5 * area) {
+                m_closeAtMm = std::min(m_closeAtMm.value_or(hole.low.z), hole.low.z);
+            } else if (!small && hole.areaVector.z > 0.5 * area) {
+                return failure(ErrorCode::BadStructure, "the mesh is open where its crown should be, so there is "
+                                                        "nothing to drill; check --up or close the mesh");
+            } else {
+                mesh::patch(m_mesh, hole);
+                ++patched;
+            }
+        }
+        m_report.warnings.push_back("the mesh is open (" + std::to_string(m_facts.boundaryEdges) + " edges in " +
+                                    std::to_string(holes.size()) + " holes), so its volume means little");
+        if (m_closeAtMm)
+            m_report.warnings.push_back(
+                "the scan is open below and was closed with a flat bottom at its lowest rim, z = " +
+                millimetres(*m_closeAtMm));
+        if (patched > 0)
+            m_report.warnings.push_back(std::to_string(patched) + " holes were closed with flat patches");
+        endStage("close");
+        return {};
+    }
+
+    /// Rasterising takes time in proportion to the boxes around the faces. A surface covers its outline a few times
+    /// over; a fan of thousands of faces around one corner some hundred times.
+    [[nodiscard]] bool isHeapOfFaces() const
+    {
+        constexpr double kMostCovers = 2'000.0;
+        double covered = 0.0;
+        for (const auto& t : m_mesh.triangles) {
+            const glm::vec2 a(m_mesh.vertices[t[0]]);
+            const glm::vec2 b(m_mesh.vertices[t[1]]);
+            const glm::vec2 c(m_mesh.vertices[t[2]]);
+            const glm::dvec2 size(glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c)));
+            covered += size.x * size.y;
+        }
+        const glm::dvec3 size = m_report.highMm - m_report.lowMm;
+        return covered > kMostCovers * size.x * size.y;
+    }
+
+    static std::string millimetres(double value)
+    {
+        const auto hundredths = std::llround(value * 100.0);
+        std::string text = std::to_string(std::abs(hundredths) / 100) + "." +
+                           std::to_string(100 + std::abs(hundredths) % 100).substr(1);
+        return (hundredths < 0 ? "-" : "") + text + " mm";
+    }
+
+    Status rasterise()
+    {
+        if (isHeapOfFaces())
+            return failure(ErrorCode::BadStructure, "its faces lie over one another thousands of times, so they are "
+                                                    "no surface; check that it is one tooth");
+        const terrain::Grid grid =
+            terrain::fitGrid(glm::dvec2(m_report.lowMm), glm::dvec2(m_report.highMm), m_options.gridSide);
+        terrain::HeightMaps maps = terrain::rasterise(m_mesh, grid, m_closeAtMm);
+        m_report.gridSide = grid.side;
+        m_report.cellMm = grid.cellMm;
+        m_report.modelVolumeMm3 = terrain::volumeOf(maps);
+        if (m_report.modelVolumeMm3 == 0.0)
+            return failure(ErrorCode::BadStructure, "its surface encloses nothing seen from above the crown; check "
+                                                    "--up or close the mesh");
+        if (m_report.oriented)
+            m_report.undercutMm3 = m_report.modelVolumeMm3 - m_report.meshVolumeMm3;
+        std::vector<float> sewn;
+        m_report.sewnCells = terrain::sewRim(grid, maps.top, maps.bottom, terrain::wholeOf(grid), sewn);
+        m_anatomy.grid = grid;
+        m_anatomy.top = std::move(maps.top);
+        m_anatomy.bottom = std::move(maps.bottom);
+        m_anatomy.areaMm2 = std::move(maps.areaMm2);
+        endStage("rasterise");
+        return {};
+    }
+
+    Status layTissues()
+    {
+        m_anatomy.name = std::holds_alternative<int>(m_source.what)
+                             ? m_report.source
+                             : std::get<std::filesystem::path>(m_source.what).filename().string();
+        m_anatomy.seed = m_options.seed;
+        m_report.fdi = m_anatomy.fdi;
+        m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom,
+                                       {m_options.layers, m_anatomy.fdi, m_options.seed});
+        endStage("layers");
+        if (m_options.caries)
+            addCaries(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers,
+                      {*m_options.caries, m_options.cariesExtent, m_options.seed});
+        endStage("caries");
+        return {};
+    }
+
+    const ToothSource& m_source;
+    const BuildOptions& m_options;
+    Clock::time_point m_lap;
+    mesh::TriangleMesh m_mesh;
+    mesh::MeshFacts m_facts;
+    std::optional<double> m_closeAtMm;
+    terrain::ToothAnatomy m_anatomy;
+    ToothReport m_report;
+};
+
+}  // namespace
+
+ToothSource parseSource(std::string_view text)
+{
+    int fdi = 0;
+    const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), fdi);
+    if (failure == std::errc() && stop == text.data() + text.size() && !text.empty())
+        return {fdi};
+    return {std::filesystem::path(text)};
+}
+
+Result<BuiltTooth> buildTooth(const ToothSource& source, const BuildOptions& options)
+{
+    return Builder(source, options).build();
+}
+
+}  // namespace core::teeth

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/ToothGenerator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/base/Rng.h"
+#include "core/teeth/AnteriorCrown.h"
+#include "core/teeth/MeshBuilder.h"
+#include "core/teeth/PosteriorCrown.h"
+#include "core/teeth/Roots.h"
+#include "core/teeth/ToothTable.h"
+
+namespace core::teeth {
+namespace {
+
+/// A draw of the table's spread, cut at two standard deviations: teeth outside are rare and look wrong in a trainer.
+double draw(Rng& rng, double mean, double deviation)
+{
+    return mean + deviation * std::clamp(rng.normal(), -2.0, 2.0);
+}
+
+/// Sizes and form are drawn from streams of their own, so that either can be had without the other.
+constexpr std::uint64_t kSizesStream = 1;
+constexpr std::uint64_t kFormStream = 2;
+
+Rng seeded(int fdi, std::uint64_t seed, std::uint64_t stream)
+{
+    Rng mixer(seed);
+    return Rng(mixer.next() + 1000U * static_cast<std::uint64_t>(fdi) + stream);
+}
+
+/// Slow waves that make grooves and ridges wander off the drawing board's lines.
+std::vector<OcclusalField::Wave> drawWander(Rng& rng)
+{
+    std::vector<OcclusalField::Wave> waves;
+    for (const double waveMm : {5.5, 3.6, 2.6, 1.9}) {
+        const double angle = rng.uniform(0.0, 2.0 * std::numbers::pi);
+        const double wave = 2.0 * std::numbers::pi / waveMm;
+        const glm::dvec2 along{std::cos(angle), std::sin(angle)};
+        // A transverse wave bends lines and leaves areas alone.
+        waves.push_back(
+            {along * wave, rng.uniform(0.0, 2.0 * std::numbers::pi), glm::dvec2{-along.y, along.x} * (0.035 * waveMm)});
+    }
+    return waves;
+}
+
+void varyDesign(AnteriorDesign& design, Rng& rng)
+{
+    for (Curve* curve : {&design.mesialX, &design.distalX, &design.labialY, &design.lingualY})
+        for (double& value : *curve)
+            value += 0.04 * std::clamp(rng.normal(), -2.0, 2.0);
+    for (double* depth :
+         {&design.fossaMm, &design.lingualRidgeMm, &design.labialRidgeMm, &design.labialGrooveMm, &design.pitMm})
+        *depth *= draw(rng, 1.0, 0.2);
+    for (double& height : design.edgeZ)
+        height *= draw(rng, 1.0, 0.1);
+}
+
+void varyDesign(PosteriorDesign& design, Rng& rng)
+{
+    for (Lobe& lobe : design.lobes) {
+        lobe.x = draw(rng, lobe.x, 0.15);
+        lobe.y = draw(rng, lobe.y, 0.12);
+        lobe.z = draw(rng, lobe.z, 0.1);
+        lobe.turnDeg = draw(rng, lobe.turnDeg, 4.0);
+        for (double* slope : {&lobe.slopeMesial, &lobe.slopeDistal, &lobe.slopeBuccal, &lobe.slopeLingual})
+            *slope *= draw(rng, 1.0, 0.06);
+    }
+    for (double& radius : design.outline)
+        radius *= draw(rng, 1.0, 0.012);
+    design.fissureMm *= draw(rng, 1.0, 0.15);
+}
+
+/// Moves and scales design millimetres to drawn ones. Returns the finished mesh in the tooth frame.
+mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const ToothSizes& mean,
+                         const ToothSizes& drawn)
+{
+    glm::dvec3 low{1.0e9};
+    glm::dvec3 high{-1.0e9};
+    for (std::size_t k = 0; k < crownVertices; ++k) {
+        const glm::dvec3& p = builder.points()[k];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    }
+    const glm::dvec3 origin{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), high.z};
+    const glm::dvec3 scale{drawn.crownWidthMm / (high.x - low.x), drawn.crownDepthMm / (high.y - low.y),
+                           drawn.crownHeightMm / mean.crownHeightMm};
+    for (glm::dvec3& p : builder.points())
+        p = (p - origin) * scale;
+    return builder.finish(buccalSign(mean.fdi));
+}
+
+}  // namespace
+
+Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed)
+{
+    auto sizes = findToothSizes(fdi);
+    if (!sizes || seed == 0)
+        return sizes;
+    Rng rng = seeded(fdi, seed, kSizesStream);
+    // Big teeth are big all over: half of the variance is shared.
+    const double shared = rng.normal();
+    const auto drawn = [&](double mean, double deviation) {
+        return mean + deviation * std::clamp((shared + rng.normal()) * std::numbers::sqrt2 / 2.0, -2.0, 2.0);
+    };
+    const double crownHeight = drawn(sizes->crownHeightMm, kCrownHeightSdMm);
+    const double crownWidth = drawn(sizes->crownWidthMm, kCrownDiameterSdMm);
+    const double crownDepth = drawn(sizes->crownDepthMm, kCrownDiameterSdMm);
+    // The neck follows the crown, and the CEJ's curve its height.
+    sizes->cervixWidthMm *= crownWidth / sizes->crownWidthMm;
+    sizes->cervixDepthMm *= crownDepth / sizes->crownDepthMm;
+    sizes->cejCurveMesialMm *= crownHeight / sizes->crownHeightMm;
+    sizes->cejCurveDistalMm *= crownHeight / sizes->crownHeightMm;
+    sizes->crownHeightMm = crownHeight;
+    sizes->crownWidthMm = crownWidth;
+    sizes->crownDepthMm = crownDepth;
+    sizes->rootLengthMm = drawn(sizes->rootLengthMm, kRootLengthSdMm);
+    return sizes;
+}
+
+Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
+{
+    const auto found = findToothSizes(fdi);
+    const auto sizes = drawToothSizes(fdi, seed);
+    if (!found || !sizes)
+        return tl::unexpected<Error>(sizes.error());
+    const ToothSizes& mean = *found;
+    const ToothSizes& drawn = *sizes;
+    const bool vary = seed != 0;
+    Rng rng = seeded(fdi, seed, kFormStream);
+    MeshBuilder builder;
+    MeshBuilder::Ring cervix;
+    RootDesign roots;
+    if (fdi % 10 <= 3) {
+        AnteriorDesign design = anteriorDesign(fdi);
+        if (vary)
+            varyDesign(design, rng);
+        roots = design.roots;
+        cervix = buildAnteriorCrown(builder, design, mean);
+    } else {
+        PosteriorDesign design = posteriorDesign(fdi, rng, vary);
+        if (vary)
+            varyDesign(design, rng);
+        roots = design.roots;
+        std::vector<OcclusalField::Wave> wander = drawWander(rng);
+        const PosteriorCrown crown(std::move(design), std::move(wander), rng.uniform(0.0, 6.28));
+        cervix = crown.build(builder, mean);
+    }
+    const std::size_t crownVertices = builder.points().size();
+    addRoots(builder, cervix, roots, drawn.rootLengthMm * mean.crownHeightMm / drawn.crownHeightMm);
+    return place(builder, crownVertices, mean, drawn);
+}
+
+}  // namespace core::teeth

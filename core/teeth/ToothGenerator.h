@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/Result.h"
+#include "core/mesh/TriangleMesh.h"
+#include "core/teeth/ToothTable.h"
+
+namespace core::teeth {
+
+/// Makes a whole tooth from the tables: mm, tooth frame (+z occlusal, +x from mesial to distal, right-handed; see
+/// buccalSign() for y), origin at the centre of the crown's outline at the height of the tallest cusp.
+///
+/// Closed, manifold, oriented outwards, and the same for the same seed. Seed 0 is the mean tooth; any other draws its
+/// sizes, cusps and grooves. Some tens of milliseconds. UnknownName for anything but 21-28 and 31-38.
+[[nodiscard]] Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed);
+
+/// The sizes that this tooth has: the table's for seed 0, drawn from its spread (cut at two standard deviations) for
+/// any other. The CEJ lies crownHeightMm below the highest point of the facial side.
+[[nodiscard]] Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed);
+
+}  // namespace core::teeth

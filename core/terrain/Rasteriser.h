@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/mesh/TriangleMesh.h"
+#include "core/terrain/Grid.h"
+
+namespace core::terrain {
+
+/// What a mesh becomes, see ToothAnatomy: original surfaces and the area of silhouette of each column.
+struct HeightMaps
+{
+    Grid grid;
+    std::vector<float> top;      ///< mm, kEmptyTop outside, [side * side]
+    std::vector<float> bottom;   ///< mm, kEmptyBottom outside, [side * side]
+    std::vector<float> areaMm2;  ///< 0 outside, [side * side]
+};
+
+/// Free cells between the silhouette and the edge of the grid, on every side.
+inline constexpr int kGridMargin = 2;
+
+/// The square grid whose middle is that of the box and that leaves kGridMargin cells around it.
+[[nodiscard]] Grid fitGrid(glm::dvec2 lowMm, glm::dvec2 highMm, int side);
+
+/// The highest and lowest surface of a mesh over every node.
+///
+/// Exact: which triangles cover a node is decided in integers (vertices snapped to a millionth of a cell), edges belong
+/// to both their triangles, so no node between two of them is missed; the height is that of the triangle's plane, in
+/// double precision. A vertical face covers nothing, its edges belong to its neighbours. A node where both surfaces
+/// meet is empty. Silhouette at the rim is measured with 16 x 16 samples a cell, each given to the nearest solid node.
+///
+/// @param grid       must cover the mesh (fitGrid)
+/// @param closeAtMm  for a mesh open below: its bottom is put at this height, or where the mesh itself is lower
+[[nodiscard]] HeightMaps rasterise(const mesh::TriangleMesh& mesh, const Grid& grid,
+                                   std::optional<double> closeAtMm = std::nullopt);
+
+/// Sum of (top - bottom) * area over the columns, mm3.
+[[nodiscard]] double volumeOf(const HeightMaps& maps);
+
+}  // namespace core::terrain

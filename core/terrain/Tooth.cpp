@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/terrain/Tooth.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace core::terrain {
+namespace {
+
+/// Length of the overlap of [lowA, highA] and [lowB, highB], never negative.
+double overlap(float lowA, float highA, float lowB, float highB)
+{
+    const float low = std::max(lowA, lowB);
+    const float high = std::min(highA, highB);
+    return high > low ? static_cast<double>(high) - static_cast<double>(low) : 0.0;
+}
+
+std::size_t at(Material material)
+{
+    return static_cast<std::size_t>(material);
+}
+
+std::uint64_t mix(std::uint64_t hash, std::uint32_t word)
+{
+    for (int byte = 0; byte < 4; ++byte) {
+        hash ^= (word >> (8 * byte)) & 0xFFU;
+        hash *= 0x100000001B3ULL;
+    }
+    return hash;
+}
+
+}  // namespace
+
+Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> top)
+{
+    Tooth tooth(std::move(anatomy));
+    tooth.top = std::move(top);
+    for (std::size_t k = 0; k < tooth.top.size(); ++k)
+        if (tooth.top[k] <= kEmptyTop)
+            tooth.bottom[k] = kEmptyBottom;
+    return tooth;
+}
+
+Material materialAt(const ColumnLayers& column, float z)
+{
+    if (z > column.cariesFloor && z <= column.cariesRoof)
+        return Material::Caries;
+    if (z > column.pulpFloor && z <= column.pulpRoof)
+        return Material::Pulp;
+    return z > column.dej ? Material::Enamel : Material::Dentin;
+}
+
+PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high)
+{
+    PerMaterial length{};
+    if (!(high > low))
+        return length;
+    // Nearly always all of it is one material: the slices that a bur takes off are thin.
+    const bool lesionAway =
+        column.cariesRoof <= low || column.cariesFloor >= high || column.cariesFloor >= column.cariesRoof;
+    const bool pulpAway = column.pulpRoof <= low || column.pulpFloor >= high || column.pulpFloor >= column.pulpRoof;
+    if (lesionAway && pulpAway && (column.dej <= low || column.dej >= high)) {
+        length[at(column.dej <= low ? Material::Enamel : Material::Dentin)] =
+            static_cast<double>(high) - static_cast<double>(low);
+        return length;
+    }
+    // The lesion first, then what is left above and below it.
+    const float lesionLow = std::clamp(column.cariesFloor, low, high);
+    const float lesionHigh = std::clamp(column.cariesRoof, lesionLow, high);
+    length[at(Material::Caries)] = static_cast<double>(lesionHigh) - static_cast<double>(lesionLow);
+    const auto sound = [&](float from, float to) {
+        const double pulp = overlap(from, to, column.pulpFloor, column.pulpRoof);
+        const float junction = std::clamp(column.dej, from, to);
+        const double pulpInEnamel = overlap(junction, to, column.pulpFloor, column.pulpRoof);
+        length[at(Material::Pulp)] += pulp;
+        length[at(Material::Enamel)] += static_cast<double>(to) - static_cast<double>(junction) - pulpInEnamel;
+        length[at(Material::Dentin)] +=
+            static_cast<double>(junction) - static_cast<double>(from) - (pulp - pulpInEnamel);
+    };
+    sound(low, lesionLow);
+    sound(lesionHigh, high);
+    return length;
+}
+
+PerMaterial volumes(const Tooth& tooth)
+{
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    PerMaterial sum{};
+    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
+        if (!tooth.isSolid(k))
+            continue;
+        const PerMaterial length = lengthsBetween(anatomy.layers[k], tooth.bottom[k], tooth.top[k]);
+        for (std::size_t m = 0; m < sum.size(); ++m)
+            sum[m] += length[m] * static_cast<double>(anatomy.areaMm2[k]);
+    }
+    return sum;
+}
+
+PerMaterial removedVolumes(const Tooth& tooth)
+{
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    PerMaterial sum{};
+    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
+        if (!(anatomy.top[k] > anatomy.bottom[k]))
+            continue;
+        const float now = tooth.isSolid(k) ? tooth.top[k] : anatomy.bottom[k];
+        if (!(now < anatomy.top[k]))
+            continue;
+        const PerMaterial length = lengthsBetween(anatomy.layers[k], now, anatomy.top[k]);
+        for (std::size_t m = 0; m < sum.size(); ++m)
+            sum[m] += length[m] * static_cast<double>(anatomy.areaMm2[k]);
+    }
+    return sum;
+}
+
+std::uint64_t stateHash(const Tooth& tooth)
+{
+    std::uint64_t hash = 0xCBF29CE484222325ULL;
+    hash = mix(hash, static_cast<std::uint32_t>(tooth.grid().side));
+    const auto cell = std::bit_cast<std::uint64_t>(tooth.grid().cellMm);
+    hash = mix(mix(hash, static_cast<std::uint32_t>(cell)), static_cast<std::uint32_t>(cell >> 32U));
+    for (const std::vector<float>* map : {&tooth.top, &tooth.bottom})
+        for (const float height : *map)
+            hash = mix(hash, std::bit_cast<std::uint32_t>(height));
+    return hash;
+}
+
+}  // namespace core::terrain

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/terrain/Grid.h"
+
+namespace core::terrain {
+
+/// Heights of a column that holds nothing: any comparison with real heights (a tooth is under 100 mm) says "below
+/// everything" for the top and "above everything" for the bottom, and finite arithmetic on them stays finite.
+inline constexpr float kEmptyTop = -1.0e6F;
+inline constexpr float kEmptyBottom = 1.0e6F;
+
+enum class Material : std::uint8_t { Caries, Enamel, Dentin, Pulp };
+inline constexpr int kMaterialCount = 4;
+
+/// One figure per material, indexed by Material.
+using PerMaterial = std::array<double, kMaterialCount>;
+
+/// The interfaces of one column, mm in the tooth frame. They do not move while the tooth is cut.
+///
+/// Reading a height z inside the tooth, first match wins:
+///   caries  if cariesFloor < z <= cariesRoof   (an open lesion has its roof at or above the top)
+///   pulp    if pulpFloor   < z <= pulpRoof
+///   enamel  if z > dej
+///   dentin  otherwise
+/// An absent layer has floor == roof (any value); a column of enamel alone has dej <= its bottom.
+struct ColumnLayers
+{
+    float cariesRoof = 0.0F;
+    float cariesFloor = 0.0F;
+    float dej = 0.0F;  ///< enamel-dentin junction
+    float pulpRoof = 0.0F;
+    float pulpFloor = 0.0F;
+    bool operator==(const ColumnLayers&) const = default;
+};
+
+/// What a tooth is before anyone cuts it. Shared and immutable: the servo, the session and the view read one copy.
+struct ToothAnatomy
+{
+    std::string name;        ///< what a person calls it: "36", or the file it was read from
+    int fdi = 0;             ///< FDI number, 0 when unknown
+    std::uint64_t seed = 0;  ///< of the generated variation, its layers and its lesion
+    Grid grid;
+    std::vector<float> top;            ///< original occlusal surface, kEmptyTop outside, [side * side]
+    std::vector<float> bottom;         ///< original under surface, kEmptyBottom outside, [side * side]
+    std::vector<ColumnLayers> layers;  ///< [side * side]
+    /// Area of silhouette each column stands for, mm2, [side * side]: cell^2 inside; at the rim the part of the
+    /// silhouette nearest to that node, so that volumes are not rounded to whole cells. 0 outside.
+    std::vector<float> areaMm2;
+};
+
+/// A tooth as cut so far: two height maps over an anatomy. A perforated column is empty in both maps.
+struct Tooth
+{
+    std::shared_ptr<const ToothAnatomy> anatomy;
+    std::vector<float> top;
+    std::vector<float> bottom;
+
+    explicit Tooth(std::shared_ptr<const ToothAnatomy> uncut)
+        : anatomy(std::move(uncut)), top(anatomy->top), bottom(anatomy->bottom)
+    {}
+    [[nodiscard]] const Grid& grid() const { return anatomy->grid; }
+    [[nodiscard]] bool isSolid(std::size_t index) const { return top[index] > bottom[index]; }
+};
+
+/// The tooth whose top map is `top` (as some cutting of this anatomy left it): where it is empty, so is the bottom.
+[[nodiscard]] Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> top);
+
+/// The material at height z of a column, by the rule of ColumnLayers. z is taken to lie inside the tooth.
+[[nodiscard]] Material materialAt(const ColumnLayers& column, float z);
+
+/// Length of each material in the part of a column between low and high (low <= high), mm.
+[[nodiscard]] PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high);
+
+/// Volume of each material present, mm3. Sums run in index order: the same bits everywhere.
+[[nodiscard]] PerMaterial volumes(const Tooth& tooth);
+
+/// Volume of each material removed since the anatomy, mm3.
+[[nodiscard]] PerMaterial removedVolumes(const Tooth& tooth);
+
+/// 64-bit FNV-1a over grid and both maps, bit for bit. Two teeth are the same if and only if (short of a collision)
+/// their hashes are: what `cusp replay` prints.
+[[nodiscard]] std::uint64_t stateHash(const Tooth& tooth);
+
+}  // namespace core::terrain

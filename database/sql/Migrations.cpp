@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Migrations.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSqlQuery>
+
+#include "database/sql/Dialect.h"
+
+/// Resources of a static library must be asked for by name, outside any namespace.
+static void useMigrationResources()
+{
+    Q_INIT_RESOURCE(migrations);
+}
+
+namespace database::sql {
+namespace {
+
+core::Status run(QSqlDatabase& db, const QString& statement, const std::string& doing)
+{
+    QSqlQuery query(db);
+    if (!query.exec(statement))
+        return tl::unexpected(dialect::error(db, query.lastError(), doing));
+    return {};
+}
+
+/// The statements of a step, comments left out.
+QStringList statementsOf(const QString& sql)
+{
+    QStringList statements;
+    QString statement;
+    for (const QString& line : sql.split('\n')) {
+        if (line.trimmed().startsWith("--"))
+            continue;
+        statement += line + '\n';
+        if (line.trimmed().endsWith(';')) {
+            statements += statement.trimmed().chopped(1);
+            statement.clear();
+        }
+    }
+    if (!statement.trimmed().isEmpty())
+        statements += statement.trimmed();
+    return statements;
+}
+
+/// Runs one step inside a transaction that is already open.
+core::Status apply(QSqlDatabase& db, const Migration& step, const std::string& doing)
+{
+    // Another program may have migrated while we waited for the lock.
+    const auto version = dialect::schemaVersion(db);
+    if (!version)
+        return tl::unexpected(version.error());
+    if (*version >= step.number)
+        return {};
+    for (const QString& statement : statementsOf(dialect::expand(step.sql)))
+        if (auto done = run(db, statement, doing); !done)
+            return done;
+    return dialect::setSchemaVersion(db, step.number);
+}
+
+}  // namespace
+
+core::Result<std::vector<Migration>> shippedMigrations()
+{
+    useMigrationResources();
+    std::vector<Migration> steps;
+    const QDir folder(QStringLiteral(":/migrations"));
+    for (const QString& name : folder.entryList({QStringLiteral("*.sql")}, QDir::Files, QDir::Name)) {
+        QFile file(folder.filePath(name));
+        const int number = name.section('_', 0, 0).toInt();
+        if (!file.open(QIODevice::ReadOnly) || number != static_cast<int>(steps.size()) + 1)
+            return core::unexpected(core::ErrorCode::BadStructure, "migration " + name.toStdString() +
+                                                                       " inside this program is unreadable or out of "
+                                                                       "order; install the program again");
+        steps.push_back({number, QString::fromUtf8(file.readAll())});
+    }
+    return steps;
+}
+
+core::Status migrate(QSqlDatabase db, std::span<const Migration> steps)
+{
+    const auto version = dialect::schemaVersion(db);
+    if (!version)
+        return tl::unexpected(version.error());
+    const int newest = steps.empty() ? 0 : steps.back().number;
+    if (*version > newest)
+        return core::unexpected(core::ErrorCode::NewerVersion, "database " + db.databaseName().toStdString() +
+                                                                   ": it was written by a later program (schema " +
+                                                                   std::to_string(*version) + ", this program knows " +
+                                                                   std::to_string(newest) +
+                                                                   "); use that program, nothing was changed");
+    for (const Migration& step : steps) {
+        if (step.number <= *version)
+            continue;
+        const std::string doing = "bring it to schema " + std::to_string(step.number);
+        if (auto begun = run(db, dialect::beginWrite(), doing); !begun)
+            return begun;
+        auto done = apply(db, step, doing);
+        if (done)
+            done = run(db, QStringLiteral("COMMIT"), doing);
+        if (!done) {
+            // The first failure is the one to tell; a failed rollback ends with the connection anyway.
+            static_cast<void>(run(db, QStringLiteral("ROLLBACK"), doing));
+            return done;
+        }
+    }
+    return {};
+}
+
+}  // namespace database::sql

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace haptics {
+
+/// One reading of a device. Positions are float, as recordings store them: the servo computes from exactly these bits.
+struct DeviceSample
+{
+    glm::vec3 tipInToothMm{0.0F};
+    bool present = true;  ///< false: no reading this tick, the device is gone or silent
+};
+
+/// Anything a hand can hold, or that plays a hand. Called from the servo thread only, once a tick.
+class HapticDevice
+{
+public:
+    HapticDevice() = default;
+    HapticDevice(const HapticDevice&) = delete;
+    HapticDevice& operator=(const HapticDevice&) = delete;
+    virtual ~HapticDevice() = default;
+
+    /// Gives the force of the last tick to the hand and takes its new position. Never allocates, locks or waits.
+    /// @param forceOnHandN  tooth frame, newtons
+    virtual DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept = 0;
+};
+
+}  // namespace haptics

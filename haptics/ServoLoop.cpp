@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/ServoLoop.h"
+
+#include <algorithm>
+
+namespace haptics {
+namespace {
+
+using namespace core::session;
+
+/// Ticks between two groups of patches: the view has a new surface 125 times a second.
+constexpr int kTicksPerGroup = 8;
+/// A pause of this many ticks without cutting ends a stroke, and so an undo step.
+constexpr int kStrokeGapTicks = 150;
+constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::terrain::kMaxGridSide / kTileSide);
+static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
+constexpr std::size_t kMostEventsPerCommand = 3;
+
+}  // namespace
+
+ServoLoop::ServoLoop(HapticDevice& device, std::unique_ptr<ServoTick> tick, ServoLinks& links,
+                     core::rt::TripleBuffer<ServoState>& state, std::chrono::microseconds period)
+    : m_device(device), m_tick(std::move(tick)), m_links(links), m_stateOut(state), m_period(period),
+      m_isDirty(kMaxTiles, 0)
+{
+    m_dirty.reserve(kMaxTiles);
+}
+
+ServoLoop::~ServoLoop()
+{
+    delete m_tick->tooth();
+    for (ServoCommand command; m_links.commands.tryPop(command);)
+        if (const auto* swap = std::get_if<SwapTooth>(&command))
+            delete swap->tooth;
+}
+
+void ServoLoop::record(const ServoEvent& event) noexcept
+{
+    // Once a tick is missing, what comes after it could not be replayed: the recording ends there, until a new tooth.
+    if ((m_health & kRecordGap) != 0 || !m_links.events.tryPush(event))
+        m_health |= kRecordGap;
+}
+
+void ServoLoop::apply(const SwapTooth& swap) noexcept
+{
+    if (core::contact::LiveTooth* old = m_tick->swapTooth(swap.tooth, swap.anew))
+        static_cast<void>(m_links.retired.tryPush(old));  // tick() made sure there is room
+    m_generation = swap.generation;
+    m_serial = swap.serial;
+    for (const std::uint16_t tile : m_dirty)
+        m_isDirty[tile] = 0;
+    m_dirty.clear();
+    m_tilesPerSide = (swap.tooth->grid().side + kTileSide - 1) / kTileSide;
+    m_inStroke = false;
+    m_strokeEnded = false;
+    m_health &= ~static_cast<std::uint32_t>(kPatchQueueFull);
+    if (!swap.anew) {
+        record({ServoEvent::Kind::Restore, 0, glm::vec3(0.0F), swap.restoredTick});
+        return;
+    }
+    m_health = 0;
+    record({ServoEvent::Kind::Begin, 0, glm::vec3(0.0F), swap.generation});
+    record({ServoEvent::Kind::Bur, 0, glm::vec3(0.0F), m_tick->state().burIndex});
+    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), m_tick->state().drillOn ? 1U : 0U});
+}
+
+void ServoLoop::apply(const SetBur& bur) noexcept
+{
+    if (bur.index >= core::drilling::burs().size())
+        return;
+    m_tick->setBur(bur.index);
+    record({ServoEvent::Kind::Bur, 0, glm::vec3(0.0F), bur.index});
+}
+
+void ServoLoop::apply(const SetDrill& drill) noexcept
+{
+    m_tick->setDrill(drill.on);
+    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), drill.on ? 1U : 0U});
+}
+
+void ServoLoop::tick(std::chrono::microseconds dt) noexcept
+{
+    // Room for every tooth that a command could send back, and for what is to be recorded of it, is made sure of before
+    // the command is taken.
+    for (ServoCommand command; m_links.retired.space() > 0 && m_links.events.space() >= kMostEventsPerCommand &&
+                               m_links.commands.tryPop(command);)
+        std::visit([this](const auto& known) { apply(known); }, command);
+
+    m_missedPeriods += static_cast<std::uint64_t>(std::max<std::int64_t>(0, dt / m_period - 1));
+    const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
+    const DeviceSample sample = m_device.exchange(m_tick->state().forceN);
+    if (m_tick->tooth() != nullptr) {
+        m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
+        record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
+                static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});
+        if (!m_tick->changed().isEmpty()) {
+            markDirty(m_tick->changed());
+            m_inStroke = true;
+            m_ticksSinceCut = 0;
+        } else if (m_inStroke && ++m_ticksSinceCut >= kStrokeGapTicks) {
+            m_inStroke = false;
+            m_strokeEnded = true;
+        }
+        if (++m_ticksSinceSent >= kTicksPerGroup || m_strokeEnded)
+            sendPatches();
+    }
+
+    ServoState& out = m_stateOut.back();
+    out = m_tick->state();
+    out.toothGeneration = m_generation;
+    out.missedPeriods = m_missedPeriods;
+    out.health |= m_health;
+    m_stateOut.publish();
+}
+
+void ServoLoop::markDirty(const core::drilling::CutRect& rect) noexcept
+{
+    for (int y = rect.j0 / kTileSide; y <= rect.j1 / kTileSide; ++y) {
+        for (int x = rect.i0 / kTileSide; x <= rect.i1 / kTileSide; ++x) {
+            const auto tile = static_cast<std::uint16_t>(y * m_tilesPerSide + x);
+            if (m_isDirty[tile] != 0)
+                continue;
+            m_isDirty[tile] = 1;
+            m_dirty.push_back(tile);  // within the reserved capacity: at most one entry a tile
+        }
+    }
+}
+
+void ServoLoop::sendPatches() noexcept
+{
+    // A stroke's end is told even if all its tiles have gone already: with the first tile once more.
+    if (m_dirty.empty() && m_strokeEnded) {
+        m_isDirty[0] = 1;
+        m_dirty.push_back(0);
+    }
+    if (m_dirty.empty())
+        return;
+    m_health &= ~static_cast<std::uint32_t>(kPatchQueueFull);
+    if (m_links.patches.space() < m_dirty.size()) {
+        m_health |= kPatchQueueFull;  // nothing is lost: the tiles stay dirty and go later
+        return;
+    }
+    m_ticksSinceSent = 0;
+    const core::terrain::Tooth& tooth = m_tick->tooth()->tooth();
+    const int side = tooth.grid().side;
+    for (std::size_t n = 0; n < m_dirty.size(); ++n) {
+        const int tile = m_dirty[n];
+        m_isDirty[static_cast<std::size_t>(tile)] = 0;
+        m_patch.tick = m_tick->state().tick;
+        m_patch.toothGeneration = m_serial;
+        m_patch.tileX = static_cast<std::uint16_t>(tile % m_tilesPerSide);
+        m_patch.tileY = static_cast<std::uint16_t>(tile / m_tilesPerSide);
+        m_patch.last = n + 1 == m_dirty.size();
+        m_patch.strokeEnded = m_patch.last && m_strokeEnded;
+        const int firstI = m_patch.tileX * kTileSide;
+        const int firstJ = m_patch.tileY * kTileSide;
+        const int columns = std::min(kTileSide, side - firstI);
+        for (int j = firstJ; j < std::min(firstJ + kTileSide, side); ++j)
+            std::copy_n(tooth.top.begin() + static_cast<std::ptrdiff_t>(tooth.grid().index(firstI, j)), columns,
+                        m_patch.top.begin() + static_cast<std::ptrdiff_t>((j - firstJ) * kTileSide));
+        static_cast<void>(m_links.patches.tryPush(m_patch));
+    }
+    m_dirty.clear();
+    m_strokeEnded = false;
+}
+
+}  // namespace haptics

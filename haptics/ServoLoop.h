@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/rt/Loop.h"
+#include "core/session/ServoLinks.h"
+#include "core/session/ServoTick.h"
+#include "haptics/HapticDevice.h"
+
+namespace haptics {
+
+/// The 1 kHz loop: reads the device, lets ServoTick compute, gives the force back, tells the others.
+/// It alone owns the live tooth. tick() never allocates, locks, throws, logs or waits.
+class ServoLoop final : public core::rt::Loop
+{
+public:
+    /// Longest step that is computed, or the period if that is longer: after a freeze the bur does not cut for all the
+    /// time that was missed.
+    static constexpr std::chrono::microseconds kLongestStep{4000};
+
+    /// @param device, links, state  must outlive the loop
+    /// @param period  beat of the loop, at most 50 ms; a tick of more counts as missed periods
+    ServoLoop(HapticDevice& device, std::unique_ptr<core::session::ServoTick> tick, core::session::ServoLinks& links,
+              core::rt::TripleBuffer<core::session::ServoState>& state, std::chrono::microseconds period);
+    ~ServoLoop() override;
+
+    void tick(std::chrono::microseconds dt) noexcept override;
+
+    /// As of the last tick; for single-threaded use.
+    [[nodiscard]] const core::session::ServoState& state() const noexcept { return m_tick->state(); }
+    [[nodiscard]] const core::contact::LiveTooth* tooth() const noexcept { return m_tick->tooth(); }
+
+private:
+    void apply(const core::session::SwapTooth& swap) noexcept;
+    void apply(const core::session::SetBur& bur) noexcept;
+    void apply(const core::session::SetDrill& drill) noexcept;
+    void record(const core::session::ServoEvent& event) noexcept;
+    void markDirty(const core::drilling::CutRect& rect) noexcept;
+    void sendPatches() noexcept;
+
+    HapticDevice& m_device;
+    std::unique_ptr<core::session::ServoTick> m_tick;
+    core::session::ServoLinks& m_links;
+    core::rt::TripleBuffer<core::session::ServoState>& m_stateOut;
+    std::chrono::microseconds m_period;
+
+    std::uint64_t m_generation = 0;
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_missedPeriods = 0;
+    std::uint32_t m_health = 0;
+
+    std::vector<std::uint8_t> m_isDirty;  ///< one a tile
+    std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile
+    int m_tilesPerSide = 0;
+    int m_ticksSinceSent = 0;
+    int m_ticksSinceCut = 0;
+    bool m_inStroke = false;
+    bool m_strokeEnded = false;
+    core::session::TilePatch m_patch;
+};
+
+}  // namespace haptics

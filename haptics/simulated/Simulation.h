@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/recording/Recording.h"
+#include "core/session/ServoTick.h"
+#include "haptics/HapticDevice.h"
+
+namespace haptics {
+
+/// Processor time of the calling thread, microseconds: what a tick costs, whatever else the machine does.
+[[nodiscard]] double threadCpuUs();
+
+struct SimulationOptions
+{
+    core::session::ServoSettings settings;
+    std::size_t burIndex = 1;  ///< 330
+    double rateHz = 1000.0;
+};
+
+struct SimulationOutcome
+{
+    core::terrain::Tooth tooth;
+    core::session::ServoState last;
+    core::recording::Recording recording;
+    std::vector<float> tickUs;  ///< thread CPU time of each tick
+};
+
+/// Runs the servo and session loops in this thread, as fast as they go, against a device.
+/// @param ticks   how many at most
+/// @param before  called before each tick with its number; may steer the device; answers whether the drill is to be on,
+///                or nothing to stop here
+/// @param after   called after each tick with its number and the servo's state; may be empty
+[[nodiscard]] core::Result<SimulationOutcome>
+simulate(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, HapticDevice& device, std::uint64_t ticks,
+         const SimulationOptions& options,
+         const std::function<std::optional<bool>(std::uint64_t tick, const core::session::ServoState& state,
+                                                 const core::terrain::Tooth& tooth)>& before,
+         const std::function<void(std::uint64_t tick, const core::session::ServoState& state)>& after);
+
+}  // namespace haptics

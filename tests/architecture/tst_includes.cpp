@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compares every #include in the program's folders with the arrows between them. The table below is the truth: who
+// needs a new arrow changes it there, in a commit that says why.
+#include <QDirIterator>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QRegularExpression>
+#include <QTest>
+
+namespace {
+
+struct Room
+{
+    const char* folder;      ///< the longest match in the table decides about a file
+    QStringList ours;        ///< folders of ours it may include from
+    QStringList notOurs;     ///< parts of those that it may not
+    QStringList thirdParty;  ///< Qt modules by name ("QtCore"), other libraries by how their includes begin
+    const char* ruleInWords;
+};
+
+/// What the operating system and the compiler offer beside the C++ standard library, which everyone may use.
+const QStringList kSystem{"fcntl.h", "immintrin.h", "linux/", "poll.h",  "pthread.h",
+                          "sched.h", "sys/",        "time.h", "unistd.h"};
+
+const QStringList kWindow{"QtCore",       "QtGui",    "QtWidgets",    "QtOpenGL",       "QtOpenGLWidgets", "QtSvg",
+                          "QtSvgWidgets", "QtCharts", "QtMultimedia", "QtPrintSupport", "QtConcurrent",    "glm/"};
+
+const QList<Room> kRooms{
+    {"core/",
+     {"core/"},
+     {"core/tracking/"},
+     QStringList{"glm/", "tl/", "zstd"} + kSystem,
+     "core is standard C++, GLM, tl::expected and Zstandard: no Qt, no OpenGL, no OpenCV, no other folder"},
+    {"core/tracking/",
+     {"core/"},
+     {},
+     QStringList{"glm/", "tl/", "opencv2/", "apriltag"} + kSystem,
+     "core/tracking sees core, OpenCV and AprilTag only"},
+    {"haptics/",
+     {"haptics/", "core/"},
+     {"core/tracking/"},
+     QStringList{"glm/", "libusb", "SDL2/", "SDL"} + kSystem,
+     "haptics sees core and its device libraries: no Qt, no window"},
+    {"lessons/",
+     {"lessons/", "core/"},
+     {"core/tracking/"},
+     {"QtCore", "glm/"},
+     "lessons sees core and QtCore: it opens no window and no database"},
+    {"database/",
+     {"database/", "lessons/", "core/"},
+     {"core/tracking/"},
+     {"QtCore", "QtSql", "sodium"},
+     "database sees lessons, core, QtCore and QtSql: it shows nothing"},
+    {"ui/",
+     {"ui/", "database/", "lessons/", "core/"},
+     {"database/sql/", "core/tracking/"},
+     kWindow,
+     "ui sees core, lessons, the interfaces of database and Qt: it names no device and writes no SQL"},
+    {"ui/render/",
+     {"ui/render/", "core/"},
+     {"core/tracking/"},
+     {"QtCore", "QtGui", "QtOpenGL", "glm/"},
+     "ui/render is OpenGL only: it sees core and Qt's OpenGL, no widgets and no other part of ui"},
+    {"app/",
+     {"app/", "ui/", "haptics/", "database/", "lessons/", "core/"},
+     {},
+     QStringList{"Qt", "glm/", "zstd", "sodium"} + kSystem,
+     "app may include everything of ours; the libraries behind haptics and core stay behind them"},
+};
+
+const Room* roomOf(const QString& file)
+{
+    const Room* best = nullptr;
+    for (const Room& room : kRooms)
+        if (file.startsWith(room.folder) && (best == nullptr || qstrlen(room.folder) > qstrlen(best->folder)))
+            best = &room;
+    return best;
+}
+
+bool startsWithAny(const QString& text, const QStringList& beginnings)
+{
+    return std::any_of(beginnings.begin(), beginnings.end(), [&](const QString& b) { return text.startsWith(b); });
+}
+
+/// "QtWidgets" for QLabel, QtWidgets/QLabel and qlabel.h; empty for what is not Qt's.
+QString qtModuleOf(const QString& include)
+{
+    static const QDir headers(QLibraryInfo::path(QLibraryInfo::HeadersPath));
+    static const QStringList modules = headers.entryList({"Qt*"}, QDir::Dirs);
+    if (QString folder = include.section('/', 0, 0); include.contains('/') && folder.startsWith("Qt"))
+        return folder;
+    for (const QString& module : modules)
+        if (headers.exists(module + '/' + include))
+            return module;
+    // A Qt class that is not installed here is still Qt's, of a module nobody was allowed.
+    static const QRegularExpression qtClass("^Q[A-Z]\\w*$");
+    return qtClass.match(include).hasMatch() ? QStringLiteral("Qt of an unknown module") : QString();
+}
+
+/// The rule that this line breaks, in words; empty when the line is no #include or an allowed one.
+QString complaint(const QString& file, const QString& line)
+{
+    static const QRegularExpression directive("^\\s*#\\s*include\\b\\s*(.*)$");
+    static const QRegularExpression name("^([<\"])([^>\"]+)[>\"]");
+    const auto isInclude = directive.match(line);
+    if (!isInclude.hasMatch())
+        return {};
+    const auto parts = name.match(isInclude.captured(1));
+    if (!parts.hasMatch())
+        return "an include names its file: no macros";
+    const bool quoted = parts.captured(1) == "\"";
+    const QString include = parts.captured(2);
+    const Room& room = *roomOf(file);
+
+    if (quoted) {
+        if (include == QFileInfo(file).completeBaseName() + ".moc")
+            return {};
+        if (roomOf(include) == nullptr)
+            return "\"\" is for our own files, written from the root of the repository (\"core/base/Result.h\")";
+        const bool allowed = startsWithAny(include, room.ours) && !startsWithAny(include, room.notOurs);
+        return allowed ? QString() : QString(room.ruleInWords);
+    }
+    if (roomOf(include) != nullptr)
+        return "our own files are included with \"\", not with <>";
+    static const QRegularExpression standard("^[a-z_]+$");
+    if (const QString module = qtModuleOf(include); !module.isEmpty())
+        return room.thirdParty.contains(module) || room.thirdParty.contains("Qt") ? QString()
+                                                                                  : QString(room.ruleInWords);
+    const bool allowed = standard.match(include).hasMatch() || startsWithAny(include, room.thirdParty);
+    return allowed ? QString() : QString(room.ruleInWords);
+}
+
+}  // namespace
+
+class TestIncludes : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void plantedLines_data();
+    void plantedLines();
+    void theQtHeadersAreFound();
+    void everyIncludeFollowsAnArrow_data();
+    void everyIncludeFollowsAnArrow();
+};
+
+void TestIncludes::plantedLines_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<bool>("allowed");
+    const auto plant = [](const char* file, const char* line, bool allowed) {
+        QTest::addRow("%s: %s", file, line) << file << line << allowed;
+    };
+    plant("core/mesh/A.cpp", "#include <vector>", true);
+    plant("core/mesh/A.cpp", "#include \"core/mesh/A.h\"", true);
+    plant("core/mesh/A.cpp", "#include <assimp/Importer.hpp>", false);
+    plant("core/mesh/A.cpp", "#include <QString>", false);
+    plant("core/mesh/A.cpp", "  #  include <QtCore/qglobal.h>", false);
+    plant("core/mesh/A.cpp", "#include <qglobal.h>", false);
+    plant("core/mesh/A.cpp", "#include <GL/gl.h>", false);
+    plant("core/mesh/A.cpp", "#include <opencv2/core.hpp>", false);
+    plant("core/mesh/A.cpp", "#include \"lessons/ScoreSheet.h\"", false);
+    plant("core/mesh/A.cpp", "#include \"core/tracking/Tag.h\"", false);
+    plant("core/mesh/A.cpp", "#include \"A.h\"", false);
+    plant("core/mesh/A.cpp", "#include <core/mesh/A.h>", false);
+    plant("core/mesh/A.cpp", "#include SOME_HEADER", false);
+    plant("core/mesh/A.cpp", "// talks about #include <QString>", true);
+    plant("core/tracking/Tag.cpp", "#include <opencv2/core.hpp>", true);
+    plant("core/tracking/Tag.cpp", "#include \"core/tracking/Tag.h\"", true);
+    plant("core/tracking/Tag.cpp", "#include <QImage>", false);
+    plant("haptics/A.cpp", "#include \"core/rt/SpscQueue.h\"", true);
+    plant("haptics/A.cpp", "#include <libusb-1.0/libusb.h>", true);
+    plant("haptics/A.cpp", "#include <QObject>", false);
+    plant("haptics/A.cpp", "#include \"ui/text/Texts.h\"", false);
+    plant("lessons/A.cpp", "#include <QJsonDocument>", true);
+    plant("lessons/A.cpp", "#include <QImage>", false);
+    plant("lessons/A.cpp", "#include \"database/records.h\"", false);
+    plant("database/sql/A.cpp", "#include <QSqlQuery>", true);
+    plant("database/sql/A.cpp", "#include <QMessageBox>", false);
+    plant("database/A.h", "#include \"lessons/ScoreSheet.h\"", true);
+    plant("database/A.h", "#include \"ui/text/Texts.h\"", false);
+    plant("ui/tooth/A.cpp", "#include <QOpenGLWidget>", true);
+    plant("ui/tooth/A.cpp", "#include \"database/records.h\"", true);
+    plant("ui/tooth/A.cpp", "#include \"database/sql/Attempts.h\"", false);
+    plant("ui/tooth/A.cpp", "#include <QSqlQuery>", false);
+    plant("ui/tooth/A.cpp", "#include \"haptics/HapticDevice.h\"", false);
+    plant("ui/tooth/A.cpp", "#include \"app/cli/Commands.h\"", false);
+    plant("ui/tooth/A.cpp", "#include \"A.moc\"", true);
+    plant("ui/tooth/A.cpp", "#include \"B.moc\"", false);
+    plant("ui/render/A.cpp", "#include <QOpenGLBuffer>", true);
+    plant("ui/render/A.cpp", "#include <QWidget>", false);
+    plant("ui/render/A.cpp", "#include <QOpenGLWidget>", false);
+    plant("ui/render/A.cpp", "#include \"ui/tooth/Camera.h\"", false);
+    plant("app/A.cpp", "#include \"haptics/HapticDevice.h\"", true);
+    plant("app/A.cpp", "#include <QApplication>", true);
+    plant("app/A.cpp", "#include <libusb-1.0/libusb.h>", false);
+    plant("app/A.cpp", "#include \"tests/support/Allocations.h\"", false);
+}
+
+void TestIncludes::plantedLines()
+{
+    QFETCH(QString, file);
+    QFETCH(QString, line);
+    QFETCH(bool, allowed);
+    QCOMPARE(complaint(file, line).isEmpty(), allowed);
+}
+
+void TestIncludes::theQtHeadersAreFound()
+{
+    QCOMPARE(qtModuleOf("QString"), QString("QtCore"));
+    QCOMPARE(qtModuleOf("QTest"), QString("QtTest"));
+    QCOMPARE(qtModuleOf("vector"), QString());
+}
+
+void TestIncludes::everyIncludeFollowsAnArrow_data()
+{
+    QTest::addColumn<QString>("folder");
+    for (const char* folder : {"core", "haptics", "lessons", "database", "ui", "app"})
+        QTest::newRow(folder) << QString(folder);
+}
+
+void TestIncludes::everyIncludeFollowsAnArrow()
+{
+    QFETCH(QString, folder);
+    const QDir root(CUSP_SOURCE_DIR);
+    QDirIterator it(root.filePath(folder), {"*.h", "*.hpp", "*.inl", "*.ipp", "*.c", "*.cc", "*.cpp", "*.cxx"},
+                    QDir::Files, QDirIterator::Subdirectories);
+    int files = 0;
+    QStringList complaints;
+    while (it.hasNext()) {
+        QFile source(it.next());
+        QVERIFY2(source.open(QIODevice::ReadOnly), qPrintable(source.fileName()));
+        const QString name = root.relativeFilePath(source.fileName());
+        ++files;
+        for (int number = 1; !source.atEnd(); ++number) {
+            const QString line = QString::fromUtf8(source.readLine()).trimmed();
+            if (const QString rule = complaint(name, line); !rule.isEmpty())
+                complaints << QString("%1:%2: %3\n    %4").arg(name).arg(number).arg(line, rule);
+        }
+    }
+    QVERIFY2(files > 0, "no source files were found: is CUSP_SOURCE_DIR right?");
+    QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
+}
+
+QTEST_GUILESS_MAIN(TestIncludes)
+#include "tst_includes.moc"

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "core/session/ServoTick.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+
+namespace {
+
+constexpr std::size_t kEnamel = 1;
+constexpr std::size_t kDentin = 2;
+
+/// A servo tick with a tooth, driven by hand.
+struct Bench
+{
+    std::unique_ptr<contact::LiveTooth> tooth;
+    std::unique_ptr<session::ServoTick> servo;
+
+    Bench(const support::Block& block, const char* bur)
+        : tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock(block)))),
+          servo(session::makeServoTick({}).value())
+    {
+        servo->setBur(drilling::findBur(bur).value());
+        servo->swapTooth(tooth.get(), true);
+        servo->setDrill(true);
+    }
+    const session::ServoState& step(const glm::dvec3& device, int dtUs = 1000) const
+    {
+        const glm::vec3 sample(device);
+        servo->step(&sample, std::chrono::microseconds(dtUs));
+        return servo->state();
+    }
+};
+
+/// Presses straight down with a constant force for some seconds and returns what was removed, all materials together.
+double plunge(const support::Block& block, const char* bur, double newtons, double seconds, int dtUs = 1000,
+              glm::dvec2 at = {0.013, 0.021})
+{
+    const Bench bench(block, bur);
+    bench.step({at.x, at.y, 1.0});
+    double removed = 0.0;
+    for (int tick = 0; tick < static_cast<int>(seconds * 1.0e6 / dtUs); ++tick) {
+        const double z = bench.servo->state().anchorMm.z - (bench.servo->state().tick < 5 ? 1.0 : newtons / 2.0);
+        const auto& state = bench.step({at.x, at.y, z}, dtUs);
+        removed = state.removedMm3[0] + state.removedMm3[1] + state.removedMm3[2] + state.removedMm3[3];
+    }
+    return removed;
+}
+
+}  // namespace
+
+class TestDrill : public QObject
+{
+    Q_OBJECT
+private slots:
+    void volumeIsWhatTheMapsLost();
+    void brushLeavesNoMark();
+    void rateIsLinearInForce();
+    void rateFollowsThePreset();
+    void paceIsIndependentOfGridAndRate();
+    void dentinGivesWayFaster();
+    void tenLightStrokesMakeATrenchThatHolds();
+    void perforatedColumnIsGoneFromBothMaps();
+    void pressedBurNeverStalls_data();
+    void pressedBurNeverStalls();
+    void drillOffRemovesNothing();
+    void heightsOnlyGoDown();
+    void badPresetIsRefused();
+};
+
+void TestDrill::volumeIsWhatTheMapsLost()
+{
+    support::Block block;
+    block.dejMm = -0.6;
+    const Bench bench(block, "330");
+    double z = 0.5;
+    for (int tick = 0; tick < 3000; ++tick) {
+        z -= (1.2 - glm::length(bench.servo->state().forceN)) * 0.003;
+        bench.step({1.2 * std::sin(tick * 0.004), 0.4 * std::cos(tick * 0.007), z});
+    }
+    const terrain::PerMaterial counted = bench.servo->state().removedMm3;
+    const terrain::PerMaterial lost = terrain::removedVolumes(bench.tooth->tooth());
+    QVERIFY(counted[kEnamel] > 0.1);
+    for (std::size_t m = 0; m < counted.size(); ++m)
+        QVERIFY(std::abs(counted[m] - lost[m]) < 1.0e-4);
+}
+
+void TestDrill::brushLeavesNoMark()
+{
+    // Dentists, 2011: an accidental brush leaves no mark. 0.1 N at 100 mm/s.
+    const Bench bench({}, "2");
+    bench.step({-1.0, 0.0, 0.5});
+    for (int tick = 0; tick <= 20; ++tick)
+        bench.step({-1.0 + 0.1 * tick, 0.0, -0.1 / 2.0});
+    QVERIFY(bench.servo->state().touching);
+    QCOMPARE(terrain::stateHash(bench.tooth->tooth()),
+             terrain::stateHash(terrain::Tooth(bench.tooth->tooth().anatomy)));
+}
+
+void TestDrill::rateIsLinearInForce()
+{
+    // dV/dt = S (F - F0), S less when pushing along the axis: 0.65 of 0.7 mm3/(N s) in enamel.
+    for (const double newtons : {0.5, 1.0, 1.5}) {
+        const double rate = plunge({}, "57", newtons, 1.0);
+        const double expected = 0.65 * 0.7 * (newtons - 0.15);
+        QVERIFY2(std::abs(rate - expected) < 0.03 * expected,
+                 qPrintable(QString("%1 N: %2 against %3 mm3/s").arg(newtons).arg(rate).arg(expected)));
+    }
+}
+
+void TestDrill::rateFollowsThePreset()
+{
+    const double enamel = plunge({}, "330", 1.0, 1.0);
+    QVERIFY(enamel > 0.3 && enamel < 0.6);  // teeth.md 5, occlusal work with a 330 at 1 N
+}
+
+void TestDrill::paceIsIndependentOfGridAndRate()
+{
+    const double reference = plunge({}, "330", 1.0, 2.0);
+    for (const int side : {100, 300, 600}) {
+        support::Block block;
+        block.side = side;
+        block.cellMm = 10.5 / side;
+        const double removed = plunge(block, "330", 1.0, 2.0);
+        QVERIFY2(std::abs(removed - reference) < 0.03 * reference,
+                 qPrintable(QString("grid %1: %2 against %3").arg(side).arg(removed).arg(reference)));
+    }
+    for (const int dtUs : {250, 500, 2000, 4000}) {
+        const double removed = plunge({}, "330", 1.0, 2.0, dtUs);
+        QVERIFY2(std::abs(removed - reference) < 0.03 * reference,
+                 qPrintable(QString("%1 us: %2 against %3").arg(dtUs).arg(removed).arg(reference)));
+    }
+}
+
+void TestDrill::dentinGivesWayFaster()
+{
+    support::Block dentin;
+    dentin.dejMm = 10.0;
+    const double ratio = plunge(dentin, "330", 1.0, 0.5) / plunge({}, "330", 1.0, 0.5);
+    QVERIFY2(ratio > 3.0 && ratio < 6.0, qPrintable(QString::number(ratio)));  // teeth.md 4: 3 to 6
+}
+
+void TestDrill::tenLightStrokesMakeATrenchThatHolds()
+{
+    const Bench bench({}, "2");
+    bench.step({-2.5, 0.0, 0.5});
+    glm::dvec3 anchor{};
+    for (int stroke = 0; stroke < 10; ++stroke) {
+        for (int tick = 0; tick <= 250; ++tick) {
+            const double x = (stroke % 2 == 0 ? -1.0 : 1.0) * (2.5 - 0.02 * tick);
+            anchor = bench.step({x, 0.0, bench.servo->state().anchorMm.z - 0.25}).anchorMm;
+        }
+    }
+    // Pushed 0.3 N sideways and 0.3 N down, drill off: the walls of the trench hold the bur.
+    bench.servo->setDrill(false);
+    for (int tick = 0; tick < 400; ++tick)
+        anchor = bench.step({0.0, 0.15 * std::min(1.0, tick / 100.0) + anchor.y * 0.0, anchor.z - 0.15}).anchorMm;
+    const double depth = -anchor.z;
+    QVERIFY2(anchor.y < 0.12 && depth > 0.08, qPrintable(QString("aside %1, deep %2").arg(anchor.y).arg(depth)));
+}
+
+void TestDrill::perforatedColumnIsGoneFromBothMaps()
+{
+    support::Block block;
+    block.bottomMm = -0.4;
+    const Bench bench(block, "57");
+    double z = bench.step({0.0, 0.0, 0.5}).anchorMm.z;
+    for (int tick = 0; tick < 4000; ++tick) {
+        z = std::max(z - 0.002, bench.servo->state().anchorMm.z - 1.0);
+        bench.step({0.0, 0.0, std::max(z, -3.0)});
+    }
+    const terrain::Tooth& tooth = bench.tooth->tooth();
+    int gone = 0;
+    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
+        const bool topGone = tooth.top[k] <= terrain::kEmptyTop;
+        QCOMPARE(tooth.bottom[k] >= terrain::kEmptyBottom, topGone);
+        gone += topGone ? 1 : 0;
+    }
+    // A hole as wide as the bur: pi * 0.5^2 mm2 in cells of 0.07 mm.
+    QVERIFY2(std::abs(gone * 0.0049 - 0.25 * std::numbers::pi) < 0.06, qPrintable(QString::number(gone)));
+    // The removed volume ends with the plate: nothing is counted below its bottom.
+    QVERIFY(std::abs(bench.servo->state().removedMm3[kEnamel] - gone * 0.0049 * 0.4) < 0.02);
+    // The bur went through.
+    QVERIFY(bench.servo->state().anchorMm.z < -2.0);
+}
+
+void TestDrill::pressedBurNeverStalls_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::addColumn<int>("bur");
+    for (const int side : {80, 150, 300})
+        for (int bur = 0; bur < 4; ++bur)
+            QTest::addRow("grid %d, bur %d", side, bur) << side << bur;
+}
+
+void TestDrill::pressedBurNeverStalls()
+{
+    // A bur that is pressed down with 3 N beside the bottom of a pit first slides there, then bores: it must not come
+    // to rest on ground that is felt between the nodes but has no column to cut.
+    QFETCH(int, side);
+    QFETCH(int, bur);
+    support::Block block;
+    block.side = side;
+    block.cellMm = 10.0 / side;
+    block.bottomMm = -8.0;
+    block.topMm = [](double x, double y) {
+        return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
+    };
+    for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
+        Bench bench(block, "2");
+        bench.servo->setBur(static_cast<std::size_t>(bur));
+        bench.step({at.x, at.y, 2.0});
+        int idle = 0;
+        for (int tick = 0; tick < 1200; ++tick) {
+            const auto& state = bench.step({at.x, at.y, bench.servo->state().anchorMm.z - 1.5});
+            idle = state.cutting || tick < 100 ? 0 : idle + 1;
+            QVERIFY2(idle < 100, qPrintable(QString("at %1 %2: nothing cut since tick %3, z %4, %5 %6 aside")
+                                                .arg(at.x)
+                                                .arg(at.y)
+                                                .arg(tick - 100)
+                                                .arg(state.anchorMm.z)
+                                                .arg(state.anchorMm.x - at.x)
+                                                .arg(state.anchorMm.y - at.y)));
+        }
+    }
+}
+
+void TestDrill::drillOffRemovesNothing()
+{
+    const Bench bench({}, "330");
+    bench.servo->setDrill(false);
+    const std::uint64_t before = terrain::stateHash(bench.tooth->tooth());
+    for (int tick = 0; tick < 500; ++tick)
+        bench.step({0.01 * tick - 2.5, 0.0, -1.0});
+    QCOMPARE(terrain::stateHash(bench.tooth->tooth()), before);
+    QVERIFY(glm::length(bench.servo->state().forceN) > 1.5);
+}
+
+void TestDrill::heightsOnlyGoDown()
+{
+    support::Block block;
+    block.dejMm = -0.5;
+    const Bench bench(block, "245");
+    std::vector<float> before = bench.tooth->tooth().top;
+    for (int tick = 0; tick < 2000; ++tick) {
+        bench.step({std::sin(tick * 0.01), std::cos(tick * 0.013), bench.servo->state().anchorMm.z - 0.6});
+        const std::vector<float>& now = bench.tooth->tooth().top;
+        if (tick % 50 == 0) {
+            for (std::size_t k = 0; k < now.size(); ++k)
+                QVERIFY(now[k] <= before[k]);
+            before = now;
+        }
+    }
+    QVERIFY(bench.servo->state().removedMm3[kDentin] > 0.0);
+}
+
+void TestDrill::badPresetIsRefused()
+{
+    session::ServoSettings settings;
+    settings.hardness.material[kEnamel].rateMm3PerNs = std::nan("");
+    const auto servo = session::makeServoTick(settings);
+    QVERIFY(!servo);
+    QCOMPARE(servo.error().code, ErrorCode::OutOfRange);
+    QVERIFY(servo.error().detail.find("enamel") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestDrill)
+#include "tst_drill.moc"

@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/teeth/Layers.h"
+#include "tests/support/ToothMaps.h"
+
+using namespace core;
+using namespace core::terrain;
+using support::ToothMaps;
+
+namespace {
+
+std::vector<ColumnLayers> lay(const ToothMaps& maps, int fdi, std::uint64_t seed = 0,
+                              teeth::LayerRule rule = teeth::LayerRule::Anatomical)
+{
+    return teeth::buildLayers(maps.grid, maps.top, maps.bottom, {rule, fdi, seed});
+}
+
+bool solid(const ToothMaps& maps, std::size_t k)
+{
+    return maps.top[k] > maps.bottom[k];
+}
+
+bool hasPulp(const ColumnLayers& column)
+{
+    return column.pulpRoof > column.pulpFloor;
+}
+
+std::size_t nodeAt(const ToothMaps& maps, double x, double y)
+{
+    const glm::dvec2 at = maps.grid.latticeOf({x, y});
+    return maps.grid.index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
+}
+
+/// Shortest distance from a point on the surface over node k to the dentin: enamel thickness as a section shows it.
+double enamelAt(const ToothMaps& maps, const std::vector<ColumnLayers>& layers, std::size_t k, double z)
+{
+    const Grid& grid = maps.grid;
+    const int i0 = static_cast<int>(k % static_cast<std::size_t>(grid.side));
+    const int j0 = static_cast<int>(k / static_cast<std::size_t>(grid.side));
+    const int reach = static_cast<int>(4.0 / grid.cellMm);
+    double nearest = 4.0;
+    for (int j = std::max(0, j0 - reach); j <= std::min(grid.side - 1, j0 + reach); ++j) {
+        for (int i = std::max(0, i0 - reach); i <= std::min(grid.side - 1, i0 + reach); ++i) {
+            const std::size_t q = grid.index(i, j);
+            if (!solid(maps, q) || layers[q].dej <= maps.bottom[q])
+                continue;
+            const double aside = grid.cellMm * std::hypot(i - i0, j - j0);
+            const double above = std::max(0.0, z - static_cast<double>(layers[q].dej));
+            nearest = std::min(nearest, std::hypot(aside, above));
+        }
+    }
+    return nearest;
+}
+
+PerMaterial volumesOf(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
+{
+    PerMaterial sum{};
+    for (std::size_t k = 0; k < maps.top.size(); ++k) {
+        if (!solid(maps, k))
+            continue;
+        const PerMaterial length = lengthsBetween(layers[k], maps.bottom[k], maps.top[k]);
+        for (std::size_t m = 0; m < sum.size(); ++m)
+            sum[m] += length[m] * maps.grid.cellMm * maps.grid.cellMm;
+    }
+    return sum;
+}
+
+double of(const PerMaterial& volumes, Material material)
+{
+    return volumes[static_cast<std::size_t>(material)];
+}
+
+/// What must hold on any tooth: the first column where it does not, or nothing.
+QString broken(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
+{
+    const Grid& grid = maps.grid;
+    if (layers.size() != grid.count())
+        return QStringLiteral("wrong size");
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const ColumnLayers& column = layers[k];
+            const QString where = QStringLiteral("column %1, %2: ").arg(i).arg(j);
+            if (!solid(maps, k)) {
+                if (column != ColumnLayers{})
+                    return where + "empty column with layers";
+                continue;
+            }
+            if (!std::isfinite(column.dej) || !std::isfinite(column.pulpRoof) || !std::isfinite(column.pulpFloor))
+                return where + "not finite";
+            if (column.cariesRoof > column.cariesFloor)
+                return where + "decay in a sound tooth";
+            if (column.dej > maps.top[k])
+                return where + "junction above the surface";
+            if (column.pulpFloor > column.pulpRoof)
+                return where + "floor above roof";
+            if (hasPulp(column) && (column.pulpRoof >= column.dej || column.pulpFloor <= maps.bottom[k]))
+                return where + "pulp outside dentin";
+        }
+    }
+    return {};
+}
+
+/// Least dentin between the pulp and anything else in any direction, mm (capped at 3).
+double leastDentin(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
+{
+    const Grid& grid = maps.grid;
+    const int reach = static_cast<int>(std::ceil(1.6 / grid.cellMm));
+    double least = 3.0;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const ColumnLayers& pulp = layers[grid.index(i, j)];
+            if (!hasPulp(pulp))
+                continue;
+            for (int nj = j - reach; nj <= j + reach; ++nj) {
+                for (int ni = i - reach; ni <= i + reach; ++ni) {
+                    const double aside = grid.cellMm * std::hypot(ni - i, nj - j);
+                    if (!grid.contains(ni, nj) || !solid(maps, grid.index(ni, nj))) {
+                        least = std::min(least, aside);
+                        continue;
+                    }
+                    const std::size_t q = grid.index(ni, nj);
+                    const double over = static_cast<double>(layers[q].dej) - static_cast<double>(pulp.pulpRoof);
+                    const double under = static_cast<double>(pulp.pulpFloor) - static_cast<double>(maps.bottom[q]);
+                    least = std::min(
+                        {least, std::hypot(aside, std::max(0.0, over)), std::hypot(aside, std::max(0.0, under))});
+                }
+            }
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+class TestLayers : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void enamelOfAMolarIsAsTheTableSays();
+    void enamelEndsAtTheCervix();
+    void fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase();
+    void invariantsHoldOnEveryTooth_data();
+    void invariantsHoldOnEveryTooth();
+    void pulpKeepsItsDentin_data();
+    void pulpKeepsItsDentin();
+    void molarPulpLiesWhereItIsMeasured();
+    void incisorPulpLiesWhereItIsMeasured();
+    void gridSideDoesNotChangeTheTooth();
+    void seedsVaryAndRepeat();
+    void leftAndRightAreTheSameTooth();
+    void unknownTeethAreGuessedByTheirCrown();
+    void constantDepthIsConstant();
+    void oddMapsAreSurvived();
+    void scansHaveTheTablesThickness_data();
+    void scansHaveTheTablesThickness();
+};
+
+void TestLayers::enamelOfAMolarIsAsTheTableSays()
+{
+    const ToothMaps maps = support::analyticMolar(150);
+    const auto layers = lay(maps, 36);
+    const auto thicknessOver = [&](double x, double y) {
+        const std::size_t k = nodeAt(maps, x, y);
+        return enamelAt(maps, layers, k, static_cast<double>(maps.top[k]));
+    };
+    const auto within = [](double value, double low, double high) {
+        if (value >= low && value <= high)
+            return true;
+        qWarning("%.3f mm is not within %.2f to %.2f", value, low, high);
+        return false;
+    };
+    for (const double sx : {-1.0, 1.0}) {
+        for (const double sy : {-1.0, 1.0}) {
+            QVERIFY(within(thicknessOver(2.5 * sx, 2.5 * sy), 2.2, 2.8));    // cusp tip
+            QVERIFY(within(thicknessOver(1.75 * sx, 1.75 * sy), 1.7, 2.3));  // half way down the inner incline
+        }
+    }
+    QVERIFY(within(thicknessOver(0.0, 2.8), 1.55, 1.95));  // fossa floor away from the fissure
+
+    // The side wall, against t = 0.05 + 0.32 h: the wall of this crown is where its columns end.
+    const double cervix = -7.5;
+    for (const double height : {2.5, 3.0, 3.5, 4.0, 4.5}) {
+        const double z = cervix + height;
+        double nearest = 10.0;
+        for (std::size_t k = 0; k < maps.top.size(); ++k) {
+            if (!solid(maps, k) || layers[k].dej <= maps.bottom[k] || static_cast<double>(layers[k].dej) < z)
+                continue;
+            const int i = static_cast<int>(k % 150U);
+            const int j = static_cast<int>(k / 150U);
+            const glm::dvec2 at = maps.grid.nodeMm(i, j);
+            // Along the diagonal through a distal cusp: mesially the CEJ rises.
+            if (at.x > 0.0 && std::abs(at.x - at.y) < 0.1)
+                nearest = std::min(nearest, 5.0 - std::hypot(at.x, at.y));
+        }
+        // Radius of the outer surface at this height: 5 up to the contour, then the shoulder's quarter ellipse.
+        const double shoulder = z <= -5.0 ? 1.0 : std::sqrt(std::max(0.0, 1.0 - (z + 5.0) * (z + 5.0) / 16.0));
+        const double thickness = nearest - (1.0 - shoulder);
+        QVERIFY2(std::abs(thickness - (0.05 + 0.32 * height)) < 0.3,
+                 qPrintable(QStringLiteral("%1 mm at %2 above the CEJ").arg(thickness).arg(height)));
+    }
+}
+
+void TestLayers::enamelEndsAtTheCervix()
+{
+    const ToothMaps maps = support::analyticMolar(150);
+    const auto layers = lay(maps, 36);
+    for (std::size_t k = 0; k < maps.top.size(); ++k)
+        if (solid(maps, k) && maps.bottom[k] < -7.6F)
+            QVERIFY2(layers[k].dej >= -7.51F, "enamel on the root");
+}
+
+void TestLayers::fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase()
+{
+    const ToothMaps maps = support::analyticMolar(512);
+    const auto layers = lay(maps, 36);
+    for (double y = -0.6; y <= 0.6; y += 0.05) {
+        const std::size_t k = nodeAt(maps, 0.5, y);
+        const auto enamel = static_cast<double>(maps.top[k]) - static_cast<double>(layers[k].dej);
+        QVERIFY2(enamel >= 0.199, qPrintable(QString::number(enamel)));
+    }
+    // The fissure is 0.8 deep; the junction below it does not follow, it lies no lower than beside it.
+    const std::size_t base = nodeAt(maps, 0.5, 0.0);
+    const auto under = static_cast<double>(maps.top[base]) - static_cast<double>(layers[base].dej);
+    QVERIFY2(under >= 0.2 && under <= 0.6, qPrintable(QString::number(under)));
+    for (const double y : {-0.6, 0.6}) {
+        const double rise =
+            static_cast<double>(layers[base].dej) - static_cast<double>(layers[nodeAt(maps, 0.5, y)].dej);
+        QVERIFY2(rise > -0.1 && rise < 0.5, qPrintable(QString::number(rise)));
+    }
+}
+
+void TestLayers::invariantsHoldOnEveryTooth_data()
+{
+    QTest::addColumn<int>("side");
+    for (const int side : {64, 150, 512})
+        QTest::addRow("%d", side) << side;
+}
+
+void TestLayers::invariantsHoldOnEveryTooth()
+{
+    QFETCH(int, side);
+    for (const support::NamedMaps& tooth : support::everyTooth(side)) {
+        for (const std::uint64_t seed : {0U, 1U, 2U, 77U}) {
+            if (side == 512 && seed > 1)
+                continue;
+            for (const auto rule : {teeth::LayerRule::Anatomical, teeth::LayerRule::ConstantDepth2011}) {
+                const QString wrong = broken(tooth.maps, lay(tooth.maps, tooth.fdi, seed, rule));
+                QVERIFY2(wrong.isEmpty(), qPrintable(tooth.name.c_str() + QStringLiteral(": ") + wrong));
+            }
+        }
+    }
+}
+
+void TestLayers::pulpKeepsItsDentin_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::newRow("64") << 64;
+    QTest::newRow("150") << 150;
+}
+
+void TestLayers::pulpKeepsItsDentin()
+{
+    QFETCH(int, side);
+    for (const support::NamedMaps& tooth : support::everyTooth(side)) {
+        for (const std::uint64_t seed : {0U, 5U}) {
+            const auto layers = lay(tooth.maps, tooth.fdi, seed);
+            const double least = leastDentin(tooth.maps, layers);
+            QVERIFY2(least >= 1.0 - 1e-6,
+                     qPrintable(
+                         QStringLiteral("%1, seed %2: %3 mm of dentin").arg(tooth.name.c_str()).arg(seed).arg(least)));
+            QVERIFY2(of(volumesOf(tooth.maps, layers), Material::Pulp) > 2.0, tooth.name.c_str());
+        }
+    }
+}
+
+void TestLayers::molarPulpLiesWhereItIsMeasured()
+{
+    const ToothMaps maps = support::analyticMolar(150);
+    const auto layers = lay(maps, 36);
+    // Under each cusp tip the nearest pulp is 6.3 +- 0.9 away (Deutsch and Musikant 2004).
+    for (const double sx : {-1.0, 1.0}) {
+        for (const double sy : {-1.0, 1.0}) {
+            double nearest = 100.0;
+            for (int j = 0; j < 150; ++j) {
+                for (int i = 0; i < 150; ++i) {
+                    const ColumnLayers& column = layers[maps.grid.index(i, j)];
+                    const glm::dvec2 at = maps.grid.nodeMm(i, j);
+                    if (hasPulp(column))
+                        nearest = std::min(nearest, std::hypot(at.x - 2.5 * sx, at.y - 2.5 * sy,
+                                                               static_cast<double>(column.pulpRoof)));
+                }
+            }
+            QVERIFY2(nearest > 5.4 && nearest < 7.2, qPrintable(QString::number(nearest)));
+        }
+    }
+    // In the middle the chamber is 1.6 to 1.9 high, its roof within a millimetre of the CEJ.
+    const ColumnLayers& middle = layers[nodeAt(maps, 0.0, 0.0)];
+    QVERIFY(std::abs(static_cast<double>(middle.pulpRoof) + 7.0) < 1.0);
+    const ColumnLayers& beside = layers[nodeAt(maps, 0.0, 0.8)];
+    const auto height = static_cast<double>(beside.pulpRoof) - static_cast<double>(beside.pulpFloor);
+    QVERIFY2(height >= 1.5 && height <= 2.1, qPrintable(QString::number(height)));
+}
+
+void TestLayers::incisorPulpLiesWhereItIsMeasured()
+{
+    const ToothMaps maps = support::generatedMaps(21, 0, 150);
+    const auto layers = lay(maps, 21);
+    float highest = -100.0F;
+    for (const ColumnLayers& column : layers)
+        if (hasPulp(column))
+            highest = std::max(highest, column.pulpRoof);
+    // Incisal edge to pulp tip 6.6, at least 1.5 mm of dentin beside it may push it down.
+    QVERIFY2(highest <= -6.2F && highest >= -8.5F, qPrintable(QString::number(static_cast<double>(highest))));
+    const double pulp = of(volumesOf(maps, layers), Material::Pulp);
+    QVERIFY2(pulp > 10.0 && pulp < 35.0, qPrintable(QString::number(pulp)));  // 19.6 on one measured tooth
+}
+
+void TestLayers::gridSideDoesNotChangeTheTooth()
+{
+    for (const int fdi : {36, 24, 21}) {
+        const ToothMaps reference = support::generatedMaps(fdi, 0, 256);
+        const PerMaterial expected = volumesOf(reference, lay(reference, fdi));
+        for (const int side : {100, 150, 512}) {
+            const ToothMaps maps = support::generatedMaps(fdi, 0, side);
+            const PerMaterial volumes = volumesOf(maps, lay(maps, fdi));
+            // Whether a canal still fits a slender premolar root hangs on tenths of a millimetre: the pulp is given 12
+            // %.
+            for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp})
+                QVERIFY2(std::abs(of(volumes, material) / of(expected, material) - 1.0) <
+                             (material == Material::Pulp ? 0.12 : 0.02),
+                         qPrintable(QStringLiteral("%1 at %2: material %3 is %4, not %5 mm3")
+                                        .arg(fdi)
+                                        .arg(side)
+                                        .arg(static_cast<int>(material))
+                                        .arg(of(volumes, material))
+                                        .arg(of(expected, material))));
+        }
+    }
+}
+
+void TestLayers::seedsVaryAndRepeat()
+{
+    const ToothMaps maps = support::generatedMaps(36, 0, 150);
+    const auto first = lay(maps, 36, 9);
+    QVERIFY(first == lay(maps, 36, 9));
+    QVERIFY(first != lay(maps, 36, 10));
+    // People differ by tenths of a millimetre, not by millimetres.
+    const auto mean = lay(maps, 36, 0);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const auto person = lay(maps, 36, seed);
+        const double enamel =
+            of(volumesOf(maps, person), Material::Enamel) / of(volumesOf(maps, mean), Material::Enamel);
+        QVERIFY2(enamel > 0.8 && enamel < 1.2, qPrintable(QString::number(enamel)));
+        const double pulp = of(volumesOf(maps, person), Material::Pulp) / of(volumesOf(maps, mean), Material::Pulp);
+        QVERIFY2(pulp > 0.5 && pulp < 1.8, qPrintable(QString::number(pulp)));
+    }
+}
+
+void TestLayers::leftAndRightAreTheSameTooth()
+{
+    const ToothMaps maps = support::generatedMaps(36, 0, 100);
+    QVERIFY(lay(maps, 36) == lay(maps, 46));
+    const ToothMaps upper = support::generatedMaps(24, 0, 100);
+    QVERIFY(lay(upper, 24) == lay(upper, 14));
+}
+
+void TestLayers::unknownTeethAreGuessedByTheirCrown()
+{
+    // The kind shows in the volumes: a guessed tooth lies near the named one.
+    for (const int fdi : {21, 22, 23, 24, 25, 26, 27, 28, 31, 32, 33, 34, 35, 36, 37, 38}) {
+        const ToothMaps maps = support::generatedMaps(fdi, 0, 150);
+        const PerMaterial named = volumesOf(maps, lay(maps, fdi));
+        const PerMaterial guessed = volumesOf(maps, lay(maps, 0));
+        QVERIFY2(std::abs(of(guessed, Material::Enamel) / of(named, Material::Enamel) - 1.0) < 0.2,
+                 qPrintable(QStringLiteral("%1: %2 mm3 of enamel, named %3")
+                                .arg(fdi)
+                                .arg(of(guessed, Material::Enamel))
+                                .arg(of(named, Material::Enamel))));
+    }
+    const ToothMaps maps = support::generatedMaps(36, 0, 64);
+    QVERIFY(lay(maps, 0) == lay(maps, 99));
+}
+
+void TestLayers::constantDepthIsConstant()
+{
+    const ToothMaps maps = support::analyticMolar(150);
+    const auto layers = lay(maps, 36, 0, teeth::LayerRule::ConstantDepth2011);
+    for (const glm::dvec2 at : {glm::dvec2(0.0, 0.0), glm::dvec2(2.0, 1.0), glm::dvec2(-1.0, -2.0)}) {
+        const std::size_t k = nodeAt(maps, at.x, at.y);
+        QVERIFY(std::abs(maps.top[k] - layers[k].dej - 2.0F) < 1e-5F);
+    }
+    const std::size_t rim = nodeAt(maps, 4.5, 0.0);
+    QVERIFY(layers[rim].dej <= maps.bottom[rim]);
+    const ColumnLayers& middle = layers[nodeAt(maps, 0.0, 1.0)];
+    QVERIFY(hasPulp(middle));
+    QVERIFY(layers == lay(maps, 11, 5, teeth::LayerRule::ConstantDepth2011));  // neither tooth nor seed matters
+}
+
+void TestLayers::oddMapsAreSurvived()
+{
+    ToothMaps empty = support::analyticMolar(64);
+    std::fill(empty.top.begin(), empty.top.end(), kEmptyTop);
+    std::fill(empty.bottom.begin(), empty.bottom.end(), kEmptyBottom);
+    QVERIFY(broken(empty, lay(empty, 36)).isEmpty());
+
+    ToothMaps needle = empty;
+    needle.top[2000] = 0.0F;
+    needle.bottom[2000] = -20.0F;
+    QVERIFY(broken(needle, lay(needle, 36)).isEmpty());
+
+    ToothMaps full = empty;  // not one empty column
+    std::fill(full.top.begin(), full.top.end(), 0.0F);
+    std::fill(full.bottom.begin(), full.bottom.end(), -20.0F);
+    QVERIFY(broken(full, lay(full, 0)).isEmpty());
+
+    ToothMaps film = empty;  // a crown without a root, half a millimetre thick
+    for (std::size_t k = 0; k < film.top.size(); ++k) {
+        film.top[k] = 0.0F;
+        film.bottom[k] = -0.5F;
+    }
+    QVERIFY(broken(film, lay(film, 36)).isEmpty());
+
+    ToothMaps root = empty;  // everything below where the CEJ would be but one spike
+    std::fill(root.top.begin(), root.top.end(), -15.0F);
+    std::fill(root.bottom.begin(), root.bottom.end(), -20.0F);
+    root.top[2000] = 0.0F;
+    QVERIFY(broken(root, lay(root, 36)).isEmpty());
+}
+
+void TestLayers::scansHaveTheTablesThickness_data()
+{
+    QTest::addColumn<int>("fdi");
+    QTest::addColumn<double>("cuspLow");
+    QTest::addColumn<double>("cuspHigh");
+    QTest::addColumn<double>("enamelLow");  // mm3
+    QTest::addColumn<double>("enamelHigh");
+    QTest::newRow("molar") << 36 << 2.2 << 2.8 << 200.0 << 330.0;
+    QTest::newRow("premolar") << 24 << 2.0 << 2.6 << 80.0 << 150.0;
+    QTest::newRow("incisor") << 21 << 1.6 << 2.4 << 50.0 << 110.0;
+}
+
+void TestLayers::scansHaveTheTablesThickness()
+{
+    QFETCH(int, fdi);
+    QFETCH(double, cuspLow);
+    QFETCH(double, cuspHigh);
+    QFETCH(double, enamelLow);
+    QFETCH(double, enamelHigh);
+    const auto maps = support::scanMaps(fdi, 150);
+    if (!maps)
+        QSKIP("shared/data/teeth is absent");
+    const auto layers = lay(*maps, fdi);
+    const std::size_t tip =
+        static_cast<std::size_t>(std::max_element(maps->top.begin(), maps->top.end()) - maps->top.begin());
+    const double cusp = enamelAt(*maps, layers, tip, static_cast<double>(maps->top[tip]));
+    QVERIFY2(cusp >= cuspLow && cusp <= cuspHigh, qPrintable(QString::number(cusp)));
+    const double enamel = of(volumesOf(*maps, layers), Material::Enamel);
+    QVERIFY2(enamel >= enamelLow && enamel <= enamelHigh, qPrintable(QString::number(enamel)));
+}
+
+QTEST_GUILESS_MAIN(TestLayers)
+#include "tst_layers.moc"

@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <unistd.h>
+
+#include <zstd.h>
+
+#include "core/base/Bytes.h"
+#include "core/recording/Replay.h"
+#include "tests/fuzz/ExerciseRecording.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticMolar.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+using recording::Recording;
+using session::ServoEvent;
+
+namespace {
+
+constexpr std::size_t kFileHeaderBytes = 12;
+
+std::shared_ptr<const terrain::ToothAnatomy> smallBlock()
+{
+    support::Block block;
+    block.side = 64;
+    block.cellMm = 0.16;
+    return support::makeBlock(block);
+}
+
+/// A short attempt: a few ticks of cutting, another bur, a lost reading, an undo.
+Recording shortAttempt()
+{
+    support::Rig rig;
+    rig.open(smallBlock());
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 120);
+    rig.device.present = false;
+    rig.run(5);
+    rig.device.present = true;
+    rig.lift();
+    rig.send(session::SetBur{3});
+    rig.lean(1.0, 0.5, 2.0, 60);
+    rig.lift();
+    rig.send(session::Undo{});
+    rig.run(20);
+    return rig.session->recordingSoFar().value();
+}
+
+std::vector<ServoEvent> eventsOf(const Recording& recording)
+{
+    std::vector<ServoEvent> events;
+    recording.forEach([&](const ServoEvent& event) { events.push_back(event); });
+    return events;
+}
+
+bool sameBits(const glm::vec3& a, const glm::vec3& b)
+{
+    return std::bit_cast<std::uint32_t>(a.x) == std::bit_cast<std::uint32_t>(b.x) &&
+           std::bit_cast<std::uint32_t>(a.y) == std::bit_cast<std::uint32_t>(b.y) &&
+           std::bit_cast<std::uint32_t>(a.z) == std::bit_cast<std::uint32_t>(b.z);
+}
+
+/// Equal to the last bit of every position, NaN included.
+bool sameBits(const std::vector<ServoEvent>& a, const std::vector<ServoEvent>& b)
+{
+    if (a.size() != b.size())
+        return false;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        if (a[k].kind != b[k].kind || a[k].dtUs != b[k].dtUs || a[k].value != b[k].value ||
+            !sameBits(a[k].deviceMm, b[k].deviceMm))
+            return false;
+    return true;
+}
+
+/// One section of the file as Recording.cpp lays it out.
+std::string section(std::uint32_t kind, std::string_view payload)
+{
+    ByteWriter out;
+    out.put(kind);
+    out.put(static_cast<std::uint64_t>(payload.size()));
+    out.put(fnv1a(payload));
+    out.putAll(std::span(payload.data(), payload.size()));
+    return out.bytes();
+}
+
+std::string zstd(const std::string& raw)
+{
+    std::string out(ZSTD_compressBound(raw.size()), '\0');
+    out.resize(ZSTD_compress(out.data(), out.size(), raw.data(), raw.size(), 19));
+    return out;
+}
+
+QByteArray text(const Error& error)
+{
+    return QByteArray::fromStdString(error.detail);
+}
+
+}  // namespace
+
+class TestRecording : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void bytesComeBackEqual();
+    void oddEventsComeBackEqual();
+    void longAttemptComesBackEqual();
+    void cutAnywhereIsAnError();
+    void flippedByteIsAnErrorOrHarmless();
+    void refusesStrangers_data();
+    void refusesStrangers();
+    void refusesBombs_data();
+    void refusesBombs();
+    void refusesUnknownBur();
+    void refusesUndoIntoTheFuture();
+    void refusesImpossibleTooth_data();
+    void refusesImpossibleTooth();
+    void refusesSettingsOutOfRange();
+    void wrongFilesAreExplained();
+    void failedWriteKeepsTheOlderFile();
+    void minuteIsUnderAMegabyte();
+    void corpusOfTheFuzzerIsHarmless();
+};
+
+/// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with the sections unpacked.
+void TestRecording::initTestCase()
+{
+    if (qEnvironmentVariableIsEmpty("CUSP_REWRITE_CORPUS"))
+        return;
+    const std::string bytes = shortAttempt().toBytes();
+    for (const auto& [name, content] : {std::pair{"saved", bytes}, std::pair{"unpacked", fuzz::unpacked(bytes)}}) {
+        QFile file(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/recording/") + name);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(content.data(), static_cast<qint64>(content.size())), static_cast<qint64>(content.size()));
+    }
+}
+
+void TestRecording::bytesComeBackEqual()
+{
+    const Recording made = shortAttempt();
+    QVERIFY(made.witness().has_value());
+    const auto read = Recording::fromBytes(made.toBytes());
+    QVERIFY2(read, read ? "" : text(read.error()).constData());
+    QVERIFY(sameBits(eventsOf(made), eventsOf(*read)));
+    QCOMPARE(read->ticks(), made.ticks());
+    QCOMPARE(read->duration().count(), made.duration().count());
+    QVERIFY(read->witness() == made.witness());
+    QVERIFY(read->settings() == made.settings());
+    QCOMPARE(read->anatomy()->name, made.anatomy()->name);
+    QCOMPARE(read->anatomy()->grid, made.anatomy()->grid);
+    QCOMPARE(read->anatomy()->top, made.anatomy()->top);
+    QCOMPARE(read->anatomy()->bottom, made.anatomy()->bottom);
+    QCOMPARE(read->anatomy()->layers, made.anatomy()->layers);
+    QCOMPARE(read->anatomy()->areaMm2, made.anatomy()->areaMm2);
+    QCOMPARE(QByteArray::fromStdString(read->toBytes()), QByteArray::fromStdString(made.toBytes()));
+}
+
+void TestRecording::oddEventsComeBackEqual()
+{
+    Recording made({}, smallBlock());
+    const float nan = std::nanf("7");
+    made.append({ServoEvent::Kind::Tick, 65535, {nan, -0.0F, 1.0e-42F}, 0});
+    made.append({ServoEvent::Kind::Tick, 0, {INFINITY, -INFINITY, 3.4e38F}, 0});
+    made.append({ServoEvent::Kind::NoDevice, 1, {1.0F, 2.0F, 3.0F}, 0});
+    made.append({ServoEvent::Kind::Drill, 0, {}, 1});
+    made.append({ServoEvent::Kind::Bur, 0, {}, 3});
+    made.append({ServoEvent::Kind::Restore, 0, {}, 2});
+    const auto read = Recording::fromBytes(made.toBytes());
+    QVERIFY2(read, read ? "" : text(read.error()).constData());
+    QVERIFY(sameBits(eventsOf(made), eventsOf(*read)));
+    // And such positions do not upset a replay.
+    const auto outcome = recording::replay(*read);
+    QVERIFY(outcome);
+    QCOMPARE(outcome->stateHash, terrain::stateHash(terrain::Tooth(made.anatomy())));
+}
+
+void TestRecording::longAttemptComesBackEqual()
+{
+    // More than two packed chunks and a tail.
+    Recording made({}, smallBlock());
+    support::RestlessHand hand(5);
+    for (int n = 0; n < 10000; ++n) {
+        made.append({ServoEvent::Kind::Tick, 1000, hand.next(), 0});
+        if (n % 700 == 0)
+            made.append({ServoEvent::Kind::Bur, 0, {}, static_cast<std::uint64_t>(n / 700 % 4)});
+    }
+    const auto read = Recording::fromBytes(made.toBytes());
+    QVERIFY(read);
+    QCOMPARE(read->ticks(), 10000U);
+    QVERIFY(sameBits(eventsOf(made), eventsOf(*read)));
+}
+
+void TestRecording::cutAnywhereIsAnError()
+{
+    const std::string whole = shortAttempt().toBytes();
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        const auto read = Recording::fromBytes(std::string_view(whole).substr(0, length));
+        QVERIFY2(!read, qPrintable(QString("cut to %1 of %2 bytes").arg(length).arg(whole.size())));
+        if (length == 0)
+            QCOMPARE(read.error().code, ErrorCode::FileEmpty);
+        else if (length < 8)
+            QCOMPARE(read.error().code, ErrorCode::WrongKind);
+        else
+            QCOMPARE(read.error().code, ErrorCode::FileTruncated);
+    }
+    QVERIFY(!Recording::fromBytes(whole + '\0'));
+}
+
+void TestRecording::flippedByteIsAnErrorOrHarmless()
+{
+    std::string bytes = shortAttempt().toBytes();
+    const std::uint64_t whole = recording::replay(Recording::fromBytes(bytes).value())->stateHash;
+    int accepted = 0;
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        for (const char flip : {char(1), char(-128), char(-1)}) {
+            bytes[at] = static_cast<char>(bytes[at] ^ flip);
+            if (const auto read = Recording::fromBytes(bytes)) {
+                ++accepted;
+                QCOMPARE(recording::replay(*read)->stateHash, whole);
+            }
+            bytes[at] = static_cast<char>(bytes[at] ^ flip);
+        }
+    }
+    QCOMPARE(accepted, 0);  // every byte is under a checksum or means something
+}
+
+void TestRecording::refusesStrangers_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<int>("code");
+    const auto code = [](ErrorCode c) { return static_cast<int>(c); };
+    const QByteArray good = QByteArray::fromStdString(shortAttempt().toBytes());
+    QTest::newRow("empty") << QByteArray() << code(ErrorCode::FileEmpty);
+    QTest::newRow("text") << QByteArray("t_s,x_mm,y_mm,z_mm,drill\n") << code(ErrorCode::WrongKind);
+    QTest::newRow("a picture") << QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16) << code(ErrorCode::WrongKind);
+    QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
+    QTest::newRow("no section") << good.left(int(kFileHeaderBytes)) << code(ErrorCode::FileTruncated);
+    QByteArray newer = good;
+    newer[8] = 2;
+    QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
+    QByteArray zero = good;
+    zero[8] = 0;
+    QTest::newRow("version 0") << zero << code(ErrorCode::WrongKind);
+    QByteArray lie = good;
+    lie.replace(int(kFileHeaderBytes) + 4, 8, QByteArray(8, '\xFF'));
+    QTest::newRow("a section of 2^64 bytes") << lie << code(ErrorCode::FileTruncated);
+    const QByteArray header = good.left(int(kFileHeaderBytes));
+    QTest::newRow("end first") << header + QByteArray::fromStdString(section(4, std::string(25, '\0')))
+                               << code(ErrorCode::BadStructure);
+    QTest::newRow("events first") << header + QByteArray::fromStdString(section(3, zstd(std::string(4, '\0'))))
+                                  << code(ErrorCode::BadStructure);
+    QTest::newRow("unknown section") << header + QByteArray::fromStdString(section(77, "hello"))
+                                     << code(ErrorCode::BadStructure);
+    QTest::newRow("twice") << good + good << code(ErrorCode::BadStructure);
+}
+
+void TestRecording::refusesStrangers()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(int, code);
+    const auto read = Recording::fromBytes({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    QVERIFY(!read);
+    QVERIFY2(static_cast<int>(read.error().code) == code, text(read.error()).constData());
+    QVERIFY(text(read.error()).endsWith('.'));
+}
+
+void TestRecording::refusesBombs_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QByteArray>("payload");
+    // A gigabyte of zeros packs into some ten kilobytes; a header may also lie about it outright.
+    const QByteArray bomb = QByteArray::fromStdString(zstd(std::string(std::size_t{256} * 1024 * 1024, '\0')));
+    QByteArray lie = QByteArray::fromStdString(zstd(std::string(100, '\0')));
+    // Frame header: descriptor with an 8-byte size, 2^62 bytes.
+    const QByteArray huge = QByteArray("\x28\xB5\x2F\xFD\xE0", 5) + QByteArray(7, '\0') + QByteArray("\x40", 1) + lie;
+    for (const int kind : {1, 2, 3}) {
+        QTest::addRow("section %d unpacks to 256 MiB", kind) << kind << bomb;
+        QTest::addRow("section %d says 2^62 bytes", kind) << kind << huge;
+        QTest::addRow("section %d is not packed", kind) << kind << QByteArray(1000, 'x');
+        QTest::addRow("section %d is empty", kind) << kind << QByteArray();
+    }
+}
+
+void TestRecording::refusesBombs()
+{
+    QFETCH(int, kind);
+    QFETCH(QByteArray, payload);
+    const std::string good = shortAttempt().toBytes();
+    std::string bytes = good.substr(0, kFileHeaderBytes);
+    std::string_view rest = std::string_view(good).substr(kFileHeaderBytes);
+    while (!rest.empty()) {
+        ByteReader in(rest);
+        const auto here = in.take<std::uint32_t>();
+        const auto size = in.take<std::uint64_t>();
+        if (here == static_cast<std::uint32_t>(kind))
+            bytes += section(here, payload.toStdString());
+        else
+            bytes += rest.substr(0, 20 + size);
+        rest.remove_prefix(20 + size);
+    }
+    const auto read = Recording::fromBytes(bytes);
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::BadStructure);
+}
+
+void TestRecording::refusesUnknownBur()
+{
+    Recording made({}, smallBlock());
+    made.append({ServoEvent::Kind::Bur, 0, {}, 4});
+    QVERIFY(!Recording::fromBytes(made.toBytes()));
+}
+
+void TestRecording::refusesUndoIntoTheFuture()
+{
+    Recording made({}, smallBlock());
+    for (int n = 0; n < 5; ++n)
+        made.append({ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0});
+    Recording now = made;
+    now.append({ServoEvent::Kind::Restore, 0, {}, 5});
+    QVERIFY(Recording::fromBytes(now.toBytes()));
+    Recording future = made;
+    future.append({ServoEvent::Kind::Restore, 0, {}, 6});
+    future.append({ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0});
+    const auto read = Recording::fromBytes(future.toBytes());
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::BadStructure);
+    QVERIFY(read.error().detail.find("undo") != std::string::npos);
+}
+
+void TestRecording::refusesImpossibleTooth_data()
+{
+    QTest::addColumn<int>("what");
+    QTest::newRow("NaN height") << 0;
+    QTest::newRow("infinite bottom") << 1;
+    QTest::newRow("NaN layer") << 2;
+    QTest::newRow("negative area") << 3;
+    QTest::newRow("cell of no size") << 4;
+    QTest::newRow("NaN cell") << 5;
+    QTest::newRow("origin far away") << 6;
+    QTest::newRow("grid too small") << 7;
+}
+
+void TestRecording::refusesImpossibleTooth()
+{
+    QFETCH(int, what);
+    auto tooth = std::make_shared<terrain::ToothAnatomy>(*smallBlock());
+    switch (what) {
+    case 0:
+        tooth->top[100] = NAN;
+        break;
+    case 1:
+        tooth->bottom[100] = -INFINITY;
+        break;
+    case 2:
+        tooth->layers[100].pulpRoof = NAN;
+        break;
+    case 3:
+        tooth->areaMm2[100] = -1.0F;
+        break;
+    case 4:
+        tooth->grid.cellMm = 0.0;
+        break;
+    case 5:
+        tooth->grid.cellMm = NAN;
+        break;
+    case 6:
+        tooth->grid.originMm.x = 1.0e9;
+        break;
+    default:
+        tooth->grid.side = 2;
+        break;
+    }
+    const auto read = Recording::fromBytes(Recording({}, tooth).toBytes());
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::BadStructure);
+}
+
+void TestRecording::refusesSettingsOutOfRange()
+{
+    session::ServoSettings strong;
+    strong.force.clampN = 1.0e6;
+    const auto force = Recording::fromBytes(Recording(strong, smallBlock()).toBytes());
+    QVERIFY(!force);
+    QCOMPARE(force.error().code, ErrorCode::OutOfRange);
+    session::ServoSettings magic;
+    magic.method = "magic";
+    const auto method = Recording::fromBytes(Recording(magic, smallBlock()).toBytes());
+    QVERIFY(!method);
+    QCOMPARE(method.error().code, ErrorCode::UnknownName);
+    session::ServoSettings soft;
+    soft.hardness.material[1].rateMm3PerNs = NAN;
+    QVERIFY(!Recording::fromBytes(Recording(soft, smallBlock()).toBytes()));
+}
+
+void TestRecording::wrongFilesAreExplained()
+{
+    const QTemporaryDir folder;
+    const auto missing = recording::readRecording(folder.filePath("none.cusprec").toStdString());
+    QVERIFY(!missing);
+    QCOMPARE(missing.error().code, ErrorCode::FileMissing);
+    const auto directory = recording::readRecording(folder.path().toStdString());
+    QVERIFY(!directory);
+    QCOMPARE(directory.error().code, ErrorCode::FileUnreadable);
+    QFile empty(folder.filePath("empty.cusprec"));
+    QVERIFY(empty.open(QIODevice::WriteOnly));
+    empty.close();
+    const auto nothing = recording::readRecording(empty.fileName().toStdString());
+    QVERIFY(!nothing);
+    QCOMPARE(nothing.error().code, ErrorCode::FileEmpty);
+    QVERIFY(nothing.error().detail.find("empty.cusprec") != std::string::npos);
+}
+
+void TestRecording::failedWriteKeepsTheOlderFile()
+{
+    const QTemporaryDir folder;
+    const std::filesystem::path target = folder.filePath("attempt.cusprec").toStdString();
+    const Recording older({}, smallBlock());
+    QVERIFY(recording::writeRecording(target, older));
+    const Recording newer = shortAttempt();
+
+    // The way is blocked: where the new bytes would go first there is a folder.
+    QVERIFY(QDir(folder.path()).mkdir("attempt.cusprec.part"));
+    const auto blocked = recording::writeRecording(target, newer);
+    QVERIFY(!blocked);
+    QCOMPARE(blocked.error().code, ErrorCode::FileUnwritable);
+    QCOMPARE(recording::readRecording(target)->ticks(), older.ticks());
+    QVERIFY(QDir(folder.path()).rmdir("attempt.cusprec.part"));
+
+    // No such folder; a target that is a folder.
+    QVERIFY(!recording::writeRecording(folder.filePath("none/attempt.cusprec").toStdString(), newer));
+    QVERIFY(QDir(folder.path()).mkpath("taken/inside"));
+    QVERIFY(!recording::writeRecording(folder.filePath("taken").toStdString(), newer));
+    QVERIFY(!QFile::exists(folder.filePath("taken.part")));
+
+    QVERIFY(recording::writeRecording(target, newer));
+    QCOMPARE(recording::readRecording(target)->ticks(), newer.ticks());
+
+    if (geteuid() == 0)
+        QSKIP("root may write into a read-only folder");
+    std::filesystem::permissions(folder.path().toStdString(),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    QVERIFY(!recording::writeRecording(target, older));
+    QCOMPARE(recording::readRecording(target)->ticks(), newer.ticks());
+    std::filesystem::permissions(folder.path().toStdString(), std::filesystem::perms::owner_all);
+}
+
+void TestRecording::minuteIsUnderAMegabyte()
+{
+    // A hand as devices give it: slow strokes, tremor of some 10 um at 8 to 12 Hz, noise of a micrometre.
+    Recording made({}, support::syntheticMolar());
+    const std::size_t before = made.toBytes().size();
+    Rng rng(1);
+    for (int n = 0; n < 60000; ++n) {
+        const double t = n * 0.001;
+        const glm::dvec3 stroke(2.0 * std::sin(1.7 * t), 1.5 * std::sin(0.9 * t + 1.0), -1.0 + 0.6 * std::sin(2.3 * t));
+        const glm::dvec3 tremor = 0.01 * glm::dvec3(std::sin(57.0 * t), std::cos(63.0 * t), std::sin(71.0 * t));
+        const glm::dvec3 noise = 0.001 * glm::dvec3(rng.normal(), rng.normal(), rng.normal());
+        made.append({ServoEvent::Kind::Tick, 1000, glm::vec3(stroke + tremor + noise), 0});
+    }
+    const std::size_t bytes = made.toBytes().size() - before;
+    qInfo("one minute at 1 kHz: %zu bytes (the tooth before it: %zu)", bytes, before);
+    QVERIFY(bytes < 1024 * 1024);
+}
+
+void TestRecording::corpusOfTheFuzzerIsHarmless()
+{
+    const QDir corpus(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/recording"));
+    const QStringList names = corpus.entryList(QDir::Files);
+    QVERIFY(!names.isEmpty());
+    for (const QString& name : names) {
+        QFile file(corpus.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const std::string bytes = file.readAll().toStdString();
+        fuzz::exerciseRecording(bytes);
+        fuzz::exerciseRecording(fuzz::withChecksums(bytes));
+        fuzz::exerciseRecording(fuzz::packed(bytes));
+    }
+}
+
+QTEST_APPLESS_MAIN(TestRecording)
+#include "tst_recording.moc"

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include "core/recording/Replay.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticMolar.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+using recording::Recording;
+using session::ServoEvent;
+
+namespace {
+
+/// A tooth with every layer, thin enough to be bored through, in a grid of any size.
+std::shared_ptr<const terrain::ToothAnatomy> layeredTooth(int side)
+{
+    support::Block block;
+    block.side = side;
+    block.cellMm = 9.0 / side;
+    block.bottomMm = -2.0;
+    block.dejMm = -0.5;
+    block.topMm = [](double x, double y) {
+        const double r2 = x * x + y * y;
+        return r2 > 16.0 ? std::nan("") : -0.05 * r2 + 0.2 * std::sin(3.0 * x) * std::sin(2.0 * y);
+    };
+    auto tooth = std::make_shared<terrain::ToothAnatomy>(*support::makeBlock(block));
+    for (std::size_t k = 0; k < tooth->layers.size(); ++k) {
+        if (!(tooth->top[k] > tooth->bottom[k]))
+            continue;
+        tooth->layers[k].cariesRoof = tooth->top[k];
+        tooth->layers[k].cariesFloor = k % 3 == 0 ? tooth->top[k] - 0.3F : tooth->top[k];
+        tooth->layers[k].pulpRoof = -1.2F;
+        tooth->layers[k].pulpFloor = -1.6F;
+    }
+    return tooth;
+}
+
+/// Replays through the file's bytes and compares with what the servo really holds.
+void compareWithLive(support::Rig& rig)
+{
+    rig.settle();
+    const auto soFar = rig.session->recordingSoFar();
+    QVERIFY(soFar.has_value());
+    QVERIFY(soFar->witness().has_value());
+    const auto read = Recording::fromBytes(soFar->toBytes());
+    QVERIFY2(read, read ? "" : read.error().detail.c_str());
+    const auto outcome = recording::replay(*read);
+    QVERIFY(outcome);
+    QVERIFY(outcome->agreesWithWitness);
+    QCOMPARE(outcome->stateHash, rig.liveHash());
+    QCOMPARE(outcome->state.tick, rig.servo->state().tick);
+    QCOMPARE(outcome->state.removedMm3, rig.servo->state().removedMm3);
+    QCOMPARE(outcome->state.anchorMm, rig.servo->state().anchorMm);
+    QCOMPARE(outcome->state.forceN, rig.servo->state().forceN);
+}
+
+double removedMm3(const support::Rig& rig)
+{
+    double sum = 0.0;
+    for (const double part : rig.servo->state().removedMm3)
+        sum += part;
+    return sum;
+}
+
+}  // namespace
+
+class TestReplay : public QObject
+{
+    Q_OBJECT
+private slots:
+    void plainDrilling_data();
+    void plainDrilling();
+    void everythingElseThatHappens();
+    void undoAtOnceAfterTheLastTick();
+    void missedPeriods();
+    void stormOfCommands_data();
+    void stormOfCommands();
+    void secondToothHasItsOwnRecording();
+    void sameToothAgainHasItsOwnRecording();
+    void recordingEndsWhereTicksAreMissing();
+    void wrongWitnessIsNoticed();
+    void emptyAttempt();
+};
+
+void TestReplay::plainDrilling_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<int>("side");
+    for (const char* method : {"continuous", "lattice", "penalty"})
+        for (const int side : {64, 150, 256})
+            QTest::newRow(qPrintable(QString("%1 at %2").arg(method).arg(side))) << method << side;
+}
+
+void TestReplay::plainDrilling()
+{
+    QFETCH(QString, method);
+    QFETCH(int, side);
+    session::ServoSettings settings;
+    settings.method = method.toStdString();
+    support::Rig rig(settings);
+    rig.open(layeredTooth(side));
+    rig.send(session::SetDrill{true});
+    support::RestlessHand hand(static_cast<std::uint64_t>(side));
+    for (int n = 0; n < 3000; ++n) {
+        rig.device.tipMm = hand.next();
+        rig.run(1);
+    }
+    QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
+    compareWithLive(rig);
+}
+
+void TestReplay::everythingElseThatHappens()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(100));
+    rig.send(session::SetDrill{true});
+    for (std::uint8_t bur = 0; bur < 4; ++bur) {
+        rig.send(session::SetBur{bur});
+        rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
+        rig.device.present = false;  // lost in the middle of a cut
+        rig.run(30);
+        rig.device.present = true;
+        rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 100);
+        rig.device.tipMm.x = std::nanf("");
+        rig.run(3);
+        rig.device.tipMm = {2.0e9F, 0.0F, 0.0F};
+        rig.run(3);
+        rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
+        rig.send(session::SetDrill{false});
+        rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
+        rig.send(session::SetDrill{true});
+        if (bur % 2 == 0)
+            rig.lift();
+    }
+    QVERIFY(removedMm3(rig) > 0.3);
+    compareWithLive(rig);
+}
+
+void TestReplay::undoAtOnceAfterTheLastTick()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(64));
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 100);
+    rig.lift();
+    const std::uint64_t cut = rig.liveHash();
+    rig.send(session::Undo{});
+    rig.settle();
+    rig.servo->tick(rig.period);  // takes the restored tooth
+    QVERIFY(rig.liveHash() != cut);
+    compareWithLive(rig);
+    rig.send(session::Redo{});
+    rig.settle();
+    rig.servo->tick(rig.period);
+    QCOMPARE(rig.liveHash(), cut);
+    compareWithLive(rig);
+    rig.send(session::Reload{});
+    rig.settle();
+    rig.servo->tick(rig.period);
+    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(rig.live().anatomy)));
+    compareWithLive(rig);
+}
+
+void TestReplay::missedPeriods()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(100));
+    rig.send(session::SetDrill{true});
+    support::RestlessHand hand(9);
+    Rng rng(10);
+    for (int n = 0; n < 1500; ++n) {
+        rig.device.tipMm = hand.next();
+        rig.run(1, std::chrono::milliseconds(rng.below(10) == 0 ? 1 + rng.below(200) : 1));
+    }
+    QVERIFY(rig.uiLinks->servo.latest().missedPeriods > 1000);
+    QVERIFY(removedMm3(rig) > 0.1);
+    compareWithLive(rig);
+}
+
+void TestReplay::stormOfCommands_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<int>("side");
+    QTest::addColumn<int>("seed");
+    for (const int seed : {1, 2, 3}) {
+        QTest::addRow("64, seed %d", seed) << "continuous" << 64 << seed;
+        QTest::addRow("150, seed %d", seed) << "continuous" << 150 << 10 + seed;
+    }
+    QTest::newRow("256") << "continuous" << 256 << 21;
+    QTest::newRow("lattice") << "lattice" << 64 << 22;
+    QTest::newRow("penalty") << "penalty" << 64 << 23;
+}
+
+void TestReplay::stormOfCommands()
+{
+    QFETCH(QString, method);
+    QFETCH(int, side);
+    QFETCH(int, seed);
+    session::ServoSettings settings;
+    settings.method = method.toStdString();
+    support::Rig rig(settings);
+    const auto anatomy = layeredTooth(side);
+    rig.open(anatomy);
+    rig.send(session::SetDrill{true});
+    Rng rng(static_cast<std::uint64_t>(seed));
+    support::RestlessHand hand(static_cast<std::uint64_t>(seed) + 100);
+    std::uint64_t generation = 1;
+    for (int n = 0; n < 2000; ++n) {
+        rig.device.tipMm = hand.next();
+        rig.device.present = rng.below(100) != 0;
+        rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
+        switch (rng.below(250)) {
+        case 0:
+            rig.send(session::Redo{});
+            break;
+        case 1:
+            rig.send(session::Reload{});
+            break;
+        case 2:
+            rig.send(session::SetBur{static_cast<std::uint8_t>(rng.below(4))});
+            break;
+        case 3:
+            rig.send(session::SetDrill{rng.below(4) != 0});
+            break;
+        case 4:
+        case 5:
+        case 6:
+            rig.send(session::Undo{});
+            break;
+        case 7:
+            // Often more than one at once, and between the session's beats.
+            for (int k = 0; k < 4; ++k)
+                rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
+                                           : session::SessionCommand{session::Redo{}});
+            break;
+        case 8:
+            if (rng.below(8) == 0)
+                rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation});
+            break;
+        default:
+            break;
+        }
+        if (n % 500 == 499)
+            compareWithLive(rig);
+    }
+    rig.lift();
+    compareWithLive(rig);
+    QCOMPARE(rig.mirrorHash(), rig.liveHash());
+}
+
+void TestReplay::secondToothHasItsOwnRecording()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(64));
+    rig.send(session::SetDrill{true});
+    rig.send(session::SetBur{2});
+    rig.lean(0.0, 0.0, 2.0, 200);
+    // In the middle of a cut; bur and drill stay as they were.
+    rig.open(layeredTooth(100), 2);
+    QVERIFY(rig.servo->state().drillOn);
+    QCOMPARE(rig.servo->state().burIndex, 2);
+    rig.lean(0.5, 0.0, 2.0, 300);
+    QVERIFY(removedMm3(rig) > 0.02);
+    compareWithLive(rig);
+    QCOMPARE(rig.session->recordingSoFar()->anatomy()->grid.side, 100);
+}
+
+void TestReplay::sameToothAgainHasItsOwnRecording()
+{
+    support::Rig rig;
+    const auto anatomy = layeredTooth(64);
+    rig.open(anatomy);
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 200);
+    rig.settle();
+    const std::uint64_t before = rig.session->recordingSoFar()->ticks();
+    // The session has opened the tooth anew, the servo has not heard of it yet: the attempt so far is still the old
+    // one, and nothing is said about it that belongs to the new one.
+    rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), 2});
+    rig.settle();
+    const Recording between = rig.session->recordingSoFar().value();
+    QCOMPARE(between.ticks(), before);
+    QVERIFY(recording::replay(between)->agreesWithWitness);
+    rig.lean(0.5, 0.0, 2.0, 100);
+    QVERIFY(rig.session->recordingSoFar()->ticks() <= 100);
+    compareWithLive(rig);
+}
+
+void TestReplay::recordingEndsWhereTicksAreMissing()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(64));
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 1.0, 100);
+    rig.lift();
+    const std::uint64_t kept = rig.liveHash();
+    // The session sleeps for longer than the queue of events holds.
+    for (int n = 0; n < 20000; ++n) {
+        rig.device.tipMm = {0.5F, 0.0F, n % 400 < 200 ? 2.0F : -0.4F};
+        rig.servo->tick(rig.period);
+    }
+    QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) != 0);
+    // It wakes; the student goes on, takes back and cuts again.
+    rig.lift();
+    rig.send(session::Undo{});
+    rig.run(20);
+    rig.send(session::Undo{});
+    rig.run(20);
+    QVERIFY(rig.liveHash() == kept || rig.session->toothSoFar().has_value());
+    rig.lean(-0.5, 0.5, 2.0, 100);
+    rig.lift();
+    // What is recorded is true as far as it goes: it reads back and replays, and claims nothing that it cannot show.
+    const Recording soFar = rig.session->recordingSoFar().value();
+    QVERIFY(soFar.ticks() < rig.servo->state().tick);
+    const auto read = Recording::fromBytes(soFar.toBytes());
+    QVERIFY2(read, read ? "" : read.error().detail.c_str());
+    QVERIFY(recording::replay(*read)->agreesWithWitness);
+    // A new tooth is recorded again.
+    rig.open(layeredTooth(64), 2);
+    QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) == 0);
+    rig.lean(0.0, 0.0, 2.0, 100);
+    compareWithLive(rig);
+}
+
+void TestReplay::wrongWitnessIsNoticed()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(64));
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 100);
+    rig.lift();
+    Recording soFar = rig.session->recordingSoFar().value();
+    QVERIFY(recording::replay(soFar)->agreesWithWitness);
+    const recording::Witness right{soFar.ticks(), rig.liveHash()};
+    soFar.setWitness(right);
+    QVERIFY(recording::replay(soFar)->agreesWithWitness);
+    soFar.setWitness({right.tick, right.stateHash ^ 1U});
+    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+    soFar.setWitness({10, right.stateHash});  // true, but not then
+    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+    soFar.setWitness({0, right.stateHash});
+    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+    soFar.setWitness({right.tick + 1, right.stateHash});  // a tick that never comes
+    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+}
+
+void TestReplay::emptyAttempt()
+{
+    const auto anatomy = layeredTooth(64);
+    const auto outcome = recording::replay(Recording({}, anatomy));
+    QVERIFY(outcome);
+    QVERIFY(outcome->agreesWithWitness);
+    QCOMPARE(outcome->stateHash, terrain::stateHash(terrain::Tooth(anatomy)));
+    QCOMPARE(outcome->state.tick, 0U);
+}
+
+QTEST_APPLESS_MAIN(TestReplay)
+#include "tst_replay.moc"

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <atomic>
+#include <thread>
+
+#include "core/recording/Replay.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+using namespace core::session;
+
+namespace {
+
+std::shared_ptr<const terrain::ToothAnatomy> block()
+{
+    support::Block made;
+    made.side = 64;
+    made.cellMm = 0.12;
+    return support::makeBlock(made);
+}
+
+/// One stroke at (x, 0).
+void stroke(support::Rig& rig, double x)
+{
+    rig.lean(x, 0.0, 2.0, 60);
+    rig.lift();
+}
+
+const SessionState& state(support::Rig& rig)
+{
+    return rig.uiLinks->session.latest();
+}
+
+}  // namespace
+
+class TestSessionLoop : public QObject
+{
+    Q_OBJECT
+private slots:
+    void undoAndRedoGoStrokeByStroke();
+    void undoInMidStrokeTakesBackWhatIsCutSoFar();
+    void cuttingAfterUndoForgetsRedo();
+    void reloadCanBeUndone();
+    void patchesOfAnOlderToothAreIgnored();
+    void newToothWhileTheOldOneIsCut();
+    void commandsWithoutAToothDoNothing();
+    void viewHearsOfEveryChange();
+    void attemptSoFarFromAnotherThread();
+};
+
+void TestSessionLoop::undoAndRedoGoStrokeByStroke()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    std::vector<std::uint64_t> hashes{rig.liveHash()};
+    for (int n = 0; n < 4; ++n) {
+        stroke(rig, n - 2.0);
+        hashes.push_back(rig.liveHash());
+        QCOMPARE(state(rig).undoSteps, n + 1);
+        QCOMPARE(state(rig).strokes, n + 1);
+    }
+    for (std::size_t n = 4; n-- > 0;) {
+        rig.send(Undo{});
+        rig.run(20);
+        QCOMPARE(rig.liveHash(), hashes[n]);
+        QCOMPARE(rig.mirrorHash(), hashes[n]);
+        QCOMPARE(state(rig).undoSteps, static_cast<int>(n));
+        QCOMPARE(state(rig).redoSteps, static_cast<int>(4 - n));
+    }
+    rig.send(Undo{});  // one too many
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), hashes[0]);
+    QCOMPARE(state(rig).removedMm3[1], 0.0);
+    for (std::size_t n = 1; n <= 4; ++n) {
+        rig.send(Redo{});
+        rig.run(20);
+        QCOMPARE(rig.liveHash(), hashes[n]);
+    }
+    QVERIFY(state(rig).removedMm3[1] > 0.01);
+}
+
+void TestSessionLoop::undoInMidStrokeTakesBackWhatIsCutSoFar()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    stroke(rig, -1.0);
+    const std::uint64_t before = rig.liveHash();
+    rig.lean(1.0, 0.0, 2.0, 64);
+    rig.settle();
+    const std::uint64_t half = rig.mirrorHash();
+    QVERIFY(half != before);
+    QCOMPARE(state(rig).undoSteps, 2);
+    // Lifted before the undo reaches the servo; what was cut in between belongs to nobody.
+    rig.send(Undo{});
+    rig.settle();
+    rig.device.tipMm.z = 5.0F;
+    rig.run(40);
+    QCOMPARE(rig.liveHash(), before);
+    rig.send(Redo{});
+    rig.run(40);
+    QCOMPARE(rig.liveHash(), half);
+}
+
+void TestSessionLoop::cuttingAfterUndoForgetsRedo()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    stroke(rig, -1.0);
+    stroke(rig, 0.0);
+    rig.send(Undo{});
+    rig.run(20);
+    QCOMPARE(state(rig).redoSteps, 1);
+    stroke(rig, 1.0);
+    QCOMPARE(state(rig).redoSteps, 0);
+    const std::uint64_t now = rig.liveHash();
+    rig.send(Redo{});
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), now);
+}
+
+void TestSessionLoop::reloadCanBeUndone()
+{
+    support::Rig rig;
+    rig.open(block());
+    const std::uint64_t uncut = rig.liveHash();
+    rig.send(SetDrill{true});
+    stroke(rig, 0.0);
+    const std::uint64_t cut = rig.liveHash();
+    rig.send(Reload{});
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), uncut);
+    QCOMPARE(rig.mirrorHash(), uncut);
+    rig.send(Reload{});  // nothing to do: no step
+    rig.run(20);
+    QCOMPARE(state(rig).undoSteps, 2);
+    rig.send(Undo{});
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), cut);
+}
+
+void TestSessionLoop::patchesOfAnOlderToothAreIgnored()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    stroke(rig, 0.0);
+    // The servo goes on cutting while the session has already handed over the restored tooth.
+    rig.send(Undo{});
+    for (int n = 0; n < 100; ++n) {
+        rig.device.tipMm = {1.0F, 0.0F, -0.5F};
+        if (n == 50)
+            rig.session->tick(rig.period);
+        if (n < 60)
+            rig.servo->tick(rig.period);
+    }
+    rig.device.tipMm.z = 5.0F;
+    rig.lift();
+    QCOMPARE(rig.mirrorHash(), rig.liveHash());
+}
+
+void TestSessionLoop::newToothWhileTheOldOneIsCut()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 30);
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 7});
+    rig.lean(0.0, 0.0, 2.0, 100);
+    rig.lift();
+    QCOMPARE(state(rig).toothGeneration, 7U);
+    QCOMPARE(rig.uiLinks->servo.latest().toothGeneration, 7U);
+    QCOMPARE(rig.mirrorHash(), rig.liveHash());
+    QCOMPARE(state(rig).strokes, 1);
+    rig.send(Undo{});
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(block())));
+}
+
+void TestSessionLoop::commandsWithoutAToothDoNothing()
+{
+    support::Rig rig;
+    rig.send(Undo{});
+    rig.send(Redo{});
+    rig.send(Reload{});
+    rig.send(SetBur{2});
+    rig.run(30);
+    QVERIFY(!rig.session->toothSoFar().has_value());
+    QVERIFY(!rig.session->recordingSoFar().has_value());
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 1});  // and one that nobody takes is freed
+}
+
+void TestSessionLoop::viewHearsOfEveryChange()
+{
+    support::Rig rig;
+    const auto anatomy = block();
+    rig.open(anatomy);
+    rig.send(SetDrill{true});
+    history::TiledHeights view(anatomy->grid, anatomy->top);
+    std::vector<TilePatch> group;
+    const auto look = [&] {
+        rig.session->tick(rig.period);
+        for (TilePatch patch; rig.uiLinks->patches.tryPop(patch);) {
+            group.push_back(patch);
+            if (!patch.last)
+                continue;
+            for (const TilePatch& one : group)
+                view.setTile(one.tileX, one.tileY, one.top);
+            group.clear();
+        }
+    };
+    for (int n = 0; n < 3000; ++n) {
+        rig.device.tipMm = {static_cast<float>(2.0 * std::sin(0.01 * n)), 0.5F, n % 600 < 300 ? -0.6F : 3.0F};
+        rig.servo->tick(rig.period);
+        if (n % 700 == 650)
+            rig.send(Undo{});
+        if (n % 900 == 850)
+            rig.send(Redo{});
+        if (n % 10 == 0)
+            look();
+    }
+    rig.device.tipMm.z = 5.0F;
+    for (int n = 0; n < 300; ++n)
+        rig.servo->tick(rig.period);
+    look();
+    QCOMPARE(view.flat(), rig.live().top);
+}
+
+void TestSessionLoop::attemptSoFarFromAnotherThread()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    std::atomic<bool> stop{false};
+    std::atomic<int> disagreements{0};
+    std::atomic<int> looks{0};
+    std::thread other([&] {
+        while (!stop) {
+            const auto soFar = rig.session->recordingSoFar();
+            if (soFar && soFar->ticks() < 4000 && !recording::replay(*soFar)->agreesWithWitness)
+                ++disagreements;
+            ++looks;
+        }
+    });
+    support::RestlessHand hand(2);
+    for (int n = 0; n < 2000 || looks < 3; ++n) {
+        rig.device.tipMm = hand.next();
+        if (n % 300 == 299)
+            rig.send(Undo{});
+        rig.run(1);
+    }
+    stop = true;
+    other.join();
+    QCOMPARE(disagreements.load(), 0);
+}
+
+QTEST_APPLESS_MAIN(TestSessionLoop)
+#include "tst_session_loop.moc"

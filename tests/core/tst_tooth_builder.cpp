@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/teeth/ToothBuilder.h"
+#include "tests/support/Solids.h"
+#include "tests/support/ToothMaps.h"
+
+using namespace core::teeth;
+using core::ErrorCode;
+using core::mesh::TriangleMesh;
+
+class TestToothBuilder : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void generatedTooth();
+    void sameSeedSameTooth();
+    void scanAgreesWithAnIndependentRasteriser_data();
+    void scanAgreesWithAnIndependentRasteriser();
+    void openScanIsClosedBelow();
+    void scanOpenAboveIsRefused();
+    void smallHolesArePatched();
+    void usableMeshesWarn_data();
+    void usableMeshesWarn();
+    void uselessMeshesAreRefused_data();
+    void uselessMeshesAreRefused();
+    void sourcesAreToldApart();
+    void optionsAreChecked();
+
+private:
+    std::filesystem::path write(const TriangleMesh& mesh)
+    {
+        const std::filesystem::path path(m_folder.filePath(QStringLiteral("mesh.stl")).toStdString());
+        std::ofstream(path, std::ios::binary) << support::asBinaryStl(mesh);
+        return path;
+    }
+    core::Result<BuiltTooth> buildFileFrame(const TriangleMesh& mesh)
+    {
+        BuildOptions options;
+        options.placement.keepFrame = true;
+        return buildTooth({write(mesh)}, options);
+    }
+    QTemporaryDir m_folder;
+};
+
+void TestToothBuilder::generatedTooth()
+{
+    const auto tooth = buildTooth({36}, {});
+    QVERIFY(tooth);
+    const ToothReport& report = tooth->report;
+    QVERIFY(report.closed && report.oriented);
+    QCOMPARE(report.fdi, 36);
+    QCOMPARE(tooth->anatomy->fdi, 36);
+    QCOMPARE(tooth->anatomy->layers.size(), tooth->anatomy->grid.count());
+    QVERIFY(report.undercutMm3 && *report.undercutMm3 >= 0.0);
+    QVERIFY(*report.undercutMm3 < 0.05 * report.meshVolumeMm3);
+    const double layers = std::accumulate(report.layersMm3.begin(), report.layersMm3.end(), 0.0);
+    QVERIFY(std::abs(layers / report.modelVolumeMm3 - 1.0) < 1e-6);
+    QVERIFY(report.sewnCells > 100 && report.layersMm3[0] > 0.0);
+    BuildOptions sound;
+    sound.caries.reset();
+    QCOMPARE(buildTooth({36}, sound)->report.layersMm3[0], 0.0);
+    QCOMPARE(buildTooth({99}, {}).error().code, ErrorCode::UnknownName);
+}
+
+void TestToothBuilder::sameSeedSameTooth()
+{
+    BuildOptions options;
+    options.seed = 42;
+    const auto one = buildTooth({24}, options);
+    const auto two = buildTooth({24}, options);
+    QVERIFY(one && two);
+    QVERIFY(one->anatomy->top == two->anatomy->top && one->anatomy->layers == two->anatomy->layers);
+    options.seed = 43;
+    QVERIFY(one->anatomy->top != buildTooth({24}, options)->anatomy->top);
+}
+
+void TestToothBuilder::scanAgreesWithAnIndependentRasteriser_data()
+{
+    QTest::addColumn<int>("fdi");
+    QTest::addColumn<QString>("up");
+    QTest::newRow("36") << 36 << QStringLiteral("+y");
+    QTest::newRow("24") << 24 << QStringLiteral("-y");
+    QTest::newRow("21") << 21 << QStringLiteral("-y");
+}
+
+void TestToothBuilder::scanAgreesWithAnIndependentRasteriser()
+{
+    QFETCH(int, fdi);
+    QFETCH(QString, up);
+    const std::string path = support::sharedData("teeth/dundee_" + std::to_string(fdi) + ".obj");
+    if (path.empty())
+        QSKIP("shared/data is absent");
+    BuildOptions options;
+    options.fdi = fdi;
+    options.placement.unit = core::mesh::LengthUnit{"10.5", 10.5};
+    const auto tooth = buildTooth({std::filesystem::path(path)}, options);
+    QVERIFY(tooth);
+    QCOMPARE(QString::fromStdString(std::string(core::mesh::nameOf(tooth->report.placement.up))), up);
+    // The other one chooses grid and axes itself, so volumes are compared: at full cells, hence the coarse tolerance.
+    const auto other = support::scanMaps(fdi, 400);
+    QVERIFY(other);
+    double volume = 0.0;
+    for (std::size_t k = 0; k < other->top.size(); ++k)
+        if (other->top[k] > other->bottom[k])
+            volume += static_cast<double>(other->top[k] - other->bottom[k]) * other->grid.cellMm * other->grid.cellMm;
+    qInfo("%d: model %.3f, other %.3f, mesh %.3f mm3", fdi, tooth->report.modelVolumeMm3, volume,
+          tooth->report.meshVolumeMm3);
+    QVERIFY(std::abs(tooth->report.modelVolumeMm3 / volume - 1.0) < 0.003);
+    QVERIFY(*tooth->report.undercutMm3 > 0.0);
+    QVERIFY(*tooth->report.undercutMm3 < 0.05 * tooth->report.meshVolumeMm3);
+}
+
+void TestToothBuilder::openScanIsClosedBelow()
+{
+    TriangleMesh mesh = support::sphereCap(6.0F, 4.0F, 90, 30);
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+        return mesh.vertices[t[0]].z == 0.0F && mesh.vertices[t[1]].z == 0.0F && mesh.vertices[t[2]].z == 0.0F;
+    });
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY(tooth);
+    QVERIFY(!tooth->report.closed && !tooth->report.undercutMm3);
+    const double exact = 3.14159265358979 * 16.0 * (6.0 - 4.0 / 3.0);
+    QVERIFY(std::abs(tooth->report.modelVolumeMm3 / exact - 1.0) < 0.005);
+    const QString warnings = QString::fromStdString(
+        std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
+    QVERIFY2(warnings.contains(QStringLiteral("open below")), qPrintable(warnings));
+}
+
+void TestToothBuilder::scanOpenAboveIsRefused()
+{
+    TriangleMesh mesh = support::box(8.0F, 8.0F, 8.0F);
+    mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);  // the lid
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY(!tooth);
+    QCOMPARE(tooth.error().code, ErrorCode::BadStructure);
+    // Left to guess, the opening is below.
+    QVERIFY(buildTooth({write(mesh)}, {}));
+}
+
+void TestToothBuilder::smallHolesArePatched()
+{
+    TriangleMesh mesh = support::sphereCap(6.0F, 6.0F, 60, 30);
+    const double whole = buildFileFrame(mesh)->report.modelVolumeMm3;
+    for (std::size_t k = 100; k < mesh.triangles.size(); k += 500)
+        mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(k));
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY(tooth);
+    QVERIFY(!tooth->report.closed);
+    QVERIFY(std::abs(tooth->report.modelVolumeMm3 / whole - 1.0) < 1e-4);
+}
+
+void TestToothBuilder::usableMeshesWarn_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<QString>("says");
+    const TriangleMesh box = support::box(8.0F, 8.0F, 8.0F);
+    QTest::newRow("inside out") << support::insideOut(box) << QStringLiteral("inside out");
+    QTest::newRow("a second shell inside")
+        << support::joined(box, support::moved(support::box(1.0F, 1.0F, 1.0F), {3.0F, 3.0F, 3.0F}))
+        << QStringLiteral("1 of them inside");
+    TriangleMesh mesh = box;
+    mesh.vertices.emplace_back(4.0F, 4.0F, 6.0F);
+    mesh.triangles.push_back({4, 5, 8});
+    QTest::newRow("non-manifold") << mesh << QStringLiteral("not a manifold");
+    mesh = box;
+    std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+    QTest::newRow("faces disagree") << mesh << QStringLiteral("disagree");
+    mesh = box;
+    mesh.triangles.push_back({1, 1, 2});
+    QTest::newRow("zero area") << mesh << QStringLiteral("zero area");
+    mesh = support::joined(box, box);
+    QTest::newRow("everything twice") << mesh << QStringLiteral("twice");
+}
+
+void TestToothBuilder::usableMeshesWarn()
+{
+    QFETCH(TriangleMesh, mesh);
+    QFETCH(QString, says);
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY2(tooth, tooth ? "" : tooth.error().detail.c_str());
+    const QString warnings = QString::fromStdString(
+        std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
+    QVERIFY2(warnings.contains(says), qPrintable(warnings));
+    QVERIFY(std::abs(tooth->report.modelVolumeMm3 / 512.0 - 1.0) < 0.005);
+}
+
+void TestToothBuilder::uselessMeshesAreRefused_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {8, 0, 0}, {0, 8, 3}, {4, 0, 0}, {2, 0, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    QTest::newRow("one triangle") << mesh;
+    mesh.triangles = {{0, 3, 1}, {0, 4, 1}, {0, 4, 3}, {4, 3, 1}};
+    QTest::newRow("zero area throughout") << mesh;
+    mesh = support::box(8.0F, 8.0F, 8.0F);
+    for (glm::vec3& v : mesh.vertices)
+        v.z = 0.0F;
+    QTest::newRow("flat") << mesh;
+    mesh = support::box(0.01F, 0.01F, 8.0F);
+    QTest::newRow("a needle") << mesh;
+    mesh = {};
+    for (std::uint32_t k = 0; k < 300; k += 3) {
+        mesh.vertices.insert(mesh.vertices.end(), 3, glm::vec3(static_cast<float>(k) * 0.02F, 1.0F, 0.0F));
+        mesh.vertices[k].y = 4.0F;
+        mesh.vertices[k + 1].x += 1.0F;
+        mesh.triangles.push_back({k, k + 1, k + 2});
+    }
+    QTest::newRow("scattered faces") << mesh;
+    mesh = support::box(8.0F, 8.0F, 8.0F);
+    for (int k = 0; k < 12; ++k)
+        mesh = support::joined(mesh, mesh);
+    QTest::newRow("a heap of faces") << mesh;
+    QTest::newRow("a house") << support::box(8000.0F, 8000.0F, 8000.0F);
+}
+
+void TestToothBuilder::uselessMeshesAreRefused()
+{
+    QFETCH(TriangleMesh, mesh);
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY(!tooth);
+    qInfo("%s", tooth.error().detail.c_str());
+    QVERIFY(tooth.error().detail.find("mesh.stl") != std::string::npos);
+}
+
+void TestToothBuilder::sourcesAreToldApart()
+{
+    QCOMPARE(std::get<int>(parseSource("36").what), 36);
+    QVERIFY(std::get<std::filesystem::path>(parseSource("36.obj").what) == "36.obj");
+    QVERIFY(std::get<std::filesystem::path>(parseSource("./36").what) == "./36");
+}
+
+void TestToothBuilder::optionsAreChecked()
+{
+    BuildOptions options;
+    options.gridSide = 63;
+    QCOMPARE(buildTooth({36}, options).error().code, ErrorCode::OutOfRange);
+    options.gridSide = 1024;
+    QVERIFY(buildTooth({36}, options));
+    options.cariesExtent = std::nan("");
+    QCOMPARE(buildTooth({36}, options).error().code, ErrorCode::OutOfRange);
+}
+
+QTEST_APPLESS_MAIN(TestToothBuilder)
+#include "tst_tooth_builder.moc"

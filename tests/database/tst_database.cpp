@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlQuery>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "database/sql/Database.h"
+#include "database/sql/Dialect.h"
+#include "database/sql/Migrations.h"
+
+using namespace database::sql;
+using core::ErrorCode;
+using namespace std::chrono_literals;
+
+class TestDatabase : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QVERIFY(m_folder.emplace().isValid()); }
+
+    void createsTheNewestSchemaWithItsSettings();
+    void opensItsOwnFileAgain();
+    void refusesAFolder();
+    void refusesAPlaceThatIsNotThere();
+    void refusesAPlaceThatCannotBeWritten();
+    void refusesWhatIsNotADatabase();
+    void refusesADatabaseOfAnotherProgram();
+    void refusesADamagedFile();
+    void refusesAFileFromTheFuture();
+    void saysWhoHoldsTheLock();
+    void brokenStepLeavesTheFileAsItWas();
+    void stepsRunInOrderAndOnlyOnce();
+    void survivesRandomDamage();
+
+private:
+    QString at(const char* name) const { return m_folder->filePath(name); }
+    static QVariant ask(const Database& database, const QString& sql)
+    {
+        QSqlQuery query(database.handle());
+        return query.exec(sql) && query.next() ? query.value(0) : QVariant();
+    }
+    static QByteArray bytes(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    static void write(const QString& path, const QByteArray& content)
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(content), content.size());
+    }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+#define REFUSED(path, expected, words)                                                                                 \
+    do {                                                                                                               \
+        const auto refused = Database::open(path, 10ms);                                                               \
+        QVERIFY(!refused.has_value());                                                                                 \
+        QVERIFY2(refused.error().code == (expected), refused.error().detail.c_str());                                  \
+        QVERIFY2(QString::fromStdString(refused.error().detail).contains(words), refused.error().detail.c_str());      \
+        QVERIFY2(QString::fromStdString(refused.error().detail).contains(path), refused.error().detail.c_str());       \
+    } while (false)
+
+void TestDatabase::createsTheNewestSchemaWithItsSettings()
+{
+    const auto database = Database::open(at("new.db"));
+    QVERIFY2(database.has_value(), database ? "" : database.error().detail.c_str());
+    QCOMPARE(ask(**database, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
+    QCOMPARE(ask(**database, "PRAGMA synchronous").toInt(), 2);
+    QCOMPARE(ask(**database, "PRAGMA foreign_keys").toInt(), 1);
+    QCOMPARE(ask(**database, "PRAGMA busy_timeout").toInt(), 5000);
+    QCOMPARE(ask(**database, "PRAGMA trusted_schema").toInt(), 0);
+    QCOMPARE(ask(**database, "PRAGMA application_id").toInt(), dialect::kApplicationId);
+    QCOMPARE(ask(**database, "PRAGMA user_version").toInt(), static_cast<int>(shippedMigrations()->size()));
+    QVERIFY(ask(**database, "SELECT sql FROM sqlite_master WHERE name = 'attempts'").toString().endsWith("STRICT"));
+    QCOMPARE(ask(**database, "PRAGMA integrity_check").toString(), QStringLiteral("ok"));
+}
+
+void TestDatabase::opensItsOwnFileAgain()
+{
+    for (int round = 0; round < 3; ++round) {
+        const auto database = Database::open(at("again.db"));
+        QVERIFY(database.has_value());
+        QCOMPARE(ask(**database, "SELECT count(*) FROM attempts").toInt(), 0);
+    }
+    write(at("empty.db"), {});
+    QVERIFY(Database::open(at("empty.db")).has_value());
+}
+
+void TestDatabase::refusesAFolder()
+{
+    REFUSED(m_folder->path(), ErrorCode::FileUnreadable, "this is a folder");
+}
+
+void TestDatabase::refusesAPlaceThatIsNotThere()
+{
+    REFUSED(at("missing/new.db"), ErrorCode::FileMissing, "the folder does not exist");
+    QVERIFY(!QFileInfo::exists(at("missing")));
+}
+
+void TestDatabase::refusesAPlaceThatCannotBeWritten()
+{
+    // /proc refuses new files to everyone, root included.
+    const QString proc = QStringLiteral("/proc/cusp.db");
+    if (QFileInfo(QStringLiteral("/proc")).isDir())
+        REFUSED(proc, ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
+
+    const QString path = at("locked-folder.db");
+    QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::ExeOwner));
+    const bool rootWritesAnyway = QFile(path).open(QIODevice::WriteOnly);
+    if (!rootWritesAnyway)
+        REFUSED(path, ErrorCode::FileUnwritable, "writable");
+    QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+    if (rootWritesAnyway)
+        QSKIP("this user may write into a read-only folder; only /proc was tried");
+}
+
+void TestDatabase::refusesWhatIsNotADatabase()
+{
+    const QByteArray letter = "Dear Sir or Madam, this is no database at all, however long it may go on.";
+    write(at("letter.db"), letter);
+    REFUSED(at("letter.db"), ErrorCode::WrongKind, "not a database");
+    QCOMPARE(bytes(at("letter.db")), letter);
+    write(at("short.db"), "SQL");
+    REFUSED(at("short.db"), ErrorCode::WrongKind, "not a database");
+    // The right first line and nothing behind it.
+    write(at("liar.db"), QByteArray("SQLite format 3", 16) + QByteArray(200, 'x'));
+    QVERIFY(!Database::open(at("liar.db"), 10ms).has_value());
+}
+
+void TestDatabase::refusesADatabaseOfAnotherProgram()
+{
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "other");
+        other.setDatabaseName(at("other.db"));
+        QVERIFY(other.open());
+        QSqlQuery query(other);
+        QVERIFY(query.exec("CREATE TABLE music (title TEXT)"));
+    }
+    QSqlDatabase::removeDatabase("other");
+    const QByteArray before = bytes(at("other.db"));
+    REFUSED(at("other.db"), ErrorCode::WrongKind, "belongs to another program");
+    QCOMPARE(bytes(at("other.db")), before);
+}
+
+void TestDatabase::refusesADamagedFile()
+{
+    {
+        const auto database = Database::open(at("hurt.db"));
+        QVERIFY(database.has_value());
+        QSqlQuery query((*database)->handle());
+        for (int row = 0; row < 400; ++row)
+            QVERIFY(
+                query.exec("INSERT INTO attempts (finished_utc, tooth, score_points, duration_ms, score_sheet_json, "
+                           "state_hash, recording_file) VALUES ('2026-11-20T10:15:00Z', '36', 80, 1, "
+                           "'a sheet of some length to fill a page or two', '0123456789abcdef', '')"));
+    }
+    QByteArray content = bytes(at("hurt.db"));
+    QVERIFY(content.size() > 5 * 4096);
+    // A page in the middle of the table overwritten.
+    content.replace(3 * 4096, 4096, QByteArray(4096, '\x5A'));
+    write(at("hurt.db"), content);
+    REFUSED(at("hurt.db"), ErrorCode::BadStructure, "restore a backup");
+}
+
+void TestDatabase::refusesAFileFromTheFuture()
+{
+    {
+        const auto database = Database::open(at("future.db"));
+        QVERIFY(database.has_value());
+        ask(**database, "PRAGMA user_version = 99");
+    }
+    const QByteArray before = bytes(at("future.db"));
+    REFUSED(at("future.db"), ErrorCode::NewerVersion, "later program");
+    QCOMPARE(bytes(at("future.db")), before);
+}
+
+void TestDatabase::saysWhoHoldsTheLock()
+{
+    const auto holder = Database::open(at("busy.db"));
+    QVERIFY(holder.has_value());
+    const auto waiter = Database::open(at("busy.db"), 10ms);
+    QVERIFY(waiter.has_value());
+    QSqlQuery hold((*holder)->handle());
+    QVERIFY(hold.exec("BEGIN IMMEDIATE"));
+
+    const std::vector<Migration> further{{1, {}}, {2, "CREATE TABLE later (id {row_id}) {table_options};"}};
+    const auto refused = migrate((*waiter)->handle(), further);
+    QVERIFY(!refused.has_value());
+    QVERIFY2(refused.error().detail.find("another program is writing") != std::string::npos,
+             refused.error().detail.c_str());
+
+    QVERIFY(hold.exec("ROLLBACK"));
+    QVERIFY(migrate((*waiter)->handle(), further).has_value());
+}
+
+void TestDatabase::brokenStepLeavesTheFileAsItWas()
+{
+    const auto database = Database::open(at("broken.db"));
+    QVERIFY(database.has_value());
+    std::vector<Migration> steps = *shippedMigrations();
+    const int before = static_cast<int>(steps.size());
+    steps.push_back({before + 1, "CREATE TABLE half (id {row_id}) {table_options};\nCREATE NONSENSE;\n"});
+
+    const auto broken = migrate((*database)->handle(), steps);
+    QVERIFY(!broken.has_value());
+    QCOMPARE(ask(**database, "PRAGMA user_version").toInt(), before);
+    QCOMPARE(ask(**database, "SELECT count(*) FROM sqlite_master WHERE name = 'half'").toInt(), 0);
+
+    steps.back().sql = "CREATE TABLE half (id {row_id}) {table_options};\n";
+    QVERIFY(migrate((*database)->handle(), steps).has_value());
+    QCOMPARE(ask(**database, "PRAGMA user_version").toInt(), before + 1);
+}
+
+void TestDatabase::stepsRunInOrderAndOnlyOnce()
+{
+    const auto steps = shippedMigrations();
+    QVERIFY(steps.has_value());
+    QVERIFY(!steps->empty());
+    for (std::size_t k = 0; k < steps->size(); ++k)
+        QCOMPARE((*steps)[k].number, static_cast<int>(k) + 1);
+
+    const auto database = Database::open(at("twice.db"));
+    QVERIFY(database.has_value());
+    std::vector<Migration> more = *steps;
+    const int base = static_cast<int>(more.size());
+    more.push_back({base + 1, "CREATE TABLE marks (mark {int64} NOT NULL) {table_options};\n"
+                              "-- a comment; with a semicolon\nINSERT INTO marks VALUES (1);\n"});
+    more.push_back({base + 2, "INSERT INTO marks\n  VALUES (2);\n"});
+    QVERIFY(migrate((*database)->handle(), more).has_value());
+    QVERIFY(migrate((*database)->handle(), more).has_value());
+    QCOMPARE(ask(**database, "SELECT count(*) FROM marks").toInt(), 2);
+}
+
+void TestDatabase::survivesRandomDamage()
+{
+    {
+        const auto database = Database::open(at("whole.db"));
+        QVERIFY(database.has_value());
+    }
+    const QByteArray whole = bytes(at("whole.db"));
+    std::uint64_t state = 20261120;
+    const auto random = [&state](qsizetype count) {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<qsizetype>((state >> 33U) % static_cast<std::uint64_t>(count));
+    };
+    for (int round = 0; round < 100; ++round) {
+        QByteArray damaged = whole;
+        for (int flip = 0; flip < 8; ++flip)
+            damaged[random(damaged.size())] = static_cast<char>(random(256));
+        if (round % 4 == 0)
+            damaged.truncate(random(damaged.size()));
+        write(at("flipped.db"), damaged);
+        QFile::remove(at("flipped.db-wal"));
+        QFile::remove(at("flipped.db-shm"));
+        const auto opened = Database::open(at("flipped.db"), 10ms);
+        if (!opened)
+            QVERIFY2(!opened.error().detail.empty(), "a refusal without a sentence");
+    }
+}
+
+QTEST_GUILESS_MAIN(TestDatabase)
+#include "tst_database.moc"

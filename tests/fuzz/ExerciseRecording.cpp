@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/ExerciseRecording.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <span>
+
+#include <glm/geometric.hpp>
+#include <zstd.h>
+
+#include "core/base/Bytes.h"
+#include "core/recording/Replay.h"
+
+namespace fuzz {
+namespace {
+
+using namespace core::recording;
+using core::session::ServoEvent;
+
+constexpr std::uint64_t kMostTicks = 4000;
+constexpr int kMostRestores = 20;
+constexpr std::uint32_t kEndSection = 4;
+constexpr unsigned long long kLargestSection = 64ULL * 1024 * 1024;
+constexpr int kLargestGrid = 160;  // a larger one takes too long for a fuzzer
+
+void promise(bool kept)
+{
+    if (!kept)
+        std::abort();
+}
+
+/// The bytes with the payload of each whole section put through `change` and its size and checksum set to match.
+std::string forEachSection(std::string_view bytes,
+                           const std::function<std::string(std::uint32_t, std::string_view)>& change)
+{
+    constexpr std::size_t kFileHeader = 12;
+    constexpr std::size_t kSectionHeader = 20;
+    if (bytes.size() < kFileHeader)
+        return std::string(bytes);
+    core::ByteWriter out;
+    out.putAll(std::span(bytes.data(), kFileHeader));
+    std::string_view rest = bytes.substr(kFileHeader);
+    while (rest.size() >= kSectionHeader) {
+        core::ByteReader in(rest);
+        const auto kind = in.take<std::uint32_t>();
+        const auto size = in.take<std::uint64_t>();
+        if (size > rest.size() - kSectionHeader)
+            break;
+        const std::string payload = change(kind, rest.substr(kSectionHeader, static_cast<std::size_t>(size)));
+        out.put(kind);
+        out.put(static_cast<std::uint64_t>(payload.size()));
+        out.put(core::fnv1a(payload));
+        out.putAll(std::span(payload.data(), payload.size()));
+        rest.remove_prefix(kSectionHeader + static_cast<std::size_t>(size));
+    }
+    out.putAll(std::span(rest.data(), rest.size()));
+    return out.bytes();
+}
+
+}  // namespace
+
+std::string withChecksums(std::string_view bytes)
+{
+    return forEachSection(bytes, [](std::uint32_t, std::string_view payload) { return std::string(payload); });
+}
+
+std::string unpacked(std::string_view bytes)
+{
+    return forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
+        const unsigned long long size = ZSTD_getFrameContentSize(payload.data(), payload.size());
+        if (kind == kEndSection || size > kLargestSection)
+            return std::string(payload);
+        std::string raw(static_cast<std::size_t>(size), '\0');
+        ZSTD_decompress(raw.data(), raw.size(), payload.data(), payload.size());
+        return raw;
+    });
+}
+
+std::string packed(std::string_view bytes)
+{
+    return forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
+        if (kind == kEndSection)
+            return std::string(payload);
+        std::string out(ZSTD_compressBound(payload.size()), '\0');
+        out.resize(ZSTD_compress(out.data(), out.size(), payload.data(), payload.size(), 1));
+        return out;
+    });
+}
+
+void exerciseRecording(std::string_view bytes)
+{
+    const auto recording = Recording::fromBytes(bytes);
+    if (!recording) {
+        promise(!recording.error().detail.empty());
+        return;
+    }
+    const auto again = Recording::fromBytes(recording->toBytes());
+    promise(again && again->ticks() == recording->ticks() && again->witness() == recording->witness());
+
+    int restores = 0;
+    recording->forEach([&](const ServoEvent& event) { restores += event.kind == ServoEvent::Kind::Restore ? 1 : 0; });
+    if (recording->ticks() > kMostTicks || restores > kMostRestores || recording->anatomy()->grid.side > kLargestGrid)
+        return;
+    const double clampN = recording->settings().force.clampN;
+    const auto outcome =
+        replay(*recording, [&](const core::session::ServoState& state, const core::contact::LiveTooth&) {
+            const double force = std::sqrt(glm::dot(state.forceN, state.forceN));
+            promise(force <= clampN * (1.0 + 1.0e-9));  // false for NaN
+        });
+    promise(outcome.has_value());
+    const core::terrain::Tooth& tooth = outcome->tooth;
+    for (std::size_t k = 0; k < tooth.top.size(); ++k)
+        promise(tooth.top[k] <= tooth.anatomy->top[k]);
+}
+
+}  // namespace fuzz

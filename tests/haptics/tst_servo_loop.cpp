@@ -1,0 +1,585 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include <glm/geometric.hpp>
+
+#include "core/history/TiledHeights.h"
+#include "tests/support/Allocations.h"
+#include "tests/support/Locks.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+using namespace core::session;
+using namespace std::chrono_literals;
+
+namespace {
+
+std::shared_ptr<const terrain::ToothAnatomy> block(int side = 100)
+{
+    support::Block made;
+    made.side = side;
+    made.cellMm = 10.0 / side;
+    return support::makeBlock(made);
+}
+
+double length(const glm::dvec3& v)
+{
+    return std::sqrt(glm::dot(v, v));
+}
+
+/// A servo without a session: the test reads the queues itself.
+struct Bare
+{
+    std::unique_ptr<ServoLinks> links = std::make_unique<ServoLinks>();
+    rt::TripleBuffer<ServoState> state;
+    support::HeldDevice device;
+    haptics::ServoLoop servo{device, makeServoTick({}).value(), *links, state, 1ms};
+
+    void give(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, std::uint64_t serial, bool anew = true)
+    {
+        auto* tooth = new contact::LiveTooth(terrain::Tooth(anatomy));
+        QVERIFY(links->commands.tryPush(SwapTooth{tooth, 1, serial, anew, 0}));
+    }
+    /// One tick, leaning down at (x, y).
+    void lean(double x, double y, double stretchMm = 0.8)
+    {
+        device.tipMm = glm::vec3(glm::dvec3(x, y, servo.state().anchorMm.z - stretchMm));
+        servo.tick(1ms);
+    }
+    [[nodiscard]] const std::vector<float>& top() const { return servo.tooth()->tooth().top; }
+    void drainEvents() const
+    {
+        for (ServoEvent event; links->events.tryPop(event);) {
+            // not looked at
+        }
+    }
+};
+
+/// A reader that keeps to the rule: it applies a group when it has all of it.
+struct Reader
+{
+    history::TiledHeights map;
+    std::vector<TilePatch> group;
+    std::uint64_t tick = 0;
+    int groups = 0;
+    int strokes = 0;
+
+    /// Takes one patch; true if a group became whole.
+    bool take(const TilePatch& patch)
+    {
+        group.push_back(patch);
+        if (!patch.last)
+            return false;
+        for (const TilePatch& one : group)
+            map.setTile(one.tileX, one.tileY, one.top);
+        tick = patch.tick;
+        strokes += patch.strokeEnded ? 1 : 0;
+        ++groups;
+        group.clear();
+        return true;
+    }
+};
+
+}  // namespace
+
+class TestServoLoop : public QObject
+{
+    Q_OBJECT
+private slots:
+    void countersCount();
+    void tickNeitherAllocatesNorLocks();
+    void lostDeviceMeansNoForceAtOnce_data();
+    void lostDeviceMeansNoForceAtOnce();
+    void forceComesBackWithoutAJump();
+    void forceNeverPassesTheClamp();
+    void forceChangesNoFasterThanAllowed();
+    void groupsAreMomentsOfTheTooth();
+    void fullQueueLosesNothing();
+    void groupLargerThanAnyBurstStillGoes();
+    void strokesAreTold();
+    void strokeThatEndsWhileTheQueueIsFullIsToldLater();
+    void missedPeriodsAreCountedAndTheStepHeldBack();
+    void slowBeatIsNoMissedPeriod();
+    void retiredTeethAreHandedBack();
+    void fullRetiredQueueHoldsCommandsBack();
+    void commandsWaitForRoomOnTheRecording();
+    void worksWithoutATooth();
+    void unknownBurIsIgnored();
+};
+
+void TestServoLoop::countersCount()
+{
+#ifdef CUSP_SANITIZED
+    QSKIP("sanitizers bring their own allocator and locks");
+#endif
+    const long allocations = support::allocationsOnThisThread();
+    const long locks = support::locksOnThisThread();
+    std::mutex mutex;
+    {
+        const std::lock_guard lock(mutex);
+        std::vector<int> some(100);
+        QVERIFY(some.size() == 100);
+        asm volatile("" ::"r"(some.data()) : "memory");
+    }
+    QVERIFY(support::allocationsOnThisThread() > allocations);
+    QVERIFY(support::locksOnThisThread() > locks);
+}
+
+void TestServoLoop::tickNeitherAllocatesNorLocks()
+{
+#ifdef CUSP_SANITIZED
+    QSKIP("sanitizers bring their own allocator and locks");
+#endif
+    Bare bare;
+    const auto anatomy = block();
+    bare.give(anatomy, 1);
+    support::RestlessHand hand(3);
+    long allocations = 0;
+    long locks = 0;
+    std::uint64_t cuts = 0;
+    const auto tick = [&](std::chrono::microseconds dt) {
+        const long allocationsBefore = support::allocationsOnThisThread();
+        const long locksBefore = support::locksOnThisThread();
+        bare.servo.tick(dt);
+        allocations += support::allocationsOnThisThread() - allocationsBefore;
+        locks += support::locksOnThisThread() - locksBefore;
+        cuts += bare.servo.state().cutting ? 1U : 0U;
+    };
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    std::uint64_t serial = 1;
+    for (int n = 0; n < 6000; ++n) {
+        if (n % 500 == 100)
+            QVERIFY(bare.links->commands.tryPush(SetBur{static_cast<std::uint8_t>(n / 500 % 4)}));
+        if (n % 1000 == 300) {
+            bare.give(anatomy, ++serial, n % 2000 == 300);  // outside the measured tick
+            contact::LiveTooth* old = nullptr;
+            while (bare.links->retired.tryPop(old))
+                delete old;
+        }
+        bare.device.tipMm = hand.next();
+        bare.device.present = n % 97 != 0;
+        tick(n % 50 == 0 ? 5ms : 1ms);
+        if (n % 3000 < 1500)  // then the queue of patches runs over
+            for (TilePatch patch; bare.links->patches.tryPop(patch);) {
+            }
+    }
+    QVERIFY(cuts > 500);
+    for (int n = 0; n < 20000; ++n)  // and that of events
+        tick(1ms);
+    QVERIFY((bare.state.latest().health & kRecordGap) != 0);
+    QCOMPARE(allocations, 0L);
+    QCOMPARE(locks, 0L);
+    for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
+        delete old;
+}
+
+void TestServoLoop::lostDeviceMeansNoForceAtOnce_data()
+{
+    QTest::addColumn<bool>("present");
+    QTest::addColumn<float>("x");
+    QTest::newRow("no reading") << false << 0.0F;
+    QTest::newRow("NaN") << true << std::nanf("");
+    QTest::newRow("infinite") << true << INFINITY;
+    QTest::newRow("farther than any arm") << true << 3.0e38F;
+}
+
+void TestServoLoop::lostDeviceMeansNoForceAtOnce()
+{
+    QFETCH(bool, present);
+    QFETCH(float, x);
+    Bare bare;
+    bare.give(block(), 1);
+    for (int n = 0; n < 200; ++n)
+        bare.lean(0.0, 0.0, 2.0);
+    QVERIFY(length(bare.servo.state().forceN) > 3.0);
+    const glm::dvec3 anchor = bare.servo.state().anchorMm;
+    bare.device.present = present;
+    if (present)
+        bare.device.tipMm.x = x;
+    for (int n = 0; n < 10; ++n) {
+        bare.servo.tick(1ms);
+        QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
+        QVERIFY((bare.state.latest().health & kDeviceLost) != 0);
+        QCOMPARE(bare.servo.state().touching, false);
+        QCOMPARE(bare.servo.state().anchorMm, anchor);
+    }
+    bare.servo.tick(1ms);
+    QCOMPARE(bare.device.forceN, glm::dvec3(0.0));  // and so told to the hand
+    // Back again.
+    bare.device.present = true;
+    bare.device.tipMm = glm::vec3(0.0F, 0.0F, 3.0F);
+    bare.servo.tick(1ms);
+    QVERIFY((bare.state.latest().health & kDeviceLost) == 0);
+}
+
+void TestServoLoop::forceComesBackWithoutAJump()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    for (int n = 0; n < 200; ++n)
+        bare.lean(0.0, 0.0, 2.0);
+    bare.device.present = false;
+    bare.servo.tick(1ms);
+    bare.device.present = true;
+    const double slew = contact::ForceSettings{}.slewNPerS;
+    double before = 0.0;
+    for (int n = 0; n < 10; ++n) {
+        bare.lean(0.0, 0.0, 2.0);
+        const double now = length(bare.servo.state().forceN);
+        QVERIFY(now - before <= slew * 0.001 + 1.0e-9);
+        before = now;
+    }
+    QVERIFY(before > 3.0);
+}
+
+void TestServoLoop::forceNeverPassesTheClamp()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    support::RestlessHand hand(8);
+    bool clamped = false;
+    for (int n = 0; n < 5000; ++n) {
+        bare.device.tipMm = hand.next() * 3.0F;
+        bare.servo.tick(1ms);
+        QVERIFY(length(bare.servo.state().forceN) <= contact::ForceSettings{}.clampN * (1.0 + 1.0e-12));
+        clamped = clamped || (bare.servo.state().health & kForceClamped) != 0;
+    }
+    QVERIFY(clamped);
+}
+
+void TestServoLoop::forceChangesNoFasterThanAllowed()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    const double slew = contact::ForceSettings{}.slewNPerS;
+    Rng rng(12);
+    glm::dvec3 before{0.0};
+    for (int n = 0; n < 3000; ++n) {
+        // A hand that jumps.
+        if (n % 7 == 0)
+            bare.device.tipMm =
+                glm::vec3(glm::dvec3(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(-5.0, 2.0)));
+        const int ms = 1 + rng.below(6);
+        bare.servo.tick(std::chrono::milliseconds(ms));
+        const glm::dvec3 now = bare.servo.state().forceN;
+        QVERIFY(length(now - before) <= slew * 0.001 * std::min(ms, 4) + 1.0e-9);
+        before = now;
+    }
+}
+
+void TestServoLoop::groupsAreMomentsOfTheTooth()
+{
+    Bare bare;
+    const auto anatomy = block(150);
+    bare.give(anatomy, 1);
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    std::map<std::uint64_t, std::uint64_t> hashOfTick;
+    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    Rng rng(4);
+    int compared = 0;
+    for (int n = 0; n < 1500; ++n) {
+        bare.lean(2.0 * std::sin(0.01 * n), 1.5 * std::cos(0.013 * n));
+        hashOfTick[bare.servo.state().tick] = terrain::stateHash(bare.servo.tooth()->tooth());
+        // The reader is irregular and often stops in the middle of a group.
+        if (rng.below(20) != 0)
+            continue;
+        TilePatch patch;
+        for (int k = rng.below(60); k > 0 && bare.links->patches.tryPop(patch); --k) {
+            if (!reader.take(patch))
+                continue;
+            QCOMPARE(terrain::stateHash(terrain::restored(anatomy, reader.map.flat())), hashOfTick.at(reader.tick));
+            ++compared;
+        }
+    }
+    QVERIFY2(compared > 30, qPrintable(QString::number(compared)));
+}
+
+void TestServoLoop::fullQueueLosesNothing()
+{
+    Bare bare;
+    const auto anatomy = block(150);
+    bare.give(anatomy, 1);
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    bool full = false;
+    for (int n = 0; n < 12000; ++n) {
+        bare.lean(3.0 * std::sin(0.02 * n), 3.0 * std::cos(0.017 * n));
+        full = full || (bare.state.latest().health & kPatchQueueFull) != 0;
+        bare.drainEvents();
+    }
+    QVERIFY(full);
+    bare.device.tipMm.z = 5.0F;
+    for (int n = 0; n < 400; ++n) {
+        for (TilePatch patch; bare.links->patches.tryPop(patch);)
+            reader.take(patch);
+        bare.servo.tick(1ms);
+    }
+    QVERIFY((bare.state.latest().health & kPatchQueueFull) == 0);
+    QCOMPARE(reader.map.flat(), bare.top());
+}
+
+void TestServoLoop::groupLargerThanAnyBurstStillGoes()
+{
+    // The session sleeps while the bur crosses the whole of the finest grid: more tiles are dirty than were ever sent
+    // at once.
+    support::Block made;
+    made.side = 1024;
+    made.cellMm = 0.01;
+    const auto anatomy = support::makeBlock(made);
+    Bare bare;
+    bare.give(anatomy, 1);
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    TilePatch filler;
+    filler.toothGeneration = 99;
+    while (bare.links->patches.tryPush(filler)) {
+    }
+    for (int n = 0; n < 1000; ++n) {
+        // Pecks at forty places.
+        const int place = n / 25;
+        const int row = place / 8;
+        const glm::dvec2 at(0.9 * (place % 8) - 3.2, 1.2 * row - 2.4);
+        if (n % 25 < 5) {
+            bare.device.tipMm = glm::vec3(glm::dvec3(at, 1.0));
+            bare.servo.tick(1ms);
+        } else {
+            bare.lean(at.x, at.y, 2.0);
+        }
+    }
+    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    bare.device.tipMm.z = 5.0F;
+    std::size_t largest = 0;
+    for (int n = 0; n < 400; ++n) {
+        for (TilePatch patch; bare.links->patches.tryPop(patch);) {
+            if (patch.toothGeneration == 99)
+                continue;
+            reader.take(patch);
+            largest = std::max(largest, reader.group.size());
+        }
+        bare.servo.tick(1ms);
+    }
+    QVERIFY2(largest > 256, qPrintable(QString::number(largest)));
+    QCOMPARE(reader.map.flat(), bare.top());
+}
+
+void TestServoLoop::strokesAreTold()
+{
+    Bare bare;
+    const auto anatomy = block();
+    bare.give(anatomy, 1);
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    for (int stroke = 0; stroke < 5; ++stroke) {
+        for (int n = 0; n < 100; ++n)
+            bare.lean(stroke - 2.0, 0.0);
+        bare.device.tipMm.z = 3.0F;
+        // A pause shorter than 150 ms does not end a stroke.
+        for (int n = 0; n < 100; ++n)
+            bare.servo.tick(1ms);
+        for (int n = 0; n < 100; ++n)
+            bare.lean(stroke - 2.0, 0.2);
+        bare.device.tipMm.z = 3.0F;
+        for (int n = 0; n < 300; ++n)
+            bare.servo.tick(1ms);
+        for (TilePatch patch; bare.links->patches.tryPop(patch);)
+            reader.take(patch);
+        QCOMPARE(reader.strokes, stroke + 1);
+        QCOMPARE(reader.map.flat(), bare.top());
+    }
+}
+
+void TestServoLoop::strokeThatEndsWhileTheQueueIsFullIsToldLater()
+{
+    Bare bare;
+    const auto anatomy = block();
+    bare.give(anatomy, 1);
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    for (int n = 0; n < 100; ++n)
+        bare.lean(0.0, 0.0);
+    bare.device.tipMm.z = 3.0F;
+    for (int n = 0; n < 20; ++n)
+        bare.servo.tick(1ms);  // the last tiles go
+    // Now somebody fills the queue; the stroke ends meanwhile.
+    TilePatch filler;
+    filler.toothGeneration = 99;
+    filler.last = true;
+    int fillers = 0;
+    while (bare.links->patches.tryPush(filler))
+        ++fillers;
+    for (int n = 0; n < 300; ++n)
+        bare.servo.tick(1ms);
+    // Then tile 0 itself is cut: it must not be listed twice.
+    for (int n = 0; n < 50; ++n)
+        bare.lean(-4.8, -4.8);
+    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    bare.device.tipMm.z = 3.0F;
+    for (int n = 0; n < 400; ++n) {
+        for (TilePatch patch; bare.links->patches.tryPop(patch);)
+            if (patch.toothGeneration != 99)
+                reader.take(patch);
+        bare.servo.tick(1ms);
+    }
+    QVERIFY(fillers > 100);
+    QCOMPARE(reader.map.flat(), bare.top());
+    QVERIFY(reader.strokes >= 1);
+}
+
+void TestServoLoop::missedPeriodsAreCountedAndTheStepHeldBack()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    bare.servo.tick(1ms);
+    QCOMPARE(bare.state.latest().missedPeriods, 0U);
+    bare.servo.tick(3ms);
+    QCOMPARE(bare.state.latest().missedPeriods, 2U);
+    bare.servo.tick(500ms);
+    QCOMPARE(bare.state.latest().missedPeriods, 501U);
+    bare.servo.tick(1ms);
+    QCOMPARE(bare.state.latest().missedPeriods, 501U);
+    std::vector<int> steps;
+    for (ServoEvent event; bare.links->events.tryPop(event);)
+        if (event.kind == ServoEvent::Kind::Tick)
+            steps.push_back(event.dtUs);
+    QCOMPARE(steps, (std::vector<int>{1000, 3000, 4000, 1000}));
+    // After a freeze of ten seconds the bur takes no more than in four milliseconds.
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    for (int n = 0; n < 300; ++n)
+        bare.lean(0.0, 0.0, 1.0);
+    const double before = bare.servo.state().removedMm3[1];
+    bare.lean(0.0, 0.0, 1.0);
+    const double perTick = bare.servo.state().removedMm3[1] - before;
+    const double atOnce = bare.servo.state().removedMm3[1];
+    bare.device.tipMm = glm::vec3(glm::dvec3(0.0, 0.0, bare.servo.state().anchorMm.z - 1.0));
+    bare.servo.tick(10s);
+    QVERIFY(perTick > 0.0);
+    QVERIFY(bare.servo.state().removedMm3[1] - atOnce < 8.0 * perTick);
+}
+
+void TestServoLoop::slowBeatIsNoMissedPeriod()
+{
+    // A loop that beats at 100 Hz computes its whole period: nothing was missed.
+    support::HeldDevice device;
+    const auto links = std::make_unique<ServoLinks>();
+    rt::TripleBuffer<ServoState> state;
+    haptics::ServoLoop servo(device, makeServoTick({}).value(), *links, state, 10ms);
+    QVERIFY(links->commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::Tooth(block())), 1, 1, true, 0}));
+    servo.tick(10ms);
+    servo.tick(30ms);
+    QCOMPARE(state.latest().missedPeriods, 2U);
+    std::vector<int> steps;
+    for (ServoEvent event; links->events.tryPop(event);)
+        if (event.kind == ServoEvent::Kind::Tick)
+            steps.push_back(event.dtUs);
+    QCOMPARE(steps, (std::vector<int>{10000, 10000}));
+}
+
+void TestServoLoop::retiredTeethAreHandedBack()
+{
+    Bare bare;
+    const auto anatomy = block(64);
+    std::vector<const contact::LiveTooth*> given;
+    for (std::uint64_t n = 1; n <= 10; ++n) {
+        bare.give(anatomy, n, n % 3 == 1);
+        bare.servo.tick(1ms);
+        given.push_back(bare.servo.tooth());
+    }
+    contact::LiveTooth* old = nullptr;
+    for (std::size_t n = 0; n < 9; ++n) {
+        QVERIFY(bare.links->retired.tryPop(old));
+        QCOMPARE(static_cast<const contact::LiveTooth*>(old), given[n]);
+        delete old;
+    }
+    QVERIFY(!bare.links->retired.tryPop(old));
+    bare.give(anatomy, 11);  // never taken: the loop's end frees it, and the one in hand (AddressSanitizer watches)
+}
+
+void TestServoLoop::fullRetiredQueueHoldsCommandsBack()
+{
+    Bare bare;
+    const auto anatomy = block(64);
+    bare.give(anatomy, 1);
+    bare.servo.tick(1ms);
+    std::uint64_t serial = 1;
+    for (int n = 0; n < 80; ++n) {
+        bare.give(anatomy, ++serial);
+        bare.servo.tick(1ms);
+    }
+    QCOMPARE(bare.links->retired.space(), 0U);
+    QCOMPARE(bare.links->commands.space(), 64U - 16U);  // 64 were taken, 16 wait
+    int freed = 0;
+    for (int n = 0; n < 100; ++n) {
+        for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old); ++freed)
+            delete old;
+        bare.servo.tick(1ms);
+    }
+    QCOMPARE(freed, 80);
+    QCOMPARE(bare.links->commands.space(), 64U);
+}
+
+void TestServoLoop::commandsWaitForRoomOnTheRecording()
+{
+    Bare bare;
+    bare.give(block(64), 1);
+    for (int n = 0; n < 20000; ++n)
+        bare.servo.tick(1ms);
+    QVERIFY((bare.state.latest().health & kRecordGap) != 0);
+    QVERIFY(bare.links->commands.tryPush(SetBur{3}));
+    bare.give(block(64), 2);
+    bare.servo.tick(1ms);
+    QCOMPARE(bare.servo.state().burIndex, 0);
+    // Every event before the gap is there, in order, and then the new tooth begins.
+    bool begun = false;
+    std::uint64_t ticks = 0;
+    for (ServoEvent event; bare.links->events.tryPop(event);)
+        ticks += event.kind == ServoEvent::Kind::Tick ? 1U : 0U;
+    QCOMPARE(ticks, 16384U - 3U);
+    bare.servo.tick(1ms);
+    for (ServoEvent event; bare.links->events.tryPop(event);)
+        begun = begun || event.kind == ServoEvent::Kind::Begin;
+    QVERIFY(begun);
+    QCOMPARE(bare.servo.state().burIndex, 3);
+    QVERIFY((bare.state.latest().health & kRecordGap) == 0);
+    for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
+        delete old;
+}
+
+void TestServoLoop::worksWithoutATooth()
+{
+    Bare bare;
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    QVERIFY(bare.links->commands.tryPush(SetBur{2}));
+    for (int n = 0; n < 10; ++n)
+        bare.servo.tick(1ms);
+    QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
+    QVERIFY(bare.servo.tooth() == nullptr);
+    bare.drainEvents();
+    // What was chosen before the tooth came holds, and is on its recording.
+    bare.give(block(64), 1);
+    bare.servo.tick(1ms);
+    QCOMPARE(bare.servo.state().burIndex, 2);
+    QVERIFY(bare.servo.state().drillOn);
+    std::vector<ServoEvent> events;
+    for (ServoEvent event; bare.links->events.tryPop(event);)
+        events.push_back(event);
+    QCOMPARE(events.size(), 4U);
+    QVERIFY(events[0].kind == ServoEvent::Kind::Begin);
+    QVERIFY(events[1].kind == ServoEvent::Kind::Bur && events[1].value == 2);
+    QVERIFY(events[2].kind == ServoEvent::Kind::Drill && events[2].value == 1);
+    QVERIFY(events[3].kind == ServoEvent::Kind::Tick);
+}
+
+void TestServoLoop::unknownBurIsIgnored()
+{
+    Bare bare;
+    bare.give(block(64), 1);
+    QVERIFY(bare.links->commands.tryPush(SetBur{4}));
+    QVERIFY(bare.links->commands.tryPush(SetBur{255}));
+    bare.servo.tick(1ms);
+    QCOMPARE(bare.servo.state().burIndex, 0);
+}
+
+QTEST_APPLESS_MAIN(TestServoLoop)
+#include "tst_servo_loop.moc"

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <atomic>
+#include <thread>
+
+#include "core/recording/Replay.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+using namespace core::session;
+using namespace std::chrono_literals;
+
+/// The three threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
+/// instrumented.
+class TestThreads : public QObject
+{
+    Q_OBJECT
+private slots:
+    void threeThreadsAgreeAfterwards();
+};
+
+void TestThreads::threeThreadsAgreeAfterwards()
+{
+    support::Block made;
+    made.side = 64;
+    made.cellMm = 0.12;
+    const auto anatomy = support::makeBlock(made);
+    support::Rig rig;
+    rig.send(ReplaceTooth{new terrain::Tooth(anatomy), 1});
+    rig.send(SetDrill{true});
+
+    std::atomic<bool> stop{false};
+    std::atomic<bool> servoDone{false};
+    std::thread servo([&] {
+        support::RestlessHand hand(6, 2.0);
+        while (!stop) {
+            rig.device.tipMm = hand.next();
+            rig.servo->tick(1ms);
+            std::this_thread::sleep_for(100us);  // leaves the others some of the processor
+        }
+        rig.device.tipMm = {0.0F, 0.0F, 5.0F};
+        for (int n = 0; n < 400; ++n) {
+            rig.servo->tick(1ms);
+            std::this_thread::sleep_for(100us);
+        }
+        servoDone = true;
+    });
+    std::thread session([&] {
+        while (!servoDone) {
+            rig.session->tick(10ms);
+            std::this_thread::sleep_for(1ms);
+        }
+        rig.session->tick(10ms);
+    });
+
+    // This is the ui thread: it polls, sends commands, looks at the attempt.
+    Rng rng(17);
+    std::uint64_t generation = 1;
+    std::uint64_t lastTick = 0;
+    std::uint64_t lastGeneration = 0;
+    int backwards = 0;
+    const auto until = std::chrono::steady_clock::now() + 3s;
+    while (std::chrono::steady_clock::now() < until) {
+        const ServoState& state = rig.uiLinks->servo.latest();
+        if (state.toothGeneration == lastGeneration && state.tick < lastTick)
+            ++backwards;
+        lastTick = state.tick;
+        lastGeneration = state.toothGeneration;
+        static_cast<void>(rig.uiLinks->session.latest().undoSteps);
+        for (TilePatch patch; rig.uiLinks->patches.tryPop(patch);) {
+        }
+        const int what = rng.below(40);
+        bool sent = true;
+        if (what < 3)
+            sent = rig.uiLinks->commands.tryPush(Undo{});
+        else if (what == 3)
+            sent = rig.uiLinks->commands.tryPush(Redo{});
+        else if (what == 4)
+            sent = rig.uiLinks->commands.tryPush(SetBur{static_cast<std::uint8_t>(rng.below(4))});
+        else if (what == 5)
+            sent = rig.uiLinks->commands.tryPush(Reload{});
+        else if (what == 6)
+            static_cast<void>(rig.session->toothSoFar());
+        else if (what == 7)
+            static_cast<void>(rig.session->recordingSoFar());
+        else if (what == 8 && generation < 4) {
+            auto* tooth = new terrain::Tooth(anatomy);
+            sent = rig.uiLinks->commands.tryPush(ReplaceTooth{tooth, generation + 1});
+            if (sent)
+                ++generation;
+            else
+                delete tooth;
+        }
+        QVERIFY(sent);
+        std::this_thread::sleep_for(5ms);
+    }
+    stop = true;
+    servo.join();
+    session.join();
+
+    QCOMPARE(backwards, 0);
+    QCOMPARE(rig.uiLinks->servo.latest().health & kRecordGap, 0U);
+    QCOMPARE(rig.mirrorHash(), rig.liveHash());
+    const auto outcome = recording::replay(rig.session->recordingSoFar().value());
+    QVERIFY(outcome);
+    QVERIFY(outcome->agreesWithWitness);
+    QCOMPARE(outcome->stateHash, rig.liveHash());
+    qInfo("%llu ticks, %llu teeth", static_cast<unsigned long long>(rig.servo->state().tick),
+          static_cast<unsigned long long>(generation));
+}
+
+QTEST_APPLESS_MAIN(TestThreads)
+#include "tst_threads.moc"

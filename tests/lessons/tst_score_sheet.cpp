@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/Rng.h"
+#include "lessons/DecayRemovalRubric.h"
+#include "lessons/ScoreSheetJson.h"
+
+using namespace lessons;
+using core::ErrorCode;
+using core::grading::Measures;
+
+namespace {
+
+Measures attempt(double cariesPercent, double overcutMm3, double exposedMm2)
+{
+    Measures measures;
+    measures.cariesLeftPercent = cariesPercent;
+    measures.overcutMm3 = overcutMm3;
+    measures.pulpExposedMm2 = exposedMm2;
+    return measures;
+}
+
+/// The arithmetic of a sheet written a second time, another way: count whole points up, in units of half a point.
+int slowPoints(const Criterion& c)
+{
+    if (c.measured <= c.free)
+        return 0;
+    if (c.rule == PointRule::Once)
+        return c.maxPoints;
+    const double exact = (c.measured - c.free) * c.pointsPerUnit;
+    int points = 0;
+    while (points < c.maxPoints && 2.0 * exact >= 2.0 * points + 1.0)
+        ++points;
+    return points;
+}
+
+DecayRemovalRubric randomRubric(core::Rng& rng)
+{
+    DecayRemovalRubric rubric;
+    for (const RubricField& field : decayRemovalFields()) {
+        const double value = rng.uniform(field.minimum, field.maximum);
+        rubric.*field.value = field.whole ? std::floor(value) : value;
+    }
+    return rubric;
+}
+
+}  // namespace
+
+class TestScoreSheet : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void gradesAsTheWorkedLineSays_data();
+    void gradesAsTheWorkedLineSays();
+    void aLargerLesionAllowsALargerCavity();
+    void exposedPulpFailsWhateverTheTotal();
+    void pointsBelowZeroAreShown();
+    void whatWasNotMeasuredEarnsNothing();
+    void agreesWithASecondImplementation();
+    void moreDamageNeverEarnsPoints();
+    void defaultsLieInsideTheirRanges();
+    void refusesARubricOutOfRange_data();
+    void refusesARubricOutOfRange();
+    void comesBackFromJsonBitForBit();
+    void refusesBrokenJson_data();
+    void refusesBrokenJson();
+};
+
+void TestScoreSheet::gradesAsTheWorkedLineSays_data()
+{
+    QTest::addColumn<double>("caries");
+    QTest::addColumn<double>("overcut");
+    QTest::addColumn<int>("cariesLost");
+    QTest::addColumn<int>("soundLost");
+    QTest::newRow("clean") << 0.0 << 0.0 << 0 << 0;
+    QTest::newRow("within what is free") << 1.0 << 6.0 << 0 << 0;
+    QTest::newRow("4.2 % left, free 1.0 %, 2 points per %") << 4.2 << 0.0 << 6 << 0;
+    QTest::newRow("half a point rounds away from zero") << 1.25 << 7.0 << 1 << 2;
+    QTest::newRow("just under half a point") << 1.2499 << 6.9999 << 0 << 1;
+    QTest::newRow("nothing done") << 100.0 << 0.0 << 60 << 0;
+    QTest::newRow("crown cut away") << 0.0 << 300.0 << 0 << 40;
+}
+
+void TestScoreSheet::gradesAsTheWorkedLineSays()
+{
+    QFETCH(double, caries);
+    QFETCH(double, overcut);
+    QFETCH(int, cariesLost);
+    QFETCH(int, soundLost);
+    const ScoreSheet sheet = grade(attempt(caries, overcut, 0.0));
+    QCOMPARE(sheet.criteria.at(0).pointsLost, cariesLost);
+    QCOMPARE(sheet.criteria.at(1).pointsLost, soundLost);
+    QCOMPARE(sheet.criteria.at(2).pointsLost, 0);
+    QCOMPARE(sheet.total, 100 - cariesLost - soundLost);
+    QCOMPARE(sheet.pointsBelowZero(), 0);
+}
+
+void TestScoreSheet::aLargerLesionAllowsALargerCavity()
+{
+    Measures measures = attempt(0.0, 20.0, 0.0);
+    QCOMPARE(grade(measures).criteria.at(1).pointsLost, 21);  // 1.5 * (20 - 6)
+    measures.lesionMm3 = 5.0;
+    measures.accessMm3 = 4.0;
+    QCOMPARE(grade(measures).criteria.at(1).free, 15.0);
+    QCOMPARE(grade(measures).criteria.at(1).pointsLost, 8);  // 1.5 * (20 - 15), half a point up
+}
+
+void TestScoreSheet::exposedPulpFailsWhateverTheTotal()
+{
+    DecayRemovalRubric lenient;
+    lenient.pulpMaxPoints = 5.0;
+    const ScoreSheet sheet = grade(attempt(0.0, 0.0, 0.01), lenient);
+    QCOMPARE(sheet.total, 95);
+    QVERIFY(sheet.total >= sheet.passMark);
+    QVERIFY(sheet.failedCritically());
+    QVERIFY(!sheet.passed());
+    QVERIFY(grade(attempt(0.0, 0.0, 0.0), lenient).passed());
+}
+
+void TestScoreSheet::pointsBelowZeroAreShown()
+{
+    const ScoreSheet sheet = grade(attempt(100.0, 300.0, 1.0));
+    QCOMPARE(sheet.pointsLost(), 200);
+    QCOMPARE(sheet.total, 0);
+    QCOMPARE(sheet.pointsBelowZero(), 100);
+}
+
+void TestScoreSheet::whatWasNotMeasuredEarnsNothing()
+{
+    const ScoreSheet sheet = grade(attempt(std::nan(""), std::numeric_limits<double>::infinity(), 0.0));
+    QCOMPARE(sheet.criteria.at(0).pointsLost, 60);
+    QCOMPARE(sheet.criteria.at(1).pointsLost, 40);
+}
+
+void TestScoreSheet::agreesWithASecondImplementation()
+{
+    core::Rng rng(20261120);
+    for (int round = 0; round < 10'000; ++round) {
+        const DecayRemovalRubric rubric = round % 2 == 0 ? DecayRemovalRubric{} : randomRubric(rng);
+        // Small values often: that is where points are decided. Quarters land exactly on half points.
+        const double scale = rng.uniform() < 0.5 ? 10.0 : 100.0;
+        double caries = rng.uniform(0.0, scale);
+        double overcut = rng.uniform(0.0, scale);
+        if (round % 5 == 0) {
+            caries = std::floor(4.0 * caries) / 4.0;
+            overcut = std::floor(4.0 * overcut) / 4.0;
+        }
+        const double exposed = rng.uniform() < 0.7 ? 0.0 : rng.uniform(0.0, 3.0);
+        const ScoreSheet sheet = grade(attempt(caries, overcut, exposed), rubric);
+
+        int left = 100;
+        for (const Criterion& criterion : sheet.criteria) {
+            QVERIFY2(criterion.pointsLost == slowPoints(criterion), qPrintable(QStringLiteral("round %1").arg(round)));
+            left -= slowPoints(criterion);
+        }
+        QCOMPARE(sheet.total, left > 0 ? left : 0);
+        QCOMPARE(100 - sheet.pointsLost() + sheet.pointsBelowZero(), sheet.total);
+        QCOMPARE(sheet.passed(), sheet.total >= sheet.passMark && sheet.criteria.back().pointsLost == 0);
+    }
+}
+
+void TestScoreSheet::moreDamageNeverEarnsPoints()
+{
+    core::Rng rng(7);
+    for (int round = 0; round < 2'000; ++round) {
+        const DecayRemovalRubric rubric = randomRubric(rng);
+        const double caries = rng.uniform(0.0, 100.0);
+        const double overcut = rng.uniform(0.0, 100.0);
+        const ScoreSheet better = grade(attempt(caries, overcut, 0.0), rubric);
+        const ScoreSheet worse = grade(attempt(caries + rng.uniform(), overcut + rng.uniform(), rng.uniform()), rubric);
+        QVERIFY(worse.total <= better.total);
+    }
+}
+
+void TestScoreSheet::defaultsLieInsideTheirRanges()
+{
+    QVERIFY(validate(DecayRemovalRubric{}).has_value());
+    for (const RubricField& field : decayRemovalFields())
+        QVERIFY(field.minimum < field.maximum);
+}
+
+void TestScoreSheet::refusesARubricOutOfRange_data()
+{
+    QTest::addColumn<int>("field");
+    for (std::size_t k = 0; k < decayRemovalFields().size(); ++k)
+        QTest::newRow(decayRemovalFields()[k].id) << static_cast<int>(k);
+}
+
+void TestScoreSheet::refusesARubricOutOfRange()
+{
+    QFETCH(int, field);
+    const RubricField& tried = decayRemovalFields()[static_cast<std::size_t>(field)];
+    std::vector<double> wrong{tried.minimum - 1.0, tried.maximum + 1.0, std::nan("")};
+    if (tried.whole)
+        wrong.push_back(tried.minimum + 0.5);
+    for (const double value : wrong) {
+        DecayRemovalRubric rubric;
+        rubric.*tried.value = value;
+        const auto refused = validate(rubric);
+        QVERIFY(!refused.has_value());
+        QVERIFY(refused.error().detail.find(tried.id) != std::string::npos);
+    }
+}
+
+void TestScoreSheet::comesBackFromJsonBitForBit()
+{
+    core::Rng rng(3);
+    for (int round = 0; round < 500; ++round) {
+        const ScoreSheet sheet =
+            grade(attempt(rng.uniform(0.0, 100.0), rng.uniform(0.0, 100.0), rng.uniform()), randomRubric(rng));
+        const auto back = scoreSheetFromJson(toJson(sheet));
+        QVERIFY2(back.has_value(), back ? "" : back.error().detail.c_str());
+        QVERIFY(*back == sheet);
+    }
+}
+
+void TestScoreSheet::refusesBrokenJson_data()
+{
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QByteArray>("names");
+    const QByteArray good = toJson(grade(attempt(4.2, 1.0, 0.0)));
+    const auto with = [&](const char* from, const char* to) {
+        Q_ASSERT(good.contains(from));
+        return QByteArray(good).replace(from, to);
+    };
+    const auto structure = static_cast<int>(ErrorCode::BadStructure);
+    const auto kind = static_cast<int>(ErrorCode::WrongKind);
+    QTest::newRow("nothing") << QByteArray() << kind << QByteArray("not JSON");
+    QTest::newRow("cut short") << good.left(good.size() / 2) << kind << QByteArray("not JSON");
+    QTest::newRow("a list") << QByteArray("[]") << kind << QByteArray("not an object");
+    QTest::newRow("an empty object") << QByteArray("{}") << structure << QByteArray("format");
+    QTest::newRow("a later format") << with("\"format\":1", "\"format\":2") << static_cast<int>(ErrorCode::NewerVersion)
+                                    << QByteArray("later program");
+    QTest::newRow("total does not add up") << with("\"total\":94", "\"total\":99") << structure << QByteArray("total");
+    QTest::newRow("total is a text") << with("\"total\":94", "\"total\":\"94\"") << structure << QByteArray("total");
+    QTest::newRow("total is broken") << with("\"total\":94", "\"total\":94.5") << structure << QByteArray("total");
+    QTest::newRow("points do not follow")
+        << with("\"points_lost\":6", "\"points_lost\":5") << structure << QByteArray("criteria[0].points_lost");
+    QTest::newRow("a key is missing") << with("\"measured\":4.2,", "") << structure
+                                      << QByteArray("criteria[0].measured");
+    QTest::newRow("measured nothing") << with("\"measured\":4.2", "\"measured\":null") << structure
+                                      << QByteArray("criteria[0].measured");
+    QTest::newRow("unknown rule") << with("\"once\"", "\"twice\"") << structure << QByteArray("criteria[2].rule");
+    QTest::newRow("criteria is a number")
+        << QByteArray(
+               "{\"format\":1,\"rubric\":\"r\",\"rubric_version\":1,\"criteria\":1,\"total\":100,\"pass_mark\":5}")
+        << structure << QByteArray("criteria");
+}
+
+void TestScoreSheet::refusesBrokenJson()
+{
+    QFETCH(QByteArray, json);
+    QFETCH(int, code);
+    QFETCH(QByteArray, names);
+    const auto refused = scoreSheetFromJson(json);
+    QVERIFY(!refused.has_value());
+    QCOMPARE(static_cast<int>(refused.error().code), code);
+    QVERIFY2(refused.error().detail.find(names.toStdString()) != std::string::npos, refused.error().detail.c_str());
+}
+
+QTEST_GUILESS_MAIN(TestScoreSheet)
+#include "tst_score_sheet.moc"

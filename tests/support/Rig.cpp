@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/Rig.h"
+
+#include <cassert>
+#include <cstdlib>
+
+#include <glm/common.hpp>
+
+namespace support {
+namespace {
+
+using namespace core::session;
+
+constexpr std::uint64_t kTicksPerSession = 10;
+
+}  // namespace
+
+Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat)
+    : settings(wanted), period(beat), servoLinks(std::make_unique<ServoLinks>()), uiLinks(std::make_unique<UiLinks>()),
+      session(std::make_unique<SessionLoop>(*servoLinks, *uiLinks, settings)),
+      servo(std::make_unique<haptics::ServoLoop>(device, makeServoTick(settings).value(), *servoLinks, uiLinks->servo,
+                                                 period))
+{}
+
+void Rig::send(const SessionCommand& command)
+{
+    if (!uiLinks->commands.tryPush(command))
+        std::abort();  // a test that sends more than the queue holds is wrong
+}
+
+void Rig::open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation)
+{
+    send(ReplaceTooth{new core::terrain::Tooth(anatomy), generation});
+    session->tick(period);
+    servo->tick(period);
+    session->tick(period);
+}
+
+void Rig::run(int ticks, std::chrono::microseconds dt)
+{
+    for (int k = 0; k < ticks; ++k) {
+        servo->tick(dt);
+        if (++beats % kTicksPerSession == 0)
+            settle();
+    }
+}
+
+void Rig::lean(double x, double y, double newtons, int ticks)
+{
+    const double stretch = newtons / settings.force.stiffnessNPerMm;
+    for (int k = 0; k < ticks; ++k) {
+        device.tipMm = glm::vec3(glm::dvec3(x, y, servo->state().anchorMm.z - stretch));
+        run(1);
+    }
+}
+
+void Rig::lift()
+{
+    device.tipMm.z = 5.0F;
+    run(200);
+    settle();
+}
+
+void Rig::settle()
+{
+    session->tick(period);
+    for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
+        // nobody watches
+    }
+}
+
+glm::vec3 RestlessHand::next()
+{
+    for (int axis = 0; axis < 3; ++axis)
+        m_speed[axis] = 0.97 * m_speed[axis] + m_rng.uniform(-0.004, 0.004);
+    m_atMm += m_speed;
+    const glm::dvec3 low(-m_reachMm, -m_reachMm, -3.0);
+    const glm::dvec3 high(m_reachMm, m_reachMm, 1.2);
+    m_atMm = glm::clamp(m_atMm, low, high);
+    return glm::vec3(m_atMm);
+}
+
+}  // namespace support

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/base/Rng.h"
+#include "core/session/SessionLoop.h"
+#include "haptics/ServoLoop.h"
+
+namespace support {
+
+/// A device that is wherever the test has put it.
+class HeldDevice final : public haptics::HapticDevice
+{
+public:
+    glm::vec3 tipMm{0.0F, 0.0F, 5.0F};
+    bool present = true;
+    glm::dvec3 forceN{0.0};  ///< as last given to the hand
+
+    haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
+    {
+        forceN = forceOnHandN;
+        return {tipMm, present};
+    }
+};
+
+/// Servo and session loop joined as the program joins them, but beaten by hand in one thread.
+struct Rig
+{
+    explicit Rig(const core::session::ServoSettings& settings = {},
+                 std::chrono::microseconds period = std::chrono::milliseconds(1));
+
+    /// Hands a new tooth to the session and lets both loops begin with it. Leaves one tick on the recording.
+    void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1);
+    void send(const core::session::SessionCommand& command);
+    /// Beats the servo, and the session after every tenth beat, as in the program.
+    void run(int ticks, std::chrono::microseconds dt = std::chrono::milliseconds(1));
+    /// Leans straight down at (x, y) with about so many newtons against the spring for some ticks.
+    void lean(double x, double y, double newtons, int ticks);
+    /// Lifts off and waits until the stroke has ended and everything has been told.
+    void lift();
+    /// Beats the session until no event and no patch is left.
+    void settle();
+
+    [[nodiscard]] const core::terrain::Tooth& live() const { return servo->tooth()->tooth(); }
+    [[nodiscard]] std::uint64_t liveHash() const { return core::terrain::stateHash(live()); }
+    [[nodiscard]] std::uint64_t mirrorHash() const { return core::terrain::stateHash(session->toothSoFar().value()); }
+
+    core::session::ServoSettings settings;
+    std::chrono::microseconds period;
+    std::unique_ptr<core::session::ServoLinks> servoLinks;
+    std::unique_ptr<core::session::UiLinks> uiLinks;
+    HeldDevice device;
+    std::unique_ptr<core::session::SessionLoop> session;
+    std::unique_ptr<haptics::ServoLoop> servo;  ///< gone before the session, as in the program
+    std::uint64_t beats = 0;
+};
+
+/// A restless hand: wanders over and in the tooth from a seed, smoothly enough to cut, roughly enough to surprise.
+class RestlessHand
+{
+public:
+    explicit RestlessHand(std::uint64_t seed, double reachMm = 3.0) : m_rng(seed), m_reachMm(reachMm) {}
+    /// The next position, one tick on.
+    [[nodiscard]] glm::vec3 next();
+
+private:
+    core::Rng m_rng;
+    double m_reachMm;
+    glm::dvec3 m_atMm{0.0, 0.0, 1.0};
+    glm::dvec3 m_speed{0.0};
+};
+
+}  // namespace support

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/terrain/Tooth.h"
+
+namespace support {
+
+/// A molar-like crown from closed formulas: five cusps, a cross of fissures, enamel over dentin over a pulp chamber,
+/// and one open lesion of decay around kLesionMm. No generator, no file: what pictures are tested with.
+[[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> syntheticMolar(int side = 150);
+
+/// Middle of the lesion and its radius, tooth frame.
+inline constexpr double kLesionX = 0.3;
+inline constexpr double kLesionY = -0.1;
+inline constexpr double kLesionRadiusMm = 0.9;
+
+}  // namespace support

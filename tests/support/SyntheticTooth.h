@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/terrain/Tooth.h"
+
+namespace support {
+
+/// A made-up block of one material, or of layers, under any surface: the scenes of the contact and cutting tests.
+struct Block
+{
+    int side = 150;
+    double cellMm = 0.07;
+    double bottomMm = -6.0;
+    glm::dvec2 shiftMm{0.0, 0.0};  ///< moves the lattice under the scene
+    std::function<double(double x, double y)> topMm = [](double, double) { return 0.0; };  ///< NaN: no material
+    /// Enamel above this height, dentin below; the default is enamel all through.
+    double dejMm = -100.0;
+};
+
+/// Block centred on the origin of the tooth frame.
+[[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
+
+}  // namespace support

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/terrain/Grid.h"
+
+namespace support {
+
+/// Top and bottom of a tooth, in the tooth frame, as the importer makes them.
+struct ToothMaps
+{
+    core::terrain::Grid grid;
+    std::vector<float> top;
+    std::vector<float> bottom;
+};
+
+/// Where a file of the shared data folder lies ($CUSP_SHARED_DATA, else beside the source); empty if it is absent.
+[[nodiscard]] std::string sharedData(const std::string& file);
+
+/// A generated tooth, rasterised the same way.
+[[nodiscard]] ToothMaps generatedMaps(int fdi, std::uint64_t seed, int side);
+
+/// Rasterises shared/data/teeth/dundee_<fdi>.obj (21, 24 or 36), 10.5 mm a unit, crown up, +x distal. An independent
+/// reading, plane by plane; nothing if the scan is absent.
+[[nodiscard]] std::optional<ToothMaps> scanMaps(int fdi, int side);
+
+/// A molar of formulas: a round crown of radius 5 whose cusps stand 2.5 above a flat fossa, a fissure 0.8 deep and
+/// 0.3 wide along y = 0, contour 5 below the cusps, neck of radius 4.2 at the CEJ (z = -7.5), one root down to -20.
+[[nodiscard]] ToothMaps analyticMolar(int side);
+
+struct NamedMaps
+{
+    std::string name;
+    int fdi = 0;
+    ToothMaps maps;
+};
+
+/// The analytic molar, a generated tooth of each kind and those scans that are there.
+[[nodiscard]] std::vector<NamedMaps> everyTooth(int side);
+
+}  // namespace support

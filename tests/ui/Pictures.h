@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <QDir>
+#include <QImage>
+#include <QRect>
+#include <QString>
+#include <QtGlobal>
+
+#include "core/session/Links.h"
+
+/// Pictures as tests look at them: statistics instead of golden bytes, for no two drivers draw the same bytes.
+namespace pictures {
+
+/// Leaves the picture in the build folder, where a person can look when a test has failed.
+inline void keep(const QImage& image, const QString& name)
+{
+    const QString folder = QStringLiteral(CUSP_BINARY_DIR "/tests/pictures");
+    QDir().mkpath(folder);
+    image.save(folder + '/' + name + QStringLiteral(".png"));
+}
+
+struct Colour
+{
+    double red = 0.0;
+    double green = 0.0;
+    double blue = 0.0;
+    [[nodiscard]] double brightness() const { return (red + green + blue) / 3.0; }
+};
+
+/// Mean colour of the part of `area` inside the image, 0 .. 255 a channel.
+inline Colour mean(const QImage& image, const QRect& area)
+{
+    Colour sum;
+    const QRect inside = area.intersected(image.rect());
+    for (int y = inside.top(); y <= inside.bottom(); ++y) {
+        for (int x = inside.left(); x <= inside.right(); ++x) {
+            const QRgb pixel = image.pixel(x, y);
+            sum.red += qRed(pixel);
+            sum.green += qGreen(pixel);
+            sum.blue += qBlue(pixel);
+        }
+    }
+    const double count = std::max(1, inside.width() * inside.height());
+    return {sum.red / count, sum.green / count, sum.blue / count};
+}
+
+/// The square of pixels around a place in it.
+inline QRect around(double x, double y, int reach)
+{
+    return {qRound(x) - reach, qRound(y) - reach, 2 * reach + 1, 2 * reach + 1};
+}
+
+inline bool differs(QRgb p, QRgb q, int threshold)
+{
+    return std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))}) >
+           threshold;
+}
+
+/// Pixels in which two pictures differ by more than `threshold` in a channel, and the box around them.
+struct Difference
+{
+    int pixels = 0;
+    QRect box;
+};
+inline Difference difference(const QImage& a, const QImage& b, int threshold = 10)
+{
+    Difference found;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            if (differs(a.pixel(x, y), b.pixel(x, y), threshold)) {
+                ++found.pixels;
+                found.box |= QRect(x, y, 1, 1);
+            }
+        }
+    }
+    return found;
+}
+
+/// The tile of the grid that holds a point, every height in it above `floorMm` lowered to that.
+inline core::session::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth, glm::dvec2 pointMm, float floorMm,
+                                        std::uint64_t generation = 1, bool last = true)
+{
+    constexpr int kSide = core::session::kTileSide;
+    const glm::dvec2 at = tooth.grid.latticeOf(pointMm);
+    core::session::TilePatch patch;
+    patch.toothGeneration = generation;
+    patch.tileX = static_cast<std::uint16_t>(static_cast<int>(at.x) / kSide);
+    patch.tileY = static_cast<std::uint16_t>(static_cast<int>(at.y) / kSide);
+    patch.last = last;
+    for (int b = 0; b < kSide; ++b) {
+        for (int a = 0; a < kSide; ++a) {
+            const int i = patch.tileX * kSide + a;
+            const int j = patch.tileY * kSide + b;
+            patch.top[static_cast<std::size_t>(b * kSide + a)] =
+                tooth.grid.contains(i, j) ? std::min(tooth.top[tooth.grid.index(i, j)], floorMm)
+                                          : core::terrain::kEmptyTop;
+        }
+    }
+    return patch;
+}
+
+/// Middle of the tile that holds a point.
+inline glm::dvec2 tileMiddle(const core::terrain::Grid& grid, glm::dvec2 pointMm)
+{
+    constexpr int kSide = core::session::kTileSide;
+    const glm::dvec2 at = grid.latticeOf(pointMm);
+    return grid.nodeMm(static_cast<int>(at.x) / kSide * kSide, static_cast<int>(at.y) / kSide * kSide) +
+           glm::dvec2(0.5 * (kSide - 1) * grid.cellMm);
+}
+
+}  // namespace pictures

@@ -1,0 +1,816 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real window, its keys pressed and its threads played by hand.
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScopeGuard>
+#include <QSet>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QTranslator>
+
+#include "core/drilling/Bur.h"
+#include "lessons/DecayRemovalRubric.h"
+#include "tests/support/SyntheticMolar.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/ArchView.h"
+#include "ui/shell/BusyCard.h"
+#include "ui/shell/HelpOverlay.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/shell/PracticeRoom.h"
+#include "ui/shell/ScorePage.h"
+#include "ui/shell/SidePanel.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/shell/ToothChooser.h"
+#include "ui/tooth/ToothView.h"
+
+using namespace core::session;
+using namespace ui::shell;
+using core::terrain::Material;
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+
+    void eachKeySpeaksToTheSession_data();
+    void eachKeySpeaksToTheSession();
+    void spaceAndDTurnTheDrillOnAndOff();
+    void numbersChooseTheBur();
+    void theServoHasTheLastWordOnDrillAndBur();
+    void aFullQueueIsToldAndNothingIsPretended();
+    void undoRestsWhileThereIsNothingToUndo();
+    void gradeIsAskedFor();
+    void filesAreAskedFor_data();
+    void filesAreAskedFor();
+    void droppedFilesAreToldApart();
+    void otherHandPanelAndFullScreen();
+    void helpListsEveryAction();
+    void escapeGoesBackStepByStep();
+    void spaceOnAFocusedButtonPressesIt();
+
+    void figuresComeFromTheLoops();
+    void noDecayShowsADash();
+    void theHintGoesWithTheFirstCut();
+    void pushForceGoesBothWays();
+    void troubleStaysOutOfTheWayUntilItIsThere();
+
+    void errorsStayNewsWaits();
+    void theMessageButtonDoesWhatItSays();
+    void notesOfTheImporterAreShown();
+    void workIsShownAndHoldsBackTheRest();
+    void aReplayRestsTheControls();
+
+    void anotherToothIsChosenWithTheMouse();
+    void anotherToothIsChosenWithTheKeys();
+    void theScoreAddsUp();
+    void aCriticalFaultFailsAHighScore();
+
+    void everyControlHasAName();
+    void everyActionIsFitToBeRead();
+    void tabReachesEveryButtonOfTheRoom();
+    void nothingIsClipped_data();
+    void nothingIsClipped();
+    void coloursCanBeRead();
+    void everyDrawingExists();
+
+private:
+    template <class T>
+    T* child(const char* name = "") const
+    {
+        return m_window->findChild<T*>(QString::fromLatin1(name));
+    }
+    QString figure(const char* name) const { return child<TabularLabel>(name)->text(); }
+    QString message() const { return child<MessageBar>()->sentence(); }
+    Actions& actions() const { return *child<Actions>(); }
+    /// Presses keys as a person does: the window's shortcuts hear them.
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
+    {
+        QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
+                        modifiers);
+    }
+    QList<SessionCommand> sent() const
+    {
+        QList<SessionCommand> all;
+        for (SessionCommand c; m_links->commands.tryPop(c);)
+            all << c;
+        return all;
+    }
+    void publish(const ServoState& servo, const SessionState& session) const
+    {
+        m_links->servo.publish(servo);
+        m_links->session.publish(session);
+    }
+    static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
+
+    std::unique_ptr<UiLinks> m_links;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+lessons::ScoreSheet TestMainWindow::sheet(double cariesPercent, double soundMm3, double pulpMm2)
+{
+    lessons::ScoreSheet s;
+    s.passMark = 75;
+    const auto add = [&](const char* id, double measured, const char* unit, double free, double perUnit, int most) {
+        lessons::Criterion c;
+        c.id = std::string(id);
+        c.measured = measured;
+        c.unit = std::string(unit);
+        c.free = free;
+        c.rule = perUnit > 0 ? lessons::PointRule::PerUnit : lessons::PointRule::Once;
+        c.pointsPerUnit = perUnit;
+        c.maxPoints = most;
+        c.critical = perUnit == 0;
+        s.criteria.push_back(c);
+    };
+    add("caries_left", cariesPercent, "%", 1, 2, 60);
+    add("sound_tissue", soundMm3, "mm3", 4, 2, 40);
+    add("pulp_exposure", pulpMm2, "mm2", 0, 0, 20);
+    lessons::addUp(s);
+    return s;
+}
+
+void TestMainWindow::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    applyTheme(*qApp, ThemeChoice::Light);
+}
+
+void TestMainWindow::init()
+{
+    m_links = std::make_unique<UiLinks>();
+    m_window = std::make_unique<MainWindow>(*m_links);
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->showTooth(support::syntheticMolar(), 1, {});
+    SessionState session;
+    session.undoSteps = 3;
+    session.redoSteps = 1;
+    publish({}, session);
+    QTRY_VERIFY(actions().undo->isEnabled());
+}
+
+void TestMainWindow::cleanup()
+{
+    m_window.reset();
+    m_links.reset();
+}
+
+void TestMainWindow::eachKeySpeaksToTheSession_data()
+{
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::addColumn<int>("command");
+    const auto index = [](const SessionCommand& c) { return static_cast<int>(c.index()); };
+    QTest::newRow("undo") << Qt::Key_Z << Qt::KeyboardModifiers(Qt::ControlModifier) << index(Undo{});
+    QTest::newRow("redo") << Qt::Key_Z << (Qt::ControlModifier | Qt::ShiftModifier) << index(Redo{});
+    QTest::newRow("reload") << Qt::Key_R << Qt::KeyboardModifiers() << index(Reload{});
+    QTest::newRow("drill") << Qt::Key_D << Qt::KeyboardModifiers() << index(SetDrill{});
+    QTest::newRow("drill too") << Qt::Key_Space << Qt::KeyboardModifiers() << index(SetDrill{});
+    QTest::newRow("bur") << Qt::Key_3 << Qt::KeyboardModifiers() << index(SetBur{});
+}
+
+void TestMainWindow::eachKeySpeaksToTheSession()
+{
+    QFETCH(Qt::Key, key);
+    QFETCH(Qt::KeyboardModifiers, modifiers);
+    QFETCH(int, command);
+    press(key, modifiers);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 1);
+    QCOMPARE(static_cast<int>(commands.front().index()), command);
+}
+
+void TestMainWindow::spaceAndDTurnTheDrillOnAndOff()
+{
+    press(Qt::Key_D);
+    press(Qt::Key_Space);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 2);
+    QCOMPARE(std::get<SetDrill>(commands[0]).on, true);
+    QCOMPARE(std::get<SetDrill>(commands[1]).on, false);
+}
+
+void TestMainWindow::numbersChooseTheBur()
+{
+    press(Qt::Key_2);
+    press(Qt::Key_4);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 2);
+    QCOMPARE(std::get<SetBur>(commands[0]).index, 1);
+    QCOMPARE(std::get<SetBur>(commands[1]).index, 3);
+    QVERIFY(actions().burs[3]->isChecked());
+    QVERIFY(!actions().burs[0]->isChecked());
+    QCOMPARE(actions().burs.size(), static_cast<qsizetype>(core::drilling::burs().size()));
+}
+
+void TestMainWindow::theServoHasTheLastWordOnDrillAndBur()
+{
+    ServoState servo;
+    servo.tick = 1;
+    servo.drillOn = true;
+    servo.burIndex = 2;
+    publish(servo, {});
+    QTRY_VERIFY(actions().drill->isChecked());
+    QTRY_VERIFY(actions().burs[2]->isChecked());
+    QVERIFY2(sent().isEmpty(), "what the servo says is shown, not sent back");
+    // A wish that the servo does not follow is given up.
+    press(Qt::Key_D);
+    QVERIFY(!actions().drill->isChecked());
+    QTRY_VERIFY(actions().drill->isChecked());
+}
+
+void TestMainWindow::aFullQueueIsToldAndNothingIsPretended()
+{
+    while (m_links->commands.tryPush(Undo{})) {
+    }
+    press(Qt::Key_D);
+    QVERIFY(message().contains("busy"));
+    QVERIFY(!actions().drill->isChecked());
+}
+
+void TestMainWindow::undoRestsWhileThereIsNothingToUndo()
+{
+    publish({}, {});
+    QTRY_VERIFY(!actions().undo->isEnabled());
+    QVERIFY(!actions().redo->isEnabled());
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(sent().isEmpty());
+}
+
+void TestMainWindow::gradeIsAskedFor()
+{
+    QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
+    press(Qt::Key_G);
+    QCOMPARE(asked.size(), 1);
+    // Not twice: the grade is already there.
+    m_window->showScore(sheet(0, 0, 0), {});
+    press(Qt::Key_G);
+    QCOMPARE(asked.size(), 1);
+}
+
+void TestMainWindow::filesAreAskedFor_data()
+{
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<bool>("shift");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("which");
+    QTest::newRow("scan") << Qt::Key_O << false << "scan.stl" << 0;
+    QTest::newRow("open recording") << Qt::Key_O << true << "attempt.cusprec" << 1;
+    QTest::newRow("save recording") << Qt::Key_S << false << "new.cusprec" << 2;
+}
+
+void TestMainWindow::filesAreAskedFor()
+{
+    QFETCH(Qt::Key, key);
+    QFETCH(bool, shift);
+    QFETCH(QString, file);
+    QFETCH(int, which);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(file);
+    if (which != 2) {
+        QFile made(path);
+        QVERIFY(made.open(QIODevice::WriteOnly));
+    }
+    QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
+    QSignalSpy open(m_window.get(), &MainWindow::recordingOpenRequested);
+    QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+    press(key, shift ? Qt::ControlModifier | Qt::ShiftModifier : Qt::KeyboardModifiers(Qt::ControlModifier));
+    auto* dialog = m_window->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    if (which == 2)
+        QVERIFY(dialog->selectedFiles().value(0).endsWith(".cusprec"));
+    dialog->setDirectory(folder.path());
+    dialog->selectFile(path);
+    QMetaObject::invokeMethod(dialog, "accept");
+    const std::array spies{&scan, &open, &save};
+    for (std::size_t k = 0; k < spies.size(); ++k)
+        QCOMPARE(spies.at(k)->size(), static_cast<int>(k) == which ? 1 : 0);
+    QCOMPARE(spies.at(static_cast<std::size_t>(which))->front().front().toString(), path);
+}
+
+void TestMainWindow::droppedFilesAreToldApart()
+{
+    QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
+    QSignalSpy open(m_window.get(), &MainWindow::recordingOpenRequested);
+    const auto drop = [this](const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &event);
+    };
+    drop("/tmp/Molar.STL");
+    QCOMPARE(scan.size(), 1);
+    drop("/tmp/attempt.cusprec");
+    QCOMPARE(open.size(), 1);
+    QMimeData words;
+    words.setText("not a file");
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &words, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QVERIFY(!enter.isAccepted());
+    drop("/tmp/letter.docx");
+    QCOMPARE(scan.size() + open.size(), 2);
+    QVERIFY(message().contains("neither a scan"));
+}
+
+void TestMainWindow::otherHandPanelAndFullScreen()
+{
+    press(Qt::Key_H);
+    QVERIFY(actions().otherHand->isChecked());
+    auto* panel = child<SidePanel>();
+    QVERIFY(panel->isVisible());
+    press(Qt::Key_F9);
+    QVERIFY(!panel->isVisible());
+    press(Qt::Key_F9);
+    QVERIFY(panel->isVisible());
+    press(Qt::Key_F11);
+    QVERIFY(m_window->isFullScreen());
+    press(Qt::Key_Escape);
+    QVERIFY(!m_window->isFullScreen());
+    QVERIFY(!actions().fullScreen->isChecked());
+}
+
+void TestMainWindow::helpListsEveryAction()
+{
+    press(Qt::Key_F1);
+    auto* help = child<HelpOverlay>();
+    QVERIFY(help->isVisible());
+    QSet<QString> words;
+    for (const QLabel* label : help->findChildren<QLabel*>())
+        words << label->text();
+    for (const Actions::Group& group : actions().groups()) {
+        QVERIFY2(words.contains(group.title), qPrintable(group.title));
+        for (const QAction* action : group.actions) {
+            QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
+            for (const QKeySequence& key : action->shortcuts())
+                QVERIFY2(words.contains(key.toString(QKeySequence::NativeText)), qPrintable(action->text()));
+        }
+    }
+    press(Qt::Key_F1);
+    QVERIFY(!help->isVisible());
+}
+
+void TestMainWindow::escapeGoesBackStepByStep()
+{
+    m_window->showError({core::ErrorCode::FileEmpty, "x"});
+    press(Qt::Key_T);
+    QVERIFY(child<ToothChooser>()->isVisible());
+    press(Qt::Key_F1);
+    QVERIFY(child<HelpOverlay>()->isVisible());
+    press(Qt::Key_Escape);
+    QVERIFY(!child<HelpOverlay>()->isVisible());
+    QVERIFY(child<ToothChooser>()->isVisible());
+    press(Qt::Key_Escape);
+    QVERIFY(child<PracticeRoom>()->isVisible());
+    QVERIFY(!message().isEmpty());
+    press(Qt::Key_Escape);
+    QVERIFY(message().isEmpty());
+    press(Qt::Key_Escape);
+    QVERIFY(m_window->isVisible());
+    QVERIFY2(sent().isEmpty(), "going back never touches the work");
+}
+
+void TestMainWindow::spaceOnAFocusedButtonPressesIt()
+{
+    QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
+    QPushButton* grade = nullptr;
+    for (QPushButton* button : child<PracticeRoom>()->findChildren<QPushButton*>())
+        if (button->text() == actions().grade->text())
+            grade = button;
+    QVERIFY(grade != nullptr);
+    grade->setFocus(Qt::TabFocusReason);
+    press(Qt::Key_Space);
+    QCOMPARE(asked.size(), 1);
+    QVERIFY2(sent().isEmpty(), "the drill did not start");
+}
+
+void TestMainWindow::figuresComeFromTheLoops()
+{
+    ServoState servo;
+    servo.tick = 5;
+    servo.touching = true;
+    servo.materialUnderBur = Material::Dentin;
+    servo.forceN = {0.0, 0.6, 0.8};
+    servo.depthMm = 1.417;
+    SessionState session;
+    session.wholeMm3 = {20.0, 200.0, 250.0, 20.0};
+    session.removedMm3 = {5.0, 12.314, 4.0, 0.25};
+    publish(servo, session);
+    QTRY_COMPARE(figure("materialFigure"), QString("Dentin"));
+    QTRY_COMPARE(figure("depthFigure"), QString("1.42"));
+    QCOMPARE(figure("forceFigure"), QString("1.00"));
+    QCOMPARE(figure("decayFigure"), QString("75"));
+    QCOMPARE(figure("enamelRemoved"), QString("12.31"));
+    QCOMPARE(figure("dentinRemoved"), QString("4.00"));
+    QCOMPARE(figure("pulpRemoved"), QString("0.25"));
+    servo.touching = false;
+    session.removedMm3[0] = 19.95;
+    publish(servo, session);
+    QTRY_COMPARE(figure("materialFigure"), QString("Air"));
+    QTRY_COMPARE(figure("depthFigure"), QString("–"));
+    QTRY_COMPARE(figure("decayFigure"), QString("< 1"));
+}
+
+void TestMainWindow::noDecayShowsADash()
+{
+    SessionState session;
+    session.wholeMm3 = {0.0, 200.0, 250.0, 20.0};
+    publish({}, session);
+    QTRY_COMPARE(figure("decayFigure"), QString("–"));
+}
+
+void TestMainWindow::theHintGoesWithTheFirstCut()
+{
+    auto* hint = child<QLabel>("hint");
+    QVERIFY(hint->isVisible());
+    ServoState servo;
+    servo.tick = 1;
+    servo.cutting = true;
+    publish(servo, {});
+    QTRY_VERIFY(!hint->isVisible());
+}
+
+void TestMainWindow::pushForceGoesBothWays()
+{
+    auto* slider = child<QSlider>("pushForce");
+    slider->setValue(20);
+    QCOMPARE(m_window->view().pushForce(), 2.0);
+    m_window->view().setPushForce(0.5);
+    emit m_window->view().pushForceChanged(0.5);
+    QCOMPARE(slider->value(), 5);
+    QCOMPARE(child<SidePanel>()->pushForce(), 0.5);
+}
+
+void TestMainWindow::troubleStaysOutOfTheWayUntilItIsThere()
+{
+    const auto told = [this](const char* part) {
+        for (const QLabel* label : child<SidePanel>()->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(QLatin1String(part)))
+                return true;
+        return false;
+    };
+    QVERIFY(!told("handpiece is gone"));
+    ServoState servo;
+    servo.tick = 1;
+    servo.health = kDeviceLost;
+    publish(servo, {});
+    QTRY_VERIFY(told("handpiece is gone"));
+    servo.health = 0;
+    publish(servo, {});
+    QTRY_VERIFY(!told("handpiece is gone"));
+}
+
+void TestMainWindow::errorsStayNewsWaits()
+{
+    m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."});
+    QVERIFY(message().contains("ends too early"));
+    bool detail = false;
+    for (const QLabel* label : child<MessageBar>()->findChildren<QLabel*>())
+        detail = detail || (label->isVisible() && label->text() == "molar.stl: ends after 84 bytes.");
+    QVERIFY(detail);
+    m_window->showMessage("Saved.");
+    QVERIFY(message().contains("ends too early"));
+    press(Qt::Key_Escape);
+    QCOMPARE(message(), QString("Saved."));
+    press(Qt::Key_Escape);
+    QVERIFY(message().isEmpty());
+}
+
+void TestMainWindow::theMessageButtonDoesWhatItSays()
+{
+    press(Qt::Key_R);
+    QCOMPARE(sent().size(), 1);
+    QVERIFY(message().contains("whole again"));
+    auto* button = child<MessageBar>()->findChild<QPushButton*>();
+    QVERIFY(button->isVisible());
+    QTest::mouseClick(button, Qt::LeftButton);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 1);
+    QVERIFY(std::holds_alternative<Undo>(commands.front()));
+    QVERIFY(message().isEmpty());
+}
+
+void TestMainWindow::notesOfTheImporterAreShown()
+{
+    m_window->showTooth(support::syntheticMolar(), 2, {"The unit was guessed: millimetres."});
+    QCOMPARE(message(), QString("The unit was guessed: millimetres."));
+    press(Qt::Key_Escape);
+    m_window->showTooth(support::syntheticMolar(), 3, {"One.", "Two."});
+    QVERIFY(message().startsWith("2 note"));
+}
+
+void TestMainWindow::workIsShownAndHoldsBackTheRest()
+{
+    auto* card = child<BusyCard>();
+    m_window->showBusy("Loading the scan", 30);
+    QVERIFY(!card->isVisible());
+    QVERIFY(!actions().grade->isEnabled());
+    QVERIFY(!actions().openScan->isEnabled());
+    QTRY_VERIFY(card->isVisible());
+    QCOMPARE(card->findChild<QProgressBar*>()->value(), 30);
+    m_window->showBusy("Loading the scan", -1);
+    QCOMPARE(card->findChild<QProgressBar*>()->maximum(), 0);
+    m_window->showError({core::ErrorCode::NoTriangles, "x"});
+    QVERIFY(!card->isVisible());
+    QVERIFY(actions().openScan->isEnabled());
+    m_window->showBusy("Again", 1);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    QVERIFY(!card->isWorking());
+    QVERIFY(actions().grade->isEnabled());
+}
+
+void TestMainWindow::aReplayRestsTheControls()
+{
+    QSignalSpy stop(m_window.get(), &MainWindow::replayStopRequested);
+    m_window->setReplaying(true);
+    for (const Qt::Key key : {Qt::Key_D, Qt::Key_R, Qt::Key_2})
+        press(key);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(sent().isEmpty());
+    QVERIFY2(!child<QLabel>("hint")->isVisible(), "there is nothing to begin with");
+    press(Qt::Key_Escape);
+    QCOMPARE(stop.size(), 1);
+    m_window->setReplaying(false);
+    QVERIFY(child<QLabel>("hint")->isVisible());
+    press(Qt::Key_D);
+    QCOMPARE(sent().size(), 1);
+}
+
+void TestMainWindow::anotherToothIsChosenWithTheMouse()
+{
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    press(Qt::Key_T);
+    auto* arches = child<ArchView>();
+    QCOMPARE(arches->selected(), 36);
+    for (ArchTooth* tooth : arches->findChildren<ArchTooth*>()) {
+        // The rectangles of neighbours overlap, their middles do not.
+        QTest::mouseClick(arches, Qt::LeftButton, {}, tooth->geometry().center());
+        QCOMPARE(arches->selected(), tooth->fdi());
+    }
+    arches->setSelected(24);
+    QTest::mouseClick(child<QPushButton>("takeTooth"), Qt::LeftButton);
+    QCOMPARE(chosen.size(), 1);
+    QCOMPARE(chosen.front().front().toInt(), 24);
+    QVERIFY(child<PracticeRoom>()->isVisible());
+}
+
+void TestMainWindow::anotherToothIsChosenWithTheKeys()
+{
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    press(Qt::Key_T);
+    auto* arches = child<ArchView>();
+    QCOMPARE(arches->findChildren<ArchTooth*>().size(), 16);
+    press(Qt::Key_Right);
+    QCOMPARE(arches->selected(), 37);
+    press(Qt::Key_Up);
+    QCOMPARE(arches->selected(), 27);
+    press(Qt::Key_Left);
+    QCOMPARE(arches->selected(), 26);
+    press(Qt::Key_Down);
+    QCOMPARE(arches->selected(), 36);
+    press(Qt::Key_Return);
+    QCOMPARE(chosen.size(), 1);
+    QCOMPARE(chosen.front().front().toInt(), 36);
+}
+
+void TestMainWindow::theScoreAddsUp()
+{
+    const lessons::ScoreSheet s = sheet(3.2, 9.81, 0);
+    database::AttemptRecord now;
+    now.score = s.total;
+    now.finishedUtc = "2026-11-20T10:15:00Z";
+    database::AttemptRecord before = now;
+    before.score = 61;
+    m_window->showScore(s, {now, before});
+    QVERIFY(child<ScorePage>()->isVisible());
+    QCOMPARE(figure("total"), QString("84"));
+    QCOMPARE(child<QLabel>("verdict")->text(), QString("Passed"));
+    QCOMPARE(child<QLabel>("sum")->text(), QString("100 − 4 − 12 − 0 = 84"));
+    QCOMPARE(figure("lost_caries_left"), QString("−4"));
+    QCOMPARE(figure("lost_sound_tissue"), QString("−12"));
+    QCOMPARE(figure("lost_pulp_exposure"), QString("0"));
+    QCOMPARE(child<QLabel>("worked_caries_left")->text(), QString("(3.20 − 1.00 free) % × 2 points = 4.40, rounded 4"));
+    bool listed = false;
+    for (const TabularLabel* label : child<ScorePage>()->findChildren<TabularLabel*>())
+        listed = listed || label->text() == "61";
+    QVERIFY(listed);
+    // A second grade replaces the first.
+    m_window->showScore(sheet(40, 30, 0), {});
+    QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
+    QCOMPARE(child<QLabel>("sum")->text(), QString("100 − 60 − 40 − 0 = 0"));
+    QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
+    press(Qt::Key_Return);
+    QVERIFY2(child<PracticeRoom>()->isVisible(), "the next step is one key away");
+}
+
+void TestMainWindow::aCriticalFaultFailsAHighScore()
+{
+    m_window->showScore(sheet(0, 0, 0.1), {});
+    QCOMPARE(figure("total"), QString("80"));
+    QVERIFY(child<QLabel>("verdict")->text().startsWith("Not passed"));
+}
+
+void TestMainWindow::everyControlHasAName()
+{
+    int controls = 0;
+    for (QWidget* widget : m_window->findChildren<QWidget*>()) {
+        const bool control =
+            qobject_cast<QAbstractButton*>(widget) != nullptr || qobject_cast<QSlider*>(widget) != nullptr ||
+            qobject_cast<QProgressBar*>(widget) != nullptr || (widget->focusPolicy() & Qt::TabFocus) != 0;
+        if (!control || widget->objectName().startsWith("qt_"))
+            continue;
+        QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+        QVERIFY(spoken != nullptr);
+        const bool silent = spoken->text(QAccessible::Name).trimmed().isEmpty();
+        // A button of the message bar without words is not there for anyone.
+        if (silent && qobject_cast<MessageBar*>(widget->parentWidget()) != nullptr && !widget->isVisible())
+            continue;
+        QVERIFY2(!silent, qPrintable(QString("%1 in %2")
+                                         .arg(widget->metaObject()->className(),
+                                              widget->parentWidget()->metaObject()->className())));
+        ++controls;
+    }
+    QVERIFY(controls > 40);
+}
+
+void TestMainWindow::everyActionIsFitToBeRead()
+{
+    QSet<QString> keys;
+    for (const Actions::Group& group : actions().groups())
+        for (const QAction* action : group.actions) {
+            QVERIFY(!action->text().isEmpty());
+            QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));
+            QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)),
+                     qPrintable(action->toolTip()));
+            QVERIFY2(!action->icon().isNull() || actions().burs.contains(action), qPrintable(action->text()));
+            for (const QKeySequence& key : action->shortcuts()) {
+                QVERIFY2(!keys.contains(key.toString()), qPrintable(key.toString() + " is taken twice"));
+                keys << key.toString();
+            }
+        }
+}
+
+void TestMainWindow::tabReachesEveryButtonOfTheRoom()
+{
+    m_window->view().setFocus();
+    QSet<QWidget*> reached;
+    for (int k = 0; k < 200; ++k) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        reached << QApplication::focusWidget();
+    }
+    for (QAbstractButton* button : child<PracticeRoom>()->findChildren<QAbstractButton*>())
+        if (button->isVisible() && button->isEnabled())
+            QVERIFY2(reached.contains(button), qPrintable(button->accessibleName()));
+    QVERIFY(reached.contains(child<QSlider>("pushForce")));
+    QVERIFY(reached.contains(&m_window->view()));
+}
+
+void TestMainWindow::nothingIsClipped_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QSize>("size");
+    for (const QString language : {"en", "de"})
+        for (const QSize size : {QSize(960, 640), QSize(1280, 800), QSize(1920, 1080)})
+            QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
+}
+
+void TestMainWindow::nothingIsClipped()
+{
+    QFETCH(QString, language);
+    QFETCH(QSize, size);
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
+    QCoreApplication::installTranslator(&words);
+    MainWindow window(*m_links);
+    window.resize(size);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.showTooth(support::syntheticMolar(), 1, {});
+    const auto check = [&](const char* page) {
+        QTest::qWait(20);
+        for (QWidget* widget : window.findChildren<QWidget*>()) {
+            const auto* label = qobject_cast<QLabel*>(widget);
+            if (!widget->isVisible() || (label == nullptr && qobject_cast<QAbstractButton*>(widget) == nullptr &&
+                                         qobject_cast<TabularLabel*>(widget) == nullptr))
+                continue;
+            if (qobject_cast<ArchTooth*>(widget) != nullptr)
+                continue;
+            const bool wraps = label != nullptr && label->wordWrap();
+            const QSize wanted = wraps ? QSize(0, label->heightForWidth(widget->width())) : widget->sizeHint();
+            const QString what = QString("%1: %2 '%3' is %4x%5, wants %6x%7")
+                                     .arg(page, widget->metaObject()->className(),
+                                          label != nullptr ? label->text() : widget->accessibleName())
+                                     .arg(widget->width())
+                                     .arg(widget->height())
+                                     .arg(wanted.width())
+                                     .arg(wanted.height());
+            QVERIFY2(widget->width() >= wanted.width() && widget->height() >= wanted.height(), qPrintable(what));
+        }
+    };
+    auto* a = window.findChild<Actions*>();
+    check("practice");
+    window.showError({core::ErrorCode::FileUnreadable, "A detail as long as details can be, for a file in a folder "
+                                                       "with a long name, which has to go to a second line."});
+    check("error");
+    a->back->trigger();
+    window.setReplaying(true);
+    check("replay");
+    window.setReplaying(false);
+    a->help->trigger();
+    check("help");
+    a->back->trigger();
+    a->chooseTooth->trigger();
+    check("teeth");
+    a->back->trigger();
+    window.showScore(sheet(3.2, 40, 0.5), {});
+    check("score");
+    // The pictures of these pages are for looking at; one size is enough.
+    if (size.width() != 1280)
+        return;
+    const QString folder = QStringLiteral(CUSP_BINARY_DIR "/pictures");
+    QVERIFY(QDir().mkpath(folder));
+    const auto keep = [&](const char* page) {
+        QTest::qWait(50);
+        window.grab().save(QString("%1/%2-%3-%4.png").arg(folder, page, language).arg(size.width()));
+    };
+    keep("score");
+    a->back->trigger();
+    keep("practice");
+    a->help->trigger();
+    keep("help");
+    a->back->trigger();
+    a->chooseTooth->trigger();
+    keep("teeth");
+}
+
+void TestMainWindow::coloursCanBeRead()
+{
+    for (const QPalette& p : {pagePalette(false), pagePalette(true), roomPalette()}) {
+        for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::Button}) {
+            for (const auto words : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                     QPalette::PlaceholderText, QPalette::Link})
+                QVERIFY2(contrast(p.color(words), p.color(ground)) >= 4.5,
+                         qPrintable(p.color(words).name() + " on " + p.color(ground).name()));
+            const Tones tone = tones(p);
+            for (const QColor& words : {tone.attentionText, tone.harmText})
+                QVERIFY(contrast(words, p.color(ground)) >= 4.5);
+            for (const QColor& shape : {tone.accent, tone.attention, tone.harm})
+                QVERIFY2(contrast(shape, p.color(ground)) >= 3.0, qPrintable(shape.name()));
+        }
+        QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) >= 4.5);
+        QVERIFY(contrast(p.color(QPalette::WindowText), p.color(QPalette::Midlight)) >= 4.5);
+    }
+    QVERIFY(qAbs(contrast(Qt::black, Qt::white) - 21.0) < 1e-6);
+}
+
+void TestMainWindow::everyDrawingExists()
+{
+    for (const char* name :
+         {"undo",  "redo",       "reload", "drill", "hand",  "tooth", "open",    "save",  "play",  "grade", "help",
+          "panel", "fullscreen", "view",   "back",  "close", "info",  "warning", "error", "check", "cross"}) {
+        const QIcon icon = lineIcon(name, roomPalette());
+        QVERIFY2(!icon.isNull(), name);
+        const QImage picture = icon.pixmap(32).toImage();
+        bool drawn = false;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                drawn = drawn || qAlpha(picture.pixel(x, y)) > 200;
+        QVERIFY2(drawn, name);
+    }
+    QVERIFY(lineIcon("no such drawing", roomPalette()).isNull());
+}
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    TestMainWindow test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_main_window.moc"

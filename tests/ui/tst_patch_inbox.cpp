@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include "ui/tooth/PatchInbox.h"
+
+using core::session::TilePatch;
+using ui::tooth::PatchInbox;
+
+class TestPatchInbox : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void holdsAGroupBackUntilItIsWhole();
+    void dropsPatchesOfAnOlderTooth();
+    void keepsPatchesOfAToothToCome();
+    void dropsAHalfGroupOfTheToothBefore();
+};
+
+namespace {
+
+TilePatch patch(std::uint64_t generation, int tile, bool last, float height = -1.0F)
+{
+    TilePatch made;
+    made.toothGeneration = generation;
+    made.tileX = static_cast<std::uint16_t>(tile);
+    made.last = last;
+    made.top.fill(height);
+    return made;
+}
+
+}  // namespace
+
+void TestPatchInbox::holdsAGroupBackUntilItIsWhole()
+{
+    PatchInbox inbox;
+    inbox.setGeneration(3);
+    inbox.take(patch(3, 0, false));
+    inbox.take(patch(3, 1, false));
+    QVERIFY(inbox.complete().empty());
+    inbox.take(patch(3, 2, true));
+    QCOMPARE(inbox.complete().size(), std::size_t{3});
+    inbox.complete().clear();
+    inbox.take(patch(3, 5, false));
+    QVERIFY(inbox.complete().empty());
+}
+
+void TestPatchInbox::dropsPatchesOfAnOlderTooth()
+{
+    PatchInbox inbox;
+    inbox.setGeneration(3);
+    inbox.take(patch(2, 0, true));
+    QVERIFY(inbox.complete().empty());
+    // Nor do they come back when the number is used again.
+    inbox.setGeneration(2);
+    QVERIFY(inbox.complete().empty());
+}
+
+void TestPatchInbox::keepsPatchesOfAToothToCome()
+{
+    PatchInbox inbox;
+    inbox.setGeneration(1);
+    inbox.take(patch(2, 0, true, -1.0F));
+    inbox.take(patch(2, 0, false, -2.0F));
+    inbox.take(patch(2, 7, true, -3.0F));
+    inbox.take(patch(2, 8, false, -4.0F));
+    QVERIFY(inbox.complete().empty());
+    inbox.setGeneration(2);
+    QCOMPARE(inbox.complete().size(), std::size_t{2});
+    QCOMPARE(inbox.complete()[0].top[0], -2.0F);
+    QCOMPARE(inbox.complete()[1].tileX, std::uint16_t{7});
+    inbox.complete().clear();
+    inbox.take(patch(2, 9, true));
+    QCOMPARE(inbox.complete().size(), std::size_t{2});
+}
+
+void TestPatchInbox::dropsAHalfGroupOfTheToothBefore()
+{
+    PatchInbox inbox;
+    inbox.setGeneration(1);
+    inbox.take(patch(1, 0, false));
+    inbox.setGeneration(2);
+    inbox.take(patch(2, 4, true));
+    QCOMPARE(inbox.complete().size(), std::size_t{1});
+    QCOMPARE(inbox.complete()[0].tileX, std::uint16_t{4});
+}
+
+QTEST_APPLESS_MAIN(TestPatchInbox)
+#include "tst_patch_inbox.moc"

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+
+#include <QTest>
+
+#include "tests/support/SyntheticMolar.h"
+#include "tests/ui/Pictures.h"
+#include "ui/render/SolidMesh.h"
+#include "ui/render/ToothSurface.h"
+
+using core::session::kTileSide;
+using core::session::TilePatch;
+using core::terrain::NodeRect;
+using pictures::cutTile;
+using ui::render::Ray;
+using ui::render::ToothSurface;
+
+class TestToothSurface : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void isClosedAlongTheRim_data();
+    void isClosedAlongTheRim();
+    void fineGridsAreThinnedOut_data();
+    void fineGridsAreThinnedOut();
+    void cutChangesOnlyItsSurroundings();
+    void refreshedPartsEqualAWholeNewSurface();
+    void perforationOpensASewnHole();
+    void emptyToothIsEmpty();
+    void rayMeetsTheTopOrTheRestingPlane();
+    void fossaIsToothAndTheFlankIsBeside();
+    void metalMeshesAreWholeAndFaceOutwards();
+};
+
+namespace {
+
+const glm::vec3 kLight = glm::normalize(glm::vec3(-0.4F, 0.4F, 0.8F));
+
+/// How often each edge of the drawn triangles occurs, upper and lower surface together, nodes told apart by height.
+int openEdges(const ToothSurface& surface)
+{
+    std::map<std::array<std::pair<std::uint32_t, float>, 2>, int> edges;
+    const auto& indices = surface.indices();
+    for (std::size_t tile = 0; tile < surface.indexCounts().size(); ++tile) {
+        const std::size_t first = tile * ToothSurface::kTileIndices;
+        for (std::size_t k = first; k < first + static_cast<std::size_t>(surface.indexCounts()[tile]); k += 3) {
+            for (const auto* heights : {&surface.tops(), &surface.bottoms()}) {
+                for (std::size_t e = 0; e < 3; ++e) {
+                    std::pair a{indices[k + e], (*heights)[indices[k + e]].shownMm};
+                    std::pair b{indices[k + (e + 1) % 3], (*heights)[indices[k + (e + 1) % 3]].shownMm};
+                    ++edges[{std::min(a, b), std::max(a, b)}];
+                }
+            }
+        }
+    }
+    int open = 0;
+    for (const auto& [edge, count] : edges)
+        open += count != 2 ? 1 : 0;
+    return open;
+}
+
+}  // namespace
+
+void TestToothSurface::isClosedAlongTheRim_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::newRow("coarsest") << 64;
+    QTest::newRow("default") << 150;
+    QTest::newRow("thinned out") << 512;
+}
+
+void TestToothSurface::isClosedAlongTheRim()
+{
+    QFETCH(int, side);
+    const ToothSurface surface(support::syntheticMolar(side), kLight);
+    QCOMPARE(openEdges(surface), 0);
+}
+
+void TestToothSurface::fineGridsAreThinnedOut_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::addColumn<int>("drawn");
+    QTest::newRow("default") << 150 << 150;
+    QTest::newRow("largest drawn whole") << 300 << 300;
+    QTest::newRow("every second") << 301 << 151;
+    QTest::newRow("largest") << 1024 << 256;
+}
+
+void TestToothSurface::fineGridsAreThinnedOut()
+{
+    QFETCH(int, side);
+    QFETCH(int, drawn);
+    const auto tooth = support::syntheticMolar(side);
+    ToothSurface surface(tooth, kLight);
+    QCOMPARE(surface.lattice().side, drawn);
+    // A cut of one tile of the fine grid arrives in the drawn one, at the same place.
+    const glm::dvec2 place(1.7, 1.9);
+    surface.write(cutTile(*tooth, place, -5.0F));
+    surface.refresh();
+    QVERIFY(std::abs(surface.heightMm(place) + 5.0) < 1e-5);
+}
+
+void TestToothSurface::cutChangesOnlyItsSurroundings()
+{
+    const auto tooth = support::syntheticMolar();
+    ToothSurface surface(tooth, kLight);
+    const ToothSurface whole = surface;
+    surface.write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
+    const ToothSurface::Changes changes = surface.refresh();
+    QVERIFY(!changes.outline);
+    const int side = surface.lattice().side;
+    QVERIFY(changes.heights.endI - changes.heights.beginI <= kTileSide + 8);
+    QVERIFY(changes.shading.endI - changes.shading.beginI < side);
+    int lowered = 0;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const std::size_t k = surface.lattice().index(i, j);
+            const auto inside = [&](const NodeRect& r) {
+                return i >= r.beginI && i < r.endI && j >= r.beginJ && j < r.endJ;
+            };
+            lowered += surface.tops()[k].mapMm < whole.tops()[k].mapMm ? 1 : 0;
+            if (!inside(changes.heights))
+                QCOMPARE(surface.tops()[k].shownMm, whole.tops()[k].shownMm);
+            if (!inside(changes.shading)) {
+                QVERIFY(surface.topNormals()[k] == whole.topNormals()[k]);
+                QVERIFY(surface.light()[k] == whole.light()[k]);
+            }
+        }
+    }
+    QCOMPARE(lowered, kTileSide * kTileSide);
+    QVERIFY(surface.refresh().heights.isEmpty());
+}
+
+void TestToothSurface::refreshedPartsEqualAWholeNewSurface()
+{
+    // Piece by piece, the last one through the flank down to nothing, and all of it at once.
+    const auto tooth = support::syntheticMolar();
+    ToothSurface surface(tooth, kLight);
+    ToothSurface whole(tooth, kLight);
+    for (const auto& [x, y, floor] : {std::array{0.0, 0.5, -4.0}, {1.5, 0.4, -3.0}, {-4.0, 3.0, -20.0}}) {
+        const TilePatch patch = cutTile(*tooth, {x, y}, static_cast<float>(floor));
+        surface.write(patch);
+        surface.refresh();
+        whole.write(patch);
+    }
+    for (const auto& [x, y] : {std::array{-5.7, -5.7}, {5.7, 5.7}})
+        whole.write(cutTile(*tooth, {x, y}, 100.0F));
+    whole.refresh();
+    int different = 0;
+    for (std::size_t k = 0; k < surface.tops().size(); ++k) {
+        const int i = static_cast<int>(k) % surface.lattice().side;
+        const int j = static_cast<int>(k) / surface.lattice().side;
+        QCOMPARE(surface.isSolid(i, j), whole.isSolid(i, j));
+        if (!surface.isSolid(i, j))
+            continue;
+        QCOMPARE(surface.tops()[k].shownMm, whole.tops()[k].shownMm);
+        different += surface.topNormals()[k] != whole.topNormals()[k] ? 1 : 0;
+        different += surface.bottomNormals()[k] != whole.bottomNormals()[k] ? 1 : 0;
+        different += std::abs(surface.light()[k][0] - whole.light()[k][0]) > 1 ? 1 : 0;
+        different += std::abs(surface.light()[k][1] - whole.light()[k][1]) > 1 ? 1 : 0;
+    }
+    QCOMPARE(different, 0);
+    QCOMPARE(surface.indexCounts(), whole.indexCounts());
+}
+
+void TestToothSurface::perforationOpensASewnHole()
+{
+    const auto tooth = support::syntheticMolar();
+    ToothSurface surface(tooth, kLight);
+    const glm::dvec2 place(0.5, 0.5);
+    surface.write(cutTile(*tooth, place, core::terrain::kEmptyTop));
+    const ToothSurface::Changes changes = surface.refresh();
+    QVERIFY(changes.outline);
+    const glm::dvec2 at = surface.lattice().latticeOf(place);
+    QVERIFY(!surface.isSolid(static_cast<int>(at.x), static_cast<int>(at.y)));
+    QCOMPARE(openEdges(surface), 0);
+    for (const ToothSurface::Height& top : surface.tops())
+        QVERIFY(std::abs(top.shownMm) < 100.0F);
+}
+
+void TestToothSurface::emptyToothIsEmpty()
+{
+    auto nothing = std::make_shared<core::terrain::ToothAnatomy>();
+    nothing->grid = {64, 0.1, {0.0, 0.0}};
+    nothing->top.assign(nothing->grid.count(), core::terrain::kEmptyTop);
+    nothing->bottom.assign(nothing->grid.count(), core::terrain::kEmptyBottom);
+    nothing->layers.assign(nothing->grid.count(), {});
+    const ToothSurface surface(nothing, kLight);
+    for (const int count : surface.indexCounts())
+        QCOMPARE(count, 0);
+    glm::dvec3 point;
+    QVERIFY(surface.meet({{1.0, 1.0, 20.0}, {0.0, 0.0, -1.0}}, point));
+}
+
+void TestToothSurface::rayMeetsTheTopOrTheRestingPlane()
+{
+    const auto tooth = support::syntheticMolar();
+    const ToothSurface surface(tooth, kLight);
+    glm::dvec3 point;
+    const Ray slanted{{-10.0, 0.3, 9.0}, glm::normalize(glm::dvec3(1.0, 0.0, -1.0))};
+    QVERIFY(surface.meet(slanted, point));
+    QVERIFY(std::abs(point.z - surface.heightMm({point.x, point.y})) < 1e-3);
+    QVERIFY(std::abs((point.x + 10.0) - (9.0 - point.z)) < 1e-6);
+    // Nothing of the tooth lies above the ray before it.
+    for (double t = 0.0; t < 0.99; t += 0.01) {
+        const glm::dvec3 before = glm::mix(slanted.originMm, point, t);
+        QVERIFY(before.z > surface.heightMm({before.x, before.y}));
+    }
+    QVERIFY(surface.meet({{30.0, 0.0, 9.0}, {0.0, 0.0, -1.0}}, point));
+    QVERIFY(std::abs(point.z - surface.restingHeightMm()) < 1e-5);
+    QVERIFY(!surface.meet({{0.0, 0.0, -9.0}, {0.0, 0.0, 1.0}}, point));
+    QVERIFY(!surface.meet({{0.0, 0.0, 9.0}, {1.0, 0.0, 0.0}}, point));
+}
+
+void TestToothSurface::fossaIsToothAndTheFlankIsBeside()
+{
+    const ToothSurface surface(support::syntheticMolar(), kLight);
+    QVERIFY(surface.isTooth({0.0, 0.0}));
+    QVERIFY(surface.heightMm({0.0, 0.0}) < -2.0);
+    QVERIFY(!surface.isTooth({5.3, 0.0}));
+    QCOMPARE(surface.heightMm({5.3, 0.0}), surface.restingHeightMm());
+    QVERIFY(surface.highestWithinMm({-2.6, -2.6}, 0.5) > surface.heightMm({-2.2, -2.2}));
+}
+
+void TestToothSurface::metalMeshesAreWholeAndFaceOutwards()
+{
+    std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};
+    for (const core::drilling::Bur& bur : core::drilling::burs()) {
+        meshes.push_back(ui::render::burMesh(bur));
+        float widest = 0.0F;
+        float lowest = 1.0F;
+        for (const ui::render::MetalVertex& vertex : meshes.back().vertices) {
+            if (vertex.position.z < static_cast<float>(bur.headLengthMm))
+                widest = std::max(widest, glm::length(glm::vec2(vertex.position)));
+            lowest = std::min(lowest, vertex.position.z);
+        }
+        QCOMPARE(lowest, 0.0F);
+        QVERIFY(std::abs(widest - static_cast<float>(bur.headRadiusMm)) < 1e-4F);
+    }
+    for (const ui::render::SolidMesh& mesh : meshes) {
+        int inwards = 0;
+        for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+            const auto& a = mesh.vertices[mesh.indices[k]];
+            const auto& b = mesh.vertices[mesh.indices[k + 1]];
+            const auto& c = mesh.vertices[mesh.indices[k + 2]];
+            QVERIFY(std::abs(glm::length(a.normal) - 1.0F) < 1e-3F);
+            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
+            if (glm::length(across) > 1e-6F && glm::dot(across, a.normal + b.normal + c.normal) < 0.0F)
+                ++inwards;
+        }
+        QCOMPARE(inwards, 0);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestToothSurface)
+#include "tst_tooth_surface.moc"

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "tests/support/SyntheticMolar.h"
+#include "tests/ui/Pictures.h"
+#include "ui/tooth/ToothView.h"
+
+using core::session::PointerInput;
+using core::session::ServoState;
+using core::session::UiLinks;
+using core::terrain::ToothAnatomy;
+using ui::tooth::Camera;
+using ui::tooth::PointerControl;
+using ui::tooth::ToothView;
+
+class TestToothView : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void showsTheToothItIsGiven();
+    void appliesAGroupOfPatchesOnlyWhole();
+    void ignoresPatchesOfAnotherTooth();
+    void showsTheBurWhereTheServoHoldsIt();
+    void reportsEveryFrameWithTheNewestState();
+    void paintsOnlyWhenSomethingShows();
+    void mouseMovesTheBurAndItsButtonPushes();
+    void pecksAreNoDoubleClick();
+    void rightDragTurnsTheViewAndLeavesTheBur();
+    void wheelZoomsAndWithControlSetsTheForce();
+    void doubleClickResetsTheView();
+    void arrowsMoveTheBurInScreenDirections();
+    void heldArrowGathersSpeedAndShiftIsFine();
+    void pageKeysPushAndLift();
+    void losingTheFocusLetsGo();
+    void otherHandTurnsTheSceneAndTheArrows();
+    void isAnEmptyRoomWithoutATooth();
+
+private:
+    [[nodiscard]] PointerInput pointer() { return m_links->pointer.latest(); }
+    [[nodiscard]] QPoint pixelOf(glm::dvec3 pointMm) const
+    {
+        const glm::dvec2 pixel = m_view->camera().pixelOf(pointMm);
+        return {qRound(pixel.x), qRound(pixel.y)};
+    }
+    void move(QPoint to, Qt::MouseButtons buttons = Qt::NoButton);
+    QImage picture();
+
+    std::shared_ptr<const ToothAnatomy> m_tooth;
+    std::unique_ptr<UiLinks> m_links;
+    std::unique_ptr<ToothView> m_view;
+};
+
+void TestToothView::initTestCase()
+{
+    m_tooth = support::syntheticMolar();
+}
+
+void TestToothView::init()
+{
+    m_links = std::make_unique<UiLinks>();
+    m_view = std::make_unique<ToothView>(*m_links);
+    QVERIFY(m_view->isUsable());
+    m_view->setReducedMotion(true);
+    m_view->resize(640, 480);
+    m_view->setTooth(m_tooth, 1);
+    m_view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+    m_view->activateWindow();
+    m_view->setFocus();
+}
+
+void TestToothView::cleanup()
+{
+    m_view.reset();
+    m_links.reset();
+}
+
+void TestToothView::move(QPoint to, Qt::MouseButtons buttons)
+{
+    QMouseEvent event(QEvent::MouseMove, QPointF(to), m_view->mapToGlobal(QPointF(to)), Qt::NoButton, buttons,
+                      Qt::NoModifier);
+    QCoreApplication::sendEvent(m_view.get(), &event);
+}
+
+QImage TestToothView::picture()
+{
+    const QImage image = m_view->picture();
+    pictures::keep(image, QStringLiteral("view_") + QTest::currentTestFunction());
+    return image;
+}
+
+void TestToothView::showsTheToothItIsGiven()
+{
+    const QImage image = picture();
+    QCOMPARE(image.size(), m_view->size() * m_view->devicePixelRatioF());
+    const QPoint cusp = pixelOf({-2.6, -2.6, -0.8});
+    QVERIFY(pictures::mean(image, pictures::around(cusp.x(), cusp.y(), 4)).brightness() > 140.0);
+    QVERIFY(pictures::mean(image, QRect(0, 0, 30, 30)).brightness() < 70.0);
+}
+
+void TestToothView::appliesAGroupOfPatchesOnlyWhole()
+{
+    const QImage before = picture();
+    const glm::dvec2 place = pictures::tileMiddle(m_tooth->grid, {1.8, 1.0});
+    QVERIFY(m_links->patches.tryPush(pictures::cutTile(*m_tooth, place, -4.0F, 1, false)));
+    QCOMPARE(pictures::difference(before, picture(), 2).pixels, 0);
+    QVERIFY(m_links->patches.tryPush(pictures::cutTile(*m_tooth, {-1.6, 0.4}, -4.0F, 1, true)));
+    const QImage after = picture();
+    QVERIFY(pictures::difference(before, after, 12).pixels > 400);
+    const QPoint pixel = pixelOf({place, -4.0});
+    QVERIFY(pictures::difference(before.copy(pictures::around(pixel.x(), pixel.y(), 5)),
+                                 after.copy(pictures::around(pixel.x(), pixel.y(), 5)), 12)
+                .pixels > 0);
+}
+
+void TestToothView::ignoresPatchesOfAnotherTooth()
+{
+    m_view->setTooth(m_tooth, 4);
+    const QImage before = picture();
+    QVERIFY(m_links->patches.tryPush(pictures::cutTile(*m_tooth, {1.8, 1.0}, -4.0F, 3)));
+    QVERIFY(m_links->patches.tryPush(pictures::cutTile(*m_tooth, {1.8, 1.0}, -4.0F, 5)));
+    QCOMPARE(pictures::difference(before, picture(), 2).pixels, 0);
+    // The tooth that the session already cuts comes to the view with its cuts.
+    m_view->setTooth(m_tooth, 5);
+    QVERIFY(pictures::difference(before, picture(), 12).pixels > 300);
+}
+
+void TestToothView::showsTheBurWhereTheServoHoldsIt()
+{
+    const QImage before = picture();
+    ServoState state;
+    state.tick = 1;
+    state.anchorMm = {-2.6, -2.6, 0.2};
+    state.deviceMm = {-2.6, -2.6, -5.0};  // the hand is deep inside: it must not matter
+    m_links->servo.publish(state);
+    const QImage after = picture();
+    const QPoint neck = pixelOf({-2.6, -2.6, 1.2});
+    QVERIFY(pictures::differs(before.pixel(neck), after.pixel(neck), 15));
+    state.anchorMm = {3.0, 2.0, 1.0};
+    m_links->servo.publish(state);
+    const QImage moved = picture();
+    QVERIFY(!pictures::differs(before.pixel(neck), moved.pixel(neck), 15));
+    const QPoint there = pixelOf({3.0, 2.0, 2.0});
+    QVERIFY(pictures::differs(before.pixel(there), moved.pixel(there), 15));
+}
+
+void TestToothView::reportsEveryFrameWithTheNewestState()
+{
+    QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
+    std::uint64_t tick = 0;
+    connect(m_view.get(), &ToothView::frameAdvanced, this, [&tick](const ServoState& state) { tick = state.tick; });
+    ServoState state;
+    state.tick = 17;
+    m_links->servo.publish(state);
+    state.tick = 18;
+    m_links->servo.publish(state);
+    QTRY_COMPARE(tick, std::uint64_t{18});
+    QTRY_VERIFY(frames.count() >= 3);
+}
+
+void TestToothView::paintsOnlyWhenSomethingShows()
+{
+    QSignalSpy painted(m_view.get(), &QOpenGLWidget::frameSwapped);
+    QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
+    ServoState state;
+    state.tick = 1;
+    m_links->servo.publish(state);
+    QTRY_VERIFY(painted.count() > 0);
+    // A software driver paints once more, with smooth edges.
+    for (int pass = 0; pass < 20 && painted.count() > 0; ++pass) {
+        painted.clear();
+        frames.clear();
+        QTRY_VERIFY(frames.count() > 15);
+    }
+    frames.clear();
+    state.tick = 500;  // time goes on, nothing moves
+    m_links->servo.publish(state);
+    QTRY_VERIFY(frames.count() > 10);
+    QCOMPARE(painted.count(), 0);
+    state.anchorMm.x += 0.5;
+    m_links->servo.publish(state);
+    QTRY_VERIFY(painted.count() > 0);
+}
+
+void TestToothView::mouseMovesTheBurAndItsButtonPushes()
+{
+    m_view->setCamera(0.0, 88.0, m_view->camera().fittingMm());
+    const glm::dvec2 wanted(-1.5, 2.0);
+    const QPoint at = pixelOf({wanted, -2.0});
+    move(at);
+    QVERIFY(glm::distance(pointer().targetMm, wanted) < 0.15);
+    QVERIFY(!pointer().pushing);
+    QVERIFY(pointer().hoverMm > -3.3);
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at);
+    QVERIFY(pointer().pushing);
+    QCOMPARE(pointer().pushForceN, PointerControl::kFirstN);
+    ServoState state;
+    state.tick = 1;
+    state.anchorMm = glm::dvec3(pointer().targetMm, -4.0);
+    m_links->servo.publish(state);
+    QTRY_VERIFY(m_view->camera().distanceMm() > 0.0);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
+    QVERIFY(!pointer().pushing);
+}
+
+void TestToothView::pecksAreNoDoubleClick()
+{
+    m_view->setCamera(40.0, 60.0, m_view->camera().fittingMm());
+    const QPoint at = pixelOf({0.0, 1.0, -2.5});
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(m_view.get(), Qt::LeftButton, {}, at);
+    QCOMPARE(m_view->camera().azimuthDeg(), 40.0);
+    QVERIFY(pointer().pushing);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
+    QVERIFY(!pointer().pushing);
+}
+
+void TestToothView::rightDragTurnsTheViewAndLeavesTheBur()
+{
+    move({300, 240});
+    const PointerInput before = pointer();
+    for (const Qt::MouseButton button : {Qt::RightButton, Qt::MiddleButton}) {
+        const double azimuth = m_view->camera().azimuthDeg();
+        const double elevation = m_view->camera().elevationDeg();
+        QTest::mousePress(m_view.get(), button, {}, {300, 240});
+        move({340, 260}, button);
+        QTest::mouseRelease(m_view.get(), button, {}, {340, 260});
+        QVERIFY(m_view->camera().azimuthDeg() < azimuth - 5.0);
+        QVERIFY(m_view->camera().elevationDeg() > elevation + 3.0);
+    }
+    QCOMPARE(pointer().targetMm.x, before.targetMm.x);
+    QVERIFY(!pointer().pushing);
+}
+
+void TestToothView::wheelZoomsAndWithControlSetsTheForce()
+{
+    const auto wheel = [&](int notches, Qt::KeyboardModifiers keys) {
+        QWheelEvent event({300, 200}, m_view->mapToGlobal(QPointF(300, 200)), {}, {0, 120 * notches}, Qt::NoButton,
+                          keys, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+    };
+    const double far = m_view->camera().distanceMm();
+    wheel(2, Qt::NoModifier);
+    QVERIFY(m_view->camera().distanceMm() < 0.9 * far);
+    QSignalSpy changed(m_view.get(), &ToothView::pushForceChanged);
+    wheel(3, Qt::ControlModifier);
+    QVERIFY(std::abs(m_view->pushForce() - PointerControl::kFirstN - 0.3) < 1e-9);
+    QVERIFY(std::abs(pointer().pushForceN - PointerControl::kFirstN - 0.3) < 1e-9);
+    QCOMPARE(changed.count(), 1);
+    wheel(-100, Qt::ControlModifier);
+    QCOMPARE(m_view->pushForce(), PointerControl::kWeakestN);
+    wheel(-1, Qt::ControlModifier);
+    QCOMPARE(changed.count(), 2);
+    QTest::keyClick(m_view.get(), Qt::Key_Period);
+    QVERIFY(std::abs(m_view->pushForce() - 0.3) < 1e-9);
+}
+
+void TestToothView::doubleClickResetsTheView()
+{
+    m_view->setCamera(120.0, 20.0, 25.0);
+    QTest::mouseDClick(m_view.get(), Qt::RightButton, {}, {320, 240});
+    QCOMPARE(m_view->camera().azimuthDeg(), Camera::kStartAzimuthDeg);
+    QCOMPARE(m_view->camera().elevationDeg(), Camera::kStartElevationDeg);
+    m_view->setCamera(120.0, 20.0, 60.0);
+    QTest::mouseDClick(m_view.get(), Qt::LeftButton, {}, {8, 8});  // beside the tooth
+    QCOMPARE(m_view->camera().azimuthDeg(), Camera::kStartAzimuthDeg);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, {8, 8});
+    QVERIFY(!pointer().pushing);
+}
+
+void TestToothView::arrowsMoveTheBurInScreenDirections()
+{
+    m_view->setCamera(90.0, 50.0, 40.0);  // the eye is at +x: right on the screen is +y
+    const glm::dvec2 start = pointer().targetMm;
+    QTest::keyClick(m_view.get(), Qt::Key_Right);
+    QVERIFY(glm::distance(pointer().targetMm, start + glm::dvec2(0.0, 0.1)) < 1e-9);
+    QTest::keyClick(m_view.get(), Qt::Key_Up);
+    QVERIFY(glm::distance(pointer().targetMm, start + glm::dvec2(-0.1, 0.1)) < 1e-9);
+    QTest::keyClick(m_view.get(), Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(glm::distance(pointer().targetMm, start + glm::dvec2(-0.1, 0.08)) < 1e-9);
+    QTest::keyClick(m_view.get(), Qt::Key_Down);
+    QVERIFY(glm::distance(pointer().targetMm, start + glm::dvec2(0.0, 0.08)) < 1e-9);
+}
+
+void TestToothView::heldArrowGathersSpeedAndShiftIsFine()
+{
+    const auto travelled = [&](Qt::KeyboardModifiers keys, double untilMm) {
+        const glm::dvec2 start = pointer().targetMm;
+        QElapsedTimer clock;
+        clock.start();
+        QTest::keyPress(m_view.get(), Qt::Key_Left, keys);
+        const bool arrived = QTest::qWaitFor([&] { return glm::distance(pointer().targetMm, start) > untilMm; }, 20000);
+        QTest::keyRelease(m_view.get(), Qt::Key_Left, keys);
+        return arrived ? static_cast<double>(clock.elapsed()) / untilMm : 0.0;  // milliseconds for a millimetre
+    };
+    const double fine = travelled(Qt::ShiftModifier, 0.3);
+    const double quick = travelled(Qt::NoModifier, 2.0);
+    QVERIFY(quick > 0.0);
+    QVERIFY(fine > 2.0 * quick);
+    const glm::dvec2 rest = pointer().targetMm;
+    QTest::qWait(60);
+    QCOMPARE(pointer().targetMm.x, rest.x);
+}
+
+void TestToothView::pageKeysPushAndLift()
+{
+    QTest::keyPress(m_view.get(), Qt::Key_PageDown);
+    QVERIFY(pointer().pushing);
+    QTest::keyRelease(m_view.get(), Qt::Key_PageDown);
+    QVERIFY(!pointer().pushing);
+    const double hover = pointer().hoverMm;
+    QTest::keyPress(m_view.get(), Qt::Key_PageUp);
+    QVERIFY(pointer().hoverMm > hover + 2.0);
+    QTest::keyRelease(m_view.get(), Qt::Key_PageUp);
+    QCOMPARE(pointer().hoverMm, hover);
+}
+
+void TestToothView::losingTheFocusLetsGo()
+{
+    QTest::keyPress(m_view.get(), Qt::Key_PageDown);
+    QTest::keyPress(m_view.get(), Qt::Key_Right);
+    QVERIFY(pointer().pushing);
+    QFocusEvent out(QEvent::FocusOut);
+    QCoreApplication::sendEvent(m_view.get(), &out);
+    QVERIFY(!pointer().pushing);
+    const glm::dvec2 rest = pointer().targetMm;
+    QTest::qWait(400);
+    QCOMPARE(pointer().targetMm.x, rest.x);
+}
+
+void TestToothView::otherHandTurnsTheSceneAndTheArrows()
+{
+    m_view->setCamera(0.0, 60.0, m_view->camera().fittingMm());
+    const QImage right = picture();
+    const QPoint before = pixelOf({3.0, 1.0, -2.0});
+    m_view->setLeftHanded(true);
+    const QPoint after = pixelOf({3.0, 1.0, -2.0});
+    QVERIFY(before.x() > 320 && after.x() < 320);
+    QVERIFY(pictures::difference(right, picture(), 20).pixels > 5000);
+    const glm::dvec2 start = pointer().targetMm;
+    QTest::keyClick(m_view.get(), Qt::Key_Right);
+    QVERIFY(pointer().targetMm.x < start.x);
+}
+
+void TestToothView::isAnEmptyRoomWithoutATooth()
+{
+    // The empty room, and every event is survived.
+    UiLinks links;
+    ToothView view(links);
+    view.resize(320, 240);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QTest::mouseClick(&view, Qt::LeftButton, {}, {160, 120});
+    QTest::keyClick(&view, Qt::Key_Left);
+    QVERIFY(links.patches.tryPush(pictures::cutTile(*m_tooth, {0.0, 0.0}, -4.0F)));
+    QVERIFY(pictures::mean(view.picture(), view.rect()).brightness() < 90.0);
+}
+
+QTEST_MAIN(TestToothView)
+#include "tst_tooth_view.moc"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+#include "tests/support/SyntheticMolar.h"
+#include "ui/tooth/ToothView.h"
+
+using ui::tooth::ToothView;
+
+/// On a platform without OpenGL, as Qt's "offscreen" is.
+class TestToothViewWithoutOpenGl : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void saysWhatIsMissingAndWhatToDo();
+    void paneShowsTheSentenceInAWindow();
+    void everythingElseStillAnswers();
+
+private:
+    std::unique_ptr<core::session::UiLinks> m_links;
+    std::unique_ptr<ToothView> m_view;
+};
+
+void TestToothViewWithoutOpenGl::init()
+{
+    QTest::ignoreMessage(QtWarningMsg, "QOpenGLWidget is not supported on this platform.");
+    QTest::ignoreMessage(QtWarningMsg, QRegularExpression("tooth view cannot be used: no context of version 3.3"));
+    m_links = std::make_unique<core::session::UiLinks>();
+    m_view = std::make_unique<ToothView>(*m_links);
+}
+
+void TestToothViewWithoutOpenGl::cleanup()
+{
+    m_view.reset();
+    m_links.reset();
+}
+
+void TestToothViewWithoutOpenGl::saysWhatIsMissingAndWhatToDo()
+{
+    QSignalSpy failed(m_view.get(), &ToothView::failed);
+    QVERIFY(!m_view->isUsable());
+    QTRY_COMPARE(failed.count(), 1);
+    const QString sentence = failed.first().first().toString();
+    QVERIFY(sentence.contains("OpenGL 3.3"));
+    QVERIFY(sentence.contains("driver"));
+}
+
+void TestToothViewWithoutOpenGl::paneShowsTheSentenceInAWindow()
+{
+    QWidget window;
+    auto* layout = new QVBoxLayout(&window);
+    QVERIFY(m_view->pane() != m_view.get());
+    layout->addWidget(m_view->pane());
+    window.resize(400, 300);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const auto* label = window.findChild<QLabel*>();
+    QVERIFY(label != nullptr && label->isVisible());
+    QVERIFY(label->text().contains("OpenGL 3.3"));
+    QVERIFY(!m_view->picture().isNull());
+}
+
+void TestToothViewWithoutOpenGl::everythingElseStillAnswers()
+{
+    QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
+    m_view->setTooth(support::syntheticMolar(64), 1);
+    m_view->setLeftHanded(true);
+    m_view->setCamera(10.0, 40.0, 30.0);
+    m_view->setPushForce(2.0);
+    QCOMPARE(m_links->pointer.latest().pushForceN, 2.0);
+    core::session::TilePatch patch;
+    patch.toothGeneration = 1;
+    patch.last = true;
+    patch.top.fill(-4.0F);
+    QVERIFY(m_links->patches.tryPush(patch));
+    QTRY_VERIFY(frames.count() > 2);
+    core::session::TilePatch left;
+    QVERIFY(!m_links->patches.tryPop(left));
+}
+
+QTEST_MAIN(TestToothViewWithoutOpenGl)
+#include "tst_tooth_view_without_opengl.moc"

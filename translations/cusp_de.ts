@@ -1,0 +1,850 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_US">
+<context>
+    <name>Bur</name>
+    <message>
+        <source>Round, No. 2</source>
+        <translation>Rund, Nr. 2</translation>
+    </message>
+    <message>
+        <source>Pear, No. 330</source>
+        <translation>Birne, Nr. 330</translation>
+    </message>
+    <message>
+        <source>Long pear, No. 245</source>
+        <translation>Lange Birne, Nr. 245</translation>
+    </message>
+    <message>
+        <source>Straight fissure, No. 57</source>
+        <translation>Fissurenbohrer, Nr. 57</translation>
+    </message>
+</context>
+<context>
+    <name>Criterion</name>
+    <message>
+        <source>Decay left</source>
+        <translation>Restkaries</translation>
+    </message>
+    <message>
+        <source>Sound tissue removed</source>
+        <translation>Gesundes entfernt</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa eröffnet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3 free: nothing lost</source>
+        <translation>%1 von %2 %3 frei: kein Abzug</translation>
+    </message>
+    <message>
+        <source>Nothing lost</source>
+        <translation>Kein Abzug</translation>
+    </message>
+    <message numerus="yes">
+        <source>More than %1 %2: %n point(s) at once</source>
+        <translation>
+            <numerusform>Mehr als %1 %2: sofort %n Punkt</numerusform>
+            <numerusform>Mehr als %1 %2: sofort %n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Any at all: %n point(s) at once</source>
+        <translation>
+            <numerusform>Jede Eröffnung: sofort %n Punkt</numerusform>
+            <numerusform>Jede Eröffnung: sofort %n Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>(%1 − %2 free) %3 × %4 points = %5</source>
+        <translation>(%1 − %2 frei) %3 × %4 Punkte = %5</translation>
+    </message>
+    <message>
+        <source>%1 %2 × %3 points = %4</source>
+        <translation>%1 %2 × %3 Punkte = %4</translation>
+    </message>
+    <message>
+        <source>%1, rounded %2</source>
+        <translation>%1, gerundet %2</translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <translation>%1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2, no less than 0</source>
+        <extracomment>%1 is the sum, %2 what it comes to below zero; the score itself stops at 0</extracomment>
+        <translation>%1 = %2, mindestens 0</translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message>
+        <source>The file is not there. Was it moved or renamed?</source>
+        <translation>Die Datei ist nicht da. Wurde sie verschoben oder umbenannt?</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you may open it.</source>
+        <translation>Die Datei lässt sich nicht lesen. Ist es eine Datei, und dürfen Sie sie öffnen?</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation>Die Datei lässt sich nicht schreiben. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The file is empty. Export or copy it again.</source>
+        <translation>Die Datei ist leer. Exportieren oder kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file ends too early. Export or copy it again.</source>
+        <translation>Die Datei endet zu früh. Exportieren oder kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Export the scan with fewer triangles.</source>
+        <translation>Die Datei ist zu groß. Exportieren Sie den Scan mit weniger Dreiecken.</translation>
+    </message>
+    <message>
+        <source>The file is of another kind than its name says. Scans are OBJ, STL or PLY.</source>
+        <translation>Die Datei ist von anderer Art, als ihr Name sagt. Scans sind OBJ, STL oder PLY.</translation>
+    </message>
+    <message>
+        <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
+        <translation>Diese Datei stammt von einem neueren Cusp. Aktualisieren Sie Cusp, um sie zu öffnen.</translation>
+    </message>
+    <message>
+        <source>The file holds something that is not a number where one belongs. Export it again.</source>
+        <translation>In der Datei steht etwas anderes, wo eine Zahl hingehört. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together. Export it again.</source>
+        <translation>Der Inhalt der Datei passt nicht zusammen. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is no surface in this file. Choose a scan of a tooth.</source>
+        <translation>In dieser Datei ist keine Oberfläche. Wählen Sie den Scan eines Zahns.</translation>
+    </message>
+    <message>
+        <source>Cusp does not know what is asked for by this name.</source>
+        <translation>Cusp kennt nichts unter diesem Namen.</translation>
+    </message>
+    <message>
+        <source>A value lies outside what Cusp can work with.</source>
+        <translation>Ein Wert liegt außerhalb dessen, womit Cusp arbeiten kann.</translation>
+    </message>
+</context>
+<context>
+    <name>Health</name>
+    <message>
+        <source>The handpiece is gone: no force. Plug it in again.</source>
+        <translation>Das Handstück fehlt: keine Kraft. Stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>The computer was too slow: the recording has a gap.</source>
+        <translation>Der Rechner war zu langsam: Die Aufzeichnung hat eine Lücke.</translation>
+    </message>
+    <message>
+        <source>The computer is slow: the picture lags behind.</source>
+        <translation>Der Rechner ist langsam: Das Bild hängt nach.</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>Kraft am Anschlag</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>decay</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>enamel</source>
+        <translation>Schmelz</translation>
+    </message>
+    <message>
+        <source>dentin</source>
+        <translation>Dentin</translation>
+    </message>
+    <message>
+        <source>pulp</source>
+        <translation>Pulpa</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <extracomment>One letter for decay (caries); must differ from those of enamel, dentin and pulp.</extracomment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <extracomment>One letter for enamel</extracomment>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>One letter for dentin</extracomment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>One letter for pulp</extracomment>
+        <translation>P</translation>
+    </message>
+</context>
+<context>
+    <name>Tooth</name>
+    <message>
+        <source>upper right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>%1 central incisor</source>
+        <translation>mittlerer Schneidezahn %1</translation>
+    </message>
+    <message>
+        <source>%1 lateral incisor</source>
+        <translation>seitlicher Schneidezahn %1</translation>
+    </message>
+    <message>
+        <source>%1 canine</source>
+        <translation>Eckzahn %1</translation>
+    </message>
+    <message>
+        <source>%1 first premolar</source>
+        <translation>erster Prämolar %1</translation>
+    </message>
+    <message>
+        <source>%1 second premolar</source>
+        <translation>zweiter Prämolar %1</translation>
+    </message>
+    <message>
+        <source>%1 first molar</source>
+        <translation>erster Molar %1</translation>
+    </message>
+    <message>
+        <source>%1 second molar</source>
+        <translation>zweiter Molar %1</translation>
+    </message>
+    <message>
+        <source>%1 third molar</source>
+        <translation>dritter Molar %1</translation>
+    </message>
+    <message>
+        <source>Tooth %1</source>
+        <translation>Zahn %1</translation>
+    </message>
+    <message>
+        <source>Tooth without a name</source>
+        <translation>Zahn ohne Namen</translation>
+    </message>
+</context>
+<context>
+    <name>app::Application</name>
+    <message>
+        <source>Making tooth %1 …</source>
+        <translation>Zahn %1 entsteht …</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>Die Aufzeichnung liegt als %1 bereit.</translation>
+    </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation>Das ist eine Wiedergabe. Beende sie, um für deine eigene Arbeit benotet zu werden.</translation>
+    </message>
+    <message>
+        <source>This is a replay; it is saved already. Stop it to record your own work.</source>
+        <translation>Das ist eine Wiedergabe, sie ist schon gespeichert. Beende sie, um deine eigene Arbeit aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>The recording has come to its end. Stop the replay to begin this tooth anew yourself.</source>
+        <translation>Die Aufzeichnung ist zu Ende. Beende die Wiedergabe, um diesen Zahn selbst neu zu beginnen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::Actions</name>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Drill on or off</source>
+        <translation>Bohrer an oder aus</translation>
+    </message>
+    <message>
+        <source>Let the bur turn, or stop it</source>
+        <translation>Den Bohrer drehen lassen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last stroke</source>
+        <translation>Den letzten Zug zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Make the stroke again that was taken back</source>
+        <translation>Den zurückgenommenen Zug noch einmal machen</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Make the tooth whole again; undo brings your work back</source>
+        <translation>Den Zahn wieder ganz machen; Rückgängig bringt Ihre Arbeit zurück</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>Measure what you have cut and explain the grade</source>
+        <translation>Messen, was Sie präpariert haben, und die Note erklären</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>Take this bur</source>
+        <translation>Diesen Bohrer nehmen</translation>
+    </message>
+    <message>
+        <source>Other hand</source>
+        <translation>Andere Hand</translation>
+    </message>
+    <message>
+        <source>Hold the handpiece in the other hand</source>
+        <translation>Das Handstück in die andere Hand nehmen</translation>
+    </message>
+    <message>
+        <source>Tooth and files</source>
+        <translation>Zahn und Dateien</translation>
+    </message>
+    <message>
+        <source>Choose a tooth</source>
+        <translation>Zahn wählen</translation>
+    </message>
+    <message>
+        <source>Show the arches and choose one of 16 teeth</source>
+        <translation>Die Zahnbögen zeigen und einen von 16 Zähnen wählen</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Open the scan of a tooth: OBJ, STL or PLY</source>
+        <translation>Den Scan eines Zahns öffnen: OBJ, STL oder PLY</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufzeichnung sichern</translation>
+    </message>
+    <message>
+        <source>Save every movement of this attempt to a file</source>
+        <translation>Jede Bewegung dieses Versuchs in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Watch a saved attempt again</source>
+        <translation>Einen gesicherten Versuch noch einmal ansehen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>View from the start</source>
+        <translation>Ansicht vom Anfang</translation>
+    </message>
+    <message>
+        <source>Turn the tooth back to where it began</source>
+        <translation>Den Zahn zurückdrehen wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Side panel</source>
+        <translation>Seitenleiste</translation>
+    </message>
+    <message>
+        <source>Show the figures, or put them away</source>
+        <translation>Die Messwerte zeigen oder wegräumen</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation>Den ganzen Bildschirm füllen</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Show what every key does</source>
+        <translation>Zeigen, was jede Taste tut</translation>
+    </message>
+    <message>
+        <source>Back to the tooth</source>
+        <translation>Zurück zum Zahn</translation>
+    </message>
+    <message>
+        <source>Close what lies over the tooth; nothing is lost</source>
+        <translation>Schließen, was über dem Zahn liegt; nichts geht verloren</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Close Cusp</source>
+        <translation>Cusp schließen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>Tooltip: what it does, then its key</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchTooth</name>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 is the FDI number, %2 the tooth&apos;s name</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchView</name>
+    <message>
+        <source>Arches</source>
+        <translation>Zahnbögen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurChooser</name>
+    <message>
+        <source>Burs</source>
+        <translation>Bohrer</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BusyCard</name>
+    <message>
+        <source>Working</source>
+        <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::DrillSwitch</name>
+    <message>
+        <source>Drill is on</source>
+        <translation>Bohrer ist an</translation>
+    </message>
+    <message>
+        <source>Drill is off</source>
+        <translation>Bohrer ist aus</translation>
+    </message>
+    <message>
+        <source>Drill on</source>
+        <translation>Bohrer an</translation>
+    </message>
+    <message>
+        <source>Drill off</source>
+        <translation>Bohrer aus</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ForceBar</name>
+    <message>
+        <source>Force against the force that is set</source>
+        <translation>Kraft im Verhältnis zur eingestellten</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HelpOverlay</name>
+    <message>
+        <source>Move the bur</source>
+        <translation>Bohrer führen</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Push it against the tooth</source>
+        <translation>An den Zahn drücken</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>linke Taste</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Lift it</source>
+        <translation>Abheben</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Push harder, softer</source>
+        <translation>Stärker, schwächer</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Strg + Rad</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Ctrl + arrows</source>
+        <translation>Strg + Pfeile</translation>
+    </message>
+    <message>
+        <source>Come nearer, go back</source>
+        <translation>Näher, weiter weg</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Over the tooth</source>
+        <translation>Über dem Zahn</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HistoryChart</name>
+    <message>
+        <source>Last grades, oldest first: %1</source>
+        <translation>Letzte Noten, älteste zuerst: %1</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>bestanden ab %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
+    </message>
+    <message>
+        <source>The tooth is whole again.</source>
+        <translation>Der Zahn ist wieder ganz.</translation>
+    </message>
+    <message>
+        <source>Bring my work back</source>
+        <translation>Arbeit zurückholen</translation>
+    </message>
+    <message>
+        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
+        <translation>Cusp ist noch mit dem Vorigen beschäftigt und hat das nicht getan. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 – Cusp</source>
+        <translation>%1 – Cusp</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>%n Hinweis zu diesem Scan</numerusform>
+            <numerusform>%n Hinweise zu diesem Scan</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation>Scans von Zähnen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Aufzeichnungen (%1)</translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie so etwas herein.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Diese Meldung schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::PracticeRoom</name>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
+        <translation>Maus über den Zahn führen, linke Taste bohrt; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
+    </message>
+    <message>
+        <source>You are watching a recording</source>
+        <translation>Sie sehen eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Aufzeichnung anhalten</translation>
+    </message>
+    <message>
+        <source>Stop watching and drill yourself (Esc)</source>
+        <translation>Nicht weiter zusehen, selbst bohren (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScoreBar</name>
+    <message>
+        <source>%1 of 100, pass mark %2</source>
+        <extracomment>A score bar for the screen reader</extracomment>
+        <translation>%1 von 100, bestanden ab %2</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>bestanden ab %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScorePage</name>
+    <message>
+        <source>Grade</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Picture of the tooth as graded</source>
+        <translation>Bild des bewerteten Zahns</translation>
+    </message>
+    <message>
+        <source>How the grade was worked out</source>
+        <translation>So kommt die Note zustande</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Last grades of this tooth</source>
+        <translation>Letzte Noten dieses Zahns</translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation>von 100</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation>Nicht bestanden: Schaden</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation>Hier gehen höchstens %1 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>This is the first grade of this tooth.</source>
+        <translation>Das ist die erste Note dieses Zahns.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::SidePanel</name>
+    <message>
+        <source>Live figures and handpiece</source>
+        <translation>Messwerte und Handstück</translation>
+    </message>
+    <message>
+        <source>Under the bur</source>
+        <translation>Unter dem Bohrer</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Decay left</source>
+        <translation>Restkaries</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
+    </message>
+    <message>
+        <source>Bur</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation>Drücken mit</translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation>Drücken mit, Newton</translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth</source>
+        <translation>Wie stark Maus und Tasten den Bohrer an den Zahn drücken</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <comment>the bur touches nothing</comment>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>N, limited</source>
+        <extracomment>Unit of the force while the wanted force is beyond what the device may give</extracomment>
+        <translation>N, begrenzt</translation>
+    </message>
+    <message>
+        <source>&lt; 1</source>
+        <translation>&lt; 1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ToothChooser</name>
+    <message>
+        <source>Choose a tooth</source>
+        <translation>Zahn wählen</translation>
+    </message>
+    <message>
+        <source>Drill this tooth</source>
+        <translation>Diesen Zahn bohren</translation>
+    </message>
+    <message>
+        <source>Put this tooth on the table (Enter)</source>
+        <translation>Diesen Zahn auf den Tisch legen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <translation>Oder bohren Sie einen eigenen Zahn: einen Scan als OBJ, STL oder PLY. Sie können die Datei auch irgendwo auf dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Nothing chosen</source>
+        <translation>Nichts gewählt</translation>
+    </message>
+    <message>
+        <source>On the table now. Taking it again gives you a whole one.</source>
+        <translation>Liegt schon auf dem Tisch. Noch einmal genommen, ist er wieder ganz.</translation>
+    </message>
+    <message>
+        <source>Click a tooth, or walk with the arrow keys.</source>
+        <translation>Klicken Sie auf einen Zahn oder gehen Sie mit den Pfeiltasten.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::ToothView</name>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the bur, page down pushes, page up lifts.</source>
+        <translation>Pfeiltasten führen den Bohrer, Bild ab drückt, Bild auf hebt ab.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <extracomment>A force in newtons, beside the bur</extracomment>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
+        <translation>Dieser Rechner bietet kein OpenGL 3.3, darum kann der Zahn nicht gezeigt werden. Installieren oder aktualisieren Sie den Grafiktreiber (unter Debian: libgl1-mesa-dri) und starten Sie Cusp neu.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,850 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US" sourcelanguage="en_US">
+<context>
+    <name>Bur</name>
+    <message>
+        <source>Round, No. 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pear, No. 330</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Long pear, No. 245</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight fissure, No. 57</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Criterion</name>
+    <message>
+        <source>Decay left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound tissue removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3 free: nothing lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>More than %1 %2: %n point(s) at once</source>
+        <translation>
+            <numerusform>More than %1 %2: %n point at once</numerusform>
+            <numerusform>More than %1 %2: %n points at once</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Any at all: %n point(s) at once</source>
+        <translation>
+            <numerusform>Any at all: %n point at once</numerusform>
+            <numerusform>Any at all: %n points at once</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>(%1 − %2 free) %3 × %4 points = %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 × %3 points = %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rounded %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 = %2, no less than 0</source>
+        <extracomment>%1 is the sum, %2 what it comes to below zero; the score itself stops at 0</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message>
+        <source>The file is not there. Was it moved or renamed?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you may open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is empty. Export or copy it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file ends too early. Export or copy it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is too large. Export the scan with fewer triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is of another kind than its name says. Scans are OBJ, STL or PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds something that is not a number where one belongs. Export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together. Export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no surface in this file. Choose a scan of a tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cusp does not know what is asked for by this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A value lies outside what Cusp can work with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Health</name>
+    <message>
+        <source>The handpiece is gone: no force. Plug it in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computer was too slow: the recording has a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computer is slow: the picture lags behind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>decay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enamel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dentin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C</source>
+        <extracomment>One letter for decay (caries); must differ from those of enamel, dentin and pulp.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E</source>
+        <extracomment>One letter for enamel</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>One letter for dentin</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>One letter for pulp</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Tooth</name>
+    <message>
+        <source>upper right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 central incisor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lateral incisor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 canine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 first premolar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 second premolar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 first molar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 second molar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 third molar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::Application</name>
+    <message>
+        <source>Making tooth %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a replay; it is saved already. Stop it to record your own work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording has come to its end. Stop the replay to begin this tooth anew yourself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::Actions</name>
+    <message>
+        <source>Drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the bur turn, or stop it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back the last stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the stroke again that was taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the tooth whole again; undo brings your work back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure what you have cut and explain the grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the handpiece in the other hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth and files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the arches and choose one of 16 teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the scan of a tooth: OBJ, STL or PLY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save every movement of this attempt to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch a saved attempt again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View from the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the tooth back to where it began</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the figures, or put them away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what every key does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close what lies over the tooth; nothing is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close Cusp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>Tooltip: what it does, then its key</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchTooth</name>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 is the FDI number, %2 the tooth&apos;s name</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchView</name>
+    <message>
+        <source>Arches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurChooser</name>
+    <message>
+        <source>Burs</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BusyCard</name>
+    <message>
+        <source>Working</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::DrillSwitch</name>
+    <message>
+        <source>Drill is on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill off</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ForceBar</name>
+    <message>
+        <source>Force against the force that is set</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HelpOverlay</name>
+    <message>
+        <source>Move the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push it against the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lift it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push harder, softer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Come nearer, go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HistoryChart</name>
+    <message>
+        <source>Last grades, oldest first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Cusp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tooth is whole again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring my work back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – Cusp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>%n note about this scan</numerusform>
+            <numerusform>%n notes about this scan</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::PracticeRoom</name>
+    <message>
+        <source>Tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are watching a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching and drill yourself (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScoreBar</name>
+    <message>
+        <source>%1 of 100, pass mark %2</source>
+        <extracomment>A score bar for the screen reader</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScorePage</name>
+    <message>
+        <source>Grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the tooth as graded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the grade was worked out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last grades of this tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first grade of this tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::SidePanel</name>
+    <message>
+        <source>Live figures and handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decay left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <comment>the bur touches nothing</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N, limited</source>
+        <extracomment>Unit of the force while the wanted force is beyond what the device may give</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt; 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ToothChooser</name>
+    <message>
+        <source>Choose a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill this tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put this tooth on the table (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the table now. Taking it again gives you a whole one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a tooth, or walk with the arrow keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::ToothView</name>
+    <message>
+        <source>Tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow keys move the bur, page down pushes, page up lifts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <extracomment>A force in newtons, beside the bur</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/render/SolidMesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace ui::render {
+namespace {
+
+constexpr float kSteel = 0.0F;
+constexpr float kGrip = 1.0F;
+constexpr float kBlades = 2.0F;
+constexpr int kAround = 48;  ///< facets of a turned part
+constexpr float kPi = 3.14159265F;
+/// Edges sharper than this stay edges: cosine of 35 degrees.
+constexpr float kCrease = 0.82F;
+
+/// A circle of a swept part: where its centre is, how large, and what it is made of from here on.
+struct Ring
+{
+    glm::vec3 centre;
+    float radius;
+    float finish;
+};
+
+/// Sweeps circles along a path in the x, z plane. Normals are smooth where the profile is and split at its edges.
+void sweep(SolidMesh& mesh, std::span<const Ring> rings)
+{
+    const std::size_t count = rings.size();
+    // Direction of the path at each ring: across equal centres (a flat disc) it is that of the nearest part that moves.
+    std::vector<glm::vec3> along(count, glm::vec3(0.0F, 0.0F, 1.0F));
+    for (std::size_t k = 0; k < count; ++k) {
+        std::size_t low = k;
+        std::size_t high = k;
+        while (low > 0 && glm::distance(rings[low].centre, rings[high].centre) < 1.0e-4F)
+            --low;
+        while (high + 1 < count && (high == k || glm::distance(rings[low].centre, rings[high].centre) < 1.0e-4F))
+            ++high;
+        along[k] = glm::normalize(rings[high].centre - rings[low].centre);
+    }
+    // Slope of each piece of the profile as (outwards, along).
+    std::vector<glm::vec2> pieceNormal(count - 1);
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        const float run = glm::dot(rings[k + 1].centre - rings[k].centre, along[k]);
+        pieceNormal[k] =
+            glm::normalize(glm::vec2(run, -(rings[k + 1].radius - rings[k].radius)) + glm::vec2(1.0e-7F, 0.0F));
+    }
+    const auto normalAt = [&](std::size_t piece, std::size_t ring) {
+        const std::size_t other = ring == piece ? (piece == 0 ? piece : piece - 1) : std::min(piece + 1, count - 2);
+        const bool smooth = glm::dot(pieceNormal[piece], pieceNormal[other]) > kCrease;
+        return smooth ? glm::normalize(pieceNormal[piece] + pieceNormal[other]) : pieceNormal[piece];
+    };
+    for (std::size_t piece = 0; piece + 1 < count; ++piece) {
+        const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const std::size_t ring : {piece, piece + 1}) {
+            const glm::vec2 n = normalAt(piece, ring);
+            const glm::vec3 side{0.0F, 1.0F, 0.0F};
+            const glm::vec3 up = glm::cross(along[ring], side);
+            for (int a = 0; a <= kAround; ++a) {
+                const float angle = 2.0F * kPi * static_cast<float>(a) / kAround;
+                const glm::vec3 outwards = -std::cos(angle) * up + std::sin(angle) * side;
+                mesh.vertices.push_back({rings[ring].centre + rings[ring].radius * outwards,
+                                         n.x * outwards + n.y * along[ring], rings[piece].finish});
+            }
+        }
+        for (std::uint32_t a = 0; a < kAround; ++a) {
+            const std::uint32_t low = base + a;
+            const std::uint32_t high = low + kAround + 1;
+            for (const std::uint32_t index : {low, low + 1, high + 1, low, high + 1, high})
+                mesh.indices.push_back(index);
+        }
+    }
+}
+
+/// A part turned about the z axis.
+void turn(SolidMesh& mesh, std::span<const glm::vec3> radiusHeightFinish)
+{
+    std::vector<Ring> rings;
+    for (const glm::vec3& p : radiusHeightFinish)
+        rings.push_back({{0.0F, 0.0F, p.y}, p.x, p.z});
+    sweep(mesh, rings);
+}
+
+}  // namespace
+
+SolidMesh burMesh(const core::drilling::Bur& bur)
+{
+    std::vector<glm::vec3> profile;
+    for (const auto& point : bur.outline)
+        profile.emplace_back(static_cast<float>(point.radiusMm), static_cast<float>(point.heightMm), kBlades);
+    const auto neck = static_cast<float>(bur.shankRadiusMm);
+    const auto head = static_cast<float>(bur.headLengthMm);
+    constexpr float kShankMm = 0.8F;
+    profile.emplace_back(neck, head, kSteel);
+    profile.emplace_back(neck, head + 0.8F, kSteel);
+    profile.emplace_back(kShankMm, head + 2.4F, kSteel);
+    profile.emplace_back(kShankMm, static_cast<float>(kChuckMm) + 1.0F, kSteel);
+    SolidMesh mesh;
+    turn(mesh, profile);
+    return mesh;
+}
+
+SolidMesh handpieceMesh()
+{
+    SolidMesh mesh;
+    const auto chuck = static_cast<float>(kChuckMm);
+    // The head: chuck, cap below, barrel, push button on top.
+    const std::vector<glm::vec3> head{
+        {0.9F, chuck, kGrip},          {1.9F, chuck, kSteel},         {2.3F, chuck + 0.5F, kSteel},
+        {2.5F, chuck + 1.2F, kSteel},  {3.6F, chuck + 1.7F, kSteel},  {4.2F, chuck + 2.4F, kSteel},
+        {4.5F, chuck + 3.4F, kSteel},  {4.5F, chuck + 5.2F, kGrip},   {4.4F, chuck + 5.3F, kGrip},
+        {4.4F, chuck + 5.6F, kSteel},  {4.5F, chuck + 5.7F, kSteel},  {4.5F, chuck + 9.6F, kSteel},
+        {4.3F, chuck + 10.5F, kSteel}, {3.8F, chuck + 11.1F, kSteel}, {3.2F, chuck + 11.3F, kGrip},
+        {3.0F, chuck + 11.3F, kSteel}, {2.9F, chuck + 11.6F, kSteel}, {0.0F, chuck + 11.8F, kSteel},
+    };
+    turn(mesh, head);
+    // Neck and handle: out of the barrel, then bent up by some 22 degrees as a contra-angle is.
+    const float axis = chuck + 6.6F;
+    const std::vector<Ring> handle{
+        {{2.5F, 0.0F, axis}, 3.0F, kSteel},           {{5.0F, 0.0F, axis + 0.1F}, 3.0F, kSteel},
+        {{8.0F, 0.0F, axis + 0.4F}, 2.9F, kSteel},    {{12.0F, 0.0F, axis + 1.2F}, 3.0F, kSteel},
+        {{16.0F, 0.0F, axis + 2.5F}, 3.3F, kSteel},   {{20.0F, 0.0F, axis + 4.1F}, 3.8F, kSteel},
+        {{25.0F, 0.0F, axis + 6.1F}, 4.4F, kSteel},   {{27.0F, 0.0F, axis + 6.9F}, 4.6F, kGrip},
+        {{27.2F, 0.0F, axis + 7.0F}, 4.4F, kGrip},    {{48.0F, 0.0F, axis + 15.4F}, 5.0F, kGrip},
+        {{48.2F, 0.0F, axis + 15.5F}, 5.3F, kSteel},  {{80.0F, 0.0F, axis + 28.3F}, 6.6F, kSteel},
+        {{110.0F, 0.0F, axis + 40.4F}, 7.0F, kSteel},
+    };
+    sweep(mesh, handle);
+    return mesh;
+}
+
+}  // namespace ui::render

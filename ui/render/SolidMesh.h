@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/drilling/Bur.h"
+
+namespace ui::render {
+
+/// One corner of a mesh of metal, in the frame of the handpiece: tip of the bur at the origin, its axis +z, the
+/// handle towards +x. mm.
+struct MetalVertex
+{
+    glm::vec3 position;
+    glm::vec3 normal;
+    float finish;  ///< 0 polished steel, 1 dark grip, 2 cutting blades
+};
+
+/// Triangles of the instrument, counter-clockwise seen from outside.
+struct SolidMesh
+{
+    std::vector<MetalVertex> vertices;
+    std::vector<std::uint32_t> indices;
+};
+
+/// Height above the tip at which the handpiece takes hold of the bur, mm: what sticks out of a friction-grip chuck.
+inline constexpr double kChuckMm = 9.0;
+
+/// The bur from its tip to the chuck: head by its outline, neck and shank (1.6 mm, friction grip).
+[[nodiscard]] SolidMesh burMesh(const core::drilling::Bur& bur);
+
+/// A turbine handpiece above the chuck: head, neck and handle at the natural angle.
+[[nodiscard]] SolidMesh handpieceMesh();
+
+}  // namespace ui::render

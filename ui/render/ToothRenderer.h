@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLTexture>
+#include <QOpenGLVertexArrayObject>
+#include <QString>
+
+#include "ui/render/SolidMesh.h"
+#include "ui/render/ToothSurface.h"
+
+namespace ui::render {
+
+/// Everything one picture shows besides the tooth itself.
+struct Scene
+{
+    glm::dmat4 eyeFromTooth{1.0};
+    glm::dmat4 clipFromEye{1.0};
+    glm::dvec3 eyeMm{0.0, 0.0, 40.0};
+    glm::vec3 towardsLight{0.0F, 0.0F, 1.0F};
+    glm::vec2 sizePx{1.0F, 1.0F};  ///< of the picture, device pixels
+
+    bool instrumentShown = false;
+    std::size_t burIndex = 0;
+    glm::dvec3 tipMm{0.0};           ///< of the bur
+    double surfaceBelowTipMm = 0.0;  ///< height of the tooth under the tip; the cue line ends there
+    double handAzimuthRad = 0.0;     ///< from +x to where the handle points, about +z
+    double turnRad = 0.0;            ///< of the bur about its axis
+    bool drillOn = false;
+};
+
+/// Draws a ToothSurface, the bur and the handpiece with OpenGL 3.3 core. The context given to initialize() must be
+/// current in every call, the destructor included.
+class ToothRenderer : private QOpenGLFunctions_3_3_Core
+{
+public:
+    ToothRenderer();
+    ~ToothRenderer() override;
+
+    /// Compiles the shaders. False when the context has no OpenGL 3.3 or refuses a shader; `reason` then says which.
+    [[nodiscard]] bool initialize(QString& reason);
+
+    /// Uploads a whole surface in place of the one before.
+    void setSurface(const ToothSurface& surface);
+    /// Uploads what a refresh() of that surface changed, and nothing else.
+    void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
+    /// Draws into the bound framebuffer, whole viewport. Without a surface: the empty room.
+    void draw(const Scene& scene);
+
+    /// Bytes of textures and buffers written by setSurface() and update() so far.
+    [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
+
+private:
+    struct Part
+    {
+        QOpenGLVertexArrayObject layout;
+        QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer};
+        QOpenGLBuffer indices{QOpenGLBuffer::IndexBuffer};
+        int count = 0;
+    };
+    struct Map
+    {
+        std::unique_ptr<QOpenGLTexture> texture;
+        int bytesPerNode = 0;
+    };
+
+    [[nodiscard]] bool build(QOpenGLShaderProgram& program, const char* name, QString& reason);
+    void upload(Part& part, const SolidMesh& mesh);
+    void write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format, QOpenGLTexture::PixelType type,
+               const core::terrain::NodeRect& rect);
+    void writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void writeShading(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void writeTriangles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void drawBackdrop(const Scene& scene);
+    void drawTooth(const Scene& scene);
+    void drawInstrument(const Scene& scene);
+    void drawCue(const Scene& scene);
+
+    QOpenGLShaderProgram m_toothProgram;
+    QOpenGLShaderProgram m_backdropProgram;
+    QOpenGLShaderProgram m_metalProgram;
+    QOpenGLShaderProgram m_lineProgram;
+    QOpenGLVertexArrayObject m_nothing;  ///< for pictures without vertices
+    QOpenGLVertexArrayObject m_toothLayout;
+    QOpenGLBuffer m_places{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
+    Map m_tops;
+    Map m_bottoms;
+    Map m_topNormals;
+    Map m_bottomNormals;
+    Map m_light;
+    Map m_upperLayers;
+    Map m_lowerLayers;
+    std::vector<std::unique_ptr<Part>> m_burs;
+    Part m_handpiece;
+
+    std::optional<core::terrain::Grid> m_lattice;
+    glm::vec3 m_crownMm{0.0F};
+    float m_crownRadiusMm = 1.0F;
+    std::vector<int> m_drawCounts;           ///< of each tile with triangles
+    std::vector<const void*> m_drawOffsets;  ///< in bytes
+    std::uint64_t m_uploadedBytes = 0;
+};
+
+}  // namespace ui::render

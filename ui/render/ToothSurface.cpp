@@ -1,0 +1,793 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/render/ToothSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/terrain/Rim.h"
+
+namespace ui::render {
+namespace {
+
+using core::terrain::grown;
+using core::terrain::kEmptyBottom;
+using core::terrain::kEmptyTop;
+using core::terrain::NodeRect;
+using core::terrain::united;
+
+/// Distances at which the sky is looked for, mm: close ones for fissures, far ones for cusps and cavity walls.
+constexpr std::array<float, 7> kSkyReachMm{0.08F, 0.16F, 0.28F, 0.5F, 0.85F, 1.4F, 2.2F};
+constexpr int kSkyDirections = 8;
+/// The two of them at which a fissure is told from a fossa: the walls of a fissure rise at once and no more after
+/// that, those of a bowl rise ever more.
+constexpr std::size_t kNearSample = 2;
+constexpr std::size_t kFarSample = 4;
+constexpr float kBowlShare = 0.5F;
+/// How far a shadow of the operating light is followed, mm: a 3 mm cusp under a light 55 degrees up throws 2.1 mm.
+constexpr float kShadowReachMm = 2.4F;
+/// Half-width of the light's own disc as a tangent: what makes the edge of a shadow soft.
+constexpr float kPenumbra = 0.5F;
+/// Depth below the whole surface at which a spot counts as cut, mm.
+constexpr float kCutFromMm = 0.01F;
+constexpr float kCutFullMm = 0.06F;
+/// Normals steeper than this (z of a unit normal) are averaged with their neighbours: on a wall one cell wide the
+/// lattice, not the tooth, says where each of them points.
+constexpr float kSteep = 0.75F;
+constexpr int kNormalReach = 4;         ///< of that average, nodes
+constexpr double kCrownMm = 8.0;        ///< tallest part of a tooth that is taken for its crown
+constexpr int kDecayReach = 3;          ///< nodes over which the outline of a lesion is smoothed
+constexpr float kAboveOpenMm = 0.3F;    ///< where the roof of an open lesion is drawn: clear of the surface
+constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
+constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
+constexpr int kFlankReach = 5;          ///< how far, nodes
+
+std::uint8_t toByte(float value)
+{
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+}
+
+ToothSurface::PackedNormal pack(glm::vec3 n)
+{
+    const auto one = [](float v) {
+        return static_cast<std::int16_t>(std::lround(32767.0F * std::clamp(v, -1.0F, 1.0F)));
+    };
+    return {one(n.x), one(n.y)};
+}
+
+}  // namespace
+
+ToothSurface::ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, glm::vec3 towardsLight)
+    : m_anatomy(std::move(anatomy)), m_towardsLight(towardsLight)
+{
+    takeAnatomy();
+    findResting();
+    smoothFlanks();
+    spreadLayers();
+    m_written = wholeOf(m_lattice);
+    refresh();
+}
+
+void ToothSurface::takeAnatomy()
+{
+    const core::terrain::Grid& fine = m_anatomy->grid;
+    m_stride = (fine.side + kMaxSide - 1) / kMaxSide;
+    m_lattice = {(fine.side + m_stride - 1) / m_stride, fine.cellMm * m_stride, fine.originMm};
+    const std::size_t count = m_lattice.count();
+    m_wholeTop.resize(count);
+    m_wholeBottom.resize(count);
+    m_lowestMm = glm::dvec3(1.0e9);
+    m_highestMm = glm::dvec3(-1.0e9);
+    for (int j = 0; j < m_lattice.side; ++j) {
+        for (int i = 0; i < m_lattice.side; ++i) {
+            const std::size_t from = fine.index(i * m_stride, j * m_stride);
+            const std::size_t to = m_lattice.index(i, j);
+            m_wholeTop[to] = m_anatomy->top[from];
+            m_wholeBottom[to] = m_anatomy->bottom[from];
+            if (m_wholeTop[to] > m_wholeBottom[to]) {
+                const glm::dvec2 place = m_lattice.nodeMm(i, j);
+                m_lowestMm = glm::min(m_lowestMm, glm::dvec3(place, m_wholeBottom[to]));
+                m_highestMm = glm::max(m_highestMm, glm::dvec3(place, m_wholeTop[to]));
+            }
+        }
+    }
+    if (m_lowestMm.x > m_highestMm.x) {
+        m_lowestMm = glm::dvec3(-1.0);
+        m_highestMm = glm::dvec3(1.0);
+    }
+    m_top = m_wholeTop;
+    m_nodes.assign(count, Node::Empty);
+    m_solidTop.assign(count, kEmptyTop);
+    m_solidBottom.assign(count, kEmptyBottom);
+    m_tops.assign(count, Height{});
+    m_bottoms.assign(count, Height{});
+    m_places.resize(count);
+    for (auto& normals : m_rawNormals)
+        normals.assign(count, glm::vec3(0.0F));
+    m_topNormals.assign(count, PackedNormal{});
+    m_bottomNormals.assign(count, PackedNormal{});
+    m_rawLight.assign(count, glm::vec4(1.0F, 1.0F, 0.0F, 0.5F));
+    m_light.assign(count, Light{});
+    m_tilesPerSide = (m_lattice.side - 1 + kTileCells - 1) / kTileCells;
+    const auto tiles = static_cast<std::size_t>(m_tilesPerSide) * static_cast<std::size_t>(m_tilesPerSide);
+    m_indices.assign(tiles * kTileIndices, 0);
+    m_indexCounts.assign(tiles, 0);
+}
+
+/// The resting height is low enough that a bur beside the tooth is beside it, and high enough that it need not climb
+/// far: the height that a quarter of the tooth lies below. Low ground counts as beside the tooth only when it is
+/// joined to the outside; a fossa that deep stays tooth.
+void ToothSurface::findResting()
+{
+    std::vector<float> heights;
+    for (std::size_t k = 0; k < m_wholeTop.size(); ++k)
+        if (m_wholeTop[k] > m_wholeBottom[k])
+            heights.push_back(m_wholeTop[k]);
+    m_beside.assign(m_lattice.count(), 1);
+    if (heights.empty())
+        return;
+    const auto quarter = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 4);
+    std::nth_element(heights.begin(), quarter, heights.end());
+    m_restingMm = *quarter;
+
+    const int side = m_lattice.side;
+    std::vector<std::size_t> reached;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            const bool outside = m_wholeTop[k] <= m_wholeBottom[k];
+            m_beside[k] = outside ? 1 : 0;
+            if (outside)
+                reached.push_back(k);
+        }
+    }
+    while (!reached.empty()) {
+        const std::size_t k = reached.back();
+        reached.pop_back();
+        const int i = static_cast<int>(k % static_cast<std::size_t>(side));
+        const int j = static_cast<int>(k / static_cast<std::size_t>(side));
+        constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+        for (const auto& [di, dj] : kSteps) {
+            if (!m_lattice.contains(i + di, j + dj))
+                continue;
+            const std::size_t next = m_lattice.index(i + di, j + dj);
+            if (m_beside[next] == 0 && m_wholeTop[next] < m_restingMm) {
+                m_beside[next] = 1;
+                reached.push_back(next);
+            }
+        }
+    }
+}
+
+/// Near the rim a flank falls by millimetres within a cell, and how far the last nodes lie down it depends on where
+/// the lattice falls. Drawn as they are they would make a comb of it. So they are averaged along the rim, not across.
+void ToothSurface::smoothFlanks()
+{
+    m_flankTop = m_wholeTop;
+    m_flankBottom = m_wholeBottom;
+    const int side = m_lattice.side;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (m_wholeTop[k] <= m_wholeBottom[k])
+                continue;
+            glm::vec2 outwards{0.0F};
+            for (int dj = -kFlankNodes; dj <= kFlankNodes; ++dj) {
+                for (int di = -kFlankNodes; di <= kFlankNodes; ++di) {
+                    if (!m_lattice.contains(i + di, j + dj))
+                        continue;
+                    const std::size_t n = m_lattice.index(i + di, j + dj);
+                    if (m_wholeTop[n] <= m_wholeBottom[n])
+                        outwards += glm::vec2(di, dj) / static_cast<float>(di * di + dj * dj);
+                }
+            }
+            if (outwards == glm::vec2(0.0F))
+                continue;
+            outwards = glm::normalize(outwards);
+            float tops = 0.0F;
+            float bottoms = 0.0F;
+            float weights = 0.0F;
+            for (int dj = -kFlankReach; dj <= kFlankReach; ++dj) {
+                for (int di = -kFlankReach; di <= kFlankReach; ++di) {
+                    if (!m_lattice.contains(i + di, j + dj))
+                        continue;
+                    const std::size_t n = m_lattice.index(i + di, j + dj);
+                    if (m_wholeTop[n] <= m_wholeBottom[n])
+                        continue;
+                    const float across = glm::dot(glm::vec2(di, dj), outwards);
+                    const float along = outwards.x * static_cast<float>(dj) - outwards.y * static_cast<float>(di);
+                    const float weight = std::exp(-1.4F * across * across - 0.14F * along * along);
+                    tops += weight * m_wholeTop[n];
+                    bottoms += weight * m_wholeBottom[n];
+                    weights += weight;
+                }
+            }
+            m_flankTop[k] = tops / weights;
+            m_flankBottom[k] = std::min(bottoms / weights, m_flankTop[k]);
+        }
+    }
+}
+
+/// Mean of a value over the nodes among the eight around one (and itself) that are marked. False when none is.
+template <class Value>
+bool ToothSurface::meanAround(int i, int j, const std::vector<std::uint8_t>& marked, Value&& value,
+                              glm::vec4& mean) const
+{
+    glm::vec4 sum{0.0F};
+    float found = 0.0F;
+    for (int dj = -1; dj <= 1; ++dj) {
+        for (int di = -1; di <= 1; ++di) {
+            if (!m_lattice.contains(i + di, j + dj) || marked[m_lattice.index(i + di, j + dj)] == 0)
+                continue;
+            sum += value(m_lattice.index(i + di, j + dj));
+            found += 1.0F;
+        }
+    }
+    if (found > 0.0F)
+        mean = sum / found;
+    return found > 0.0F;
+}
+
+/// Layers as textures are read between nodes, so a node without decay or pulp needs heights that its neighbours can
+/// be mixed with: the layer closes there.
+void ToothSurface::spreadLayers()
+{
+    const int side = m_lattice.side;
+    const std::size_t count = m_lattice.count();
+    m_upperLayers.assign(count, glm::vec4(0.0F));
+    m_lowerLayers.assign(count, glm::vec2(0.0F));
+    std::vector<std::uint8_t> known(count, 0);
+    std::vector<std::uint8_t> caries(count, 0);
+    std::vector<std::uint8_t> pulp(count, 0);
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (m_wholeTop[k] <= m_wholeBottom[k])
+                continue;
+            const core::terrain::ColumnLayers& column =
+                m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)];
+            m_upperLayers[k] = {column.cariesRoof, column.cariesFloor, column.dej, column.pulpRoof};
+            m_lowerLayers[k].x = column.pulpFloor;
+            known[k] = 1;
+            caries[k] = column.cariesRoof > column.cariesFloor ? 1 : 0;
+            pulp[k] = column.pulpRoof > column.pulpFloor ? 1 : 0;
+        }
+    }
+    softenDecay(caries);
+    const std::vector<glm::vec4> own = m_upperLayers;
+    const std::vector<glm::vec2> ownLower = m_lowerLayers;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (known[k] == 0) {
+                // The rim: read as its solid neighbours, like its height.
+                glm::vec4 layers;
+                if (meanAround(
+                        i, j, known, [&](std::size_t n) { return own[n]; }, layers))
+                    m_upperLayers[k] = layers;
+            }
+            if (pulp[k] == 0) {
+                glm::vec4 middle{0.0F};
+                const auto middleOf = [&](std::size_t n) { return glm::vec4(0.5F * (own[n].w + ownLower[n].x)); };
+                meanAround(i, j, pulp, middleOf, middle);
+                m_upperLayers[k].w = m_lowerLayers[k].x = middle.x;
+            }
+        }
+    }
+}
+
+/// A lesion is whole columns of the lattice; its outline would be their corners. So its heights are carried a little
+/// beyond it, and how far it reaches is told by the share of decayed columns around each node.
+void ToothSurface::softenDecay(const std::vector<std::uint8_t>& caries)
+{
+    const std::vector<glm::vec4> own = m_upperLayers;
+    for (int j = 0; j < m_lattice.side; ++j) {
+        for (int i = 0; i < m_lattice.side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            float depth = 0.0F;
+            float weights = 0.0F;
+            float open = 0.0F;
+            float middle = 0.0F;
+            float found = 0.0F;
+            for (int dj = -kDecayReach; dj <= kDecayReach; ++dj) {
+                for (int di = -kDecayReach; di <= kDecayReach; ++di) {
+                    if (!m_lattice.contains(i + di, j + dj))
+                        continue;
+                    const std::size_t n = m_lattice.index(i + di, j + dj);
+                    const float weight = std::exp(-0.35F * static_cast<float>(di * di + dj * dj));
+                    weights += weight;
+                    if (caries[n] == 0)
+                        continue;
+                    const float roof = std::min(own[n].x, m_wholeTop[n]);
+                    depth += weight * (roof - own[n].y);
+                    middle += weight * 0.5F * (roof + own[n].y);
+                    open += own[n].x >= m_wholeTop[n] ? weight : 0.0F;
+                    found += weight;
+                }
+            }
+            glm::vec4& here = m_upperLayers[k];
+            if (found == 0.0F) {
+                here.x = here.y = 0.0F;
+                continue;
+            }
+            depth /= found;
+            m_lowerLayers[k].y = found / weights;
+            if (open > 0.5F * found) {
+                here.x = m_wholeTop[k] + kAboveOpenMm;
+                here.y = m_wholeTop[k] - depth;
+            } else {
+                here.x = middle / found + 0.5F * depth;
+                here.y = middle / found - 0.5F * depth;
+            }
+        }
+    }
+}
+
+void ToothSurface::write(const core::session::TilePatch& patch)
+{
+    const int x = patch.tileX * core::session::kTileSide;
+    const int y = patch.tileY * core::session::kTileSide;
+    const int first = (x + m_stride - 1) / m_stride;
+    const int last = std::min((x + core::session::kTileSide - 1) / m_stride, m_lattice.side - 1);
+    const int firstRow = (y + m_stride - 1) / m_stride;
+    const int lastRow = std::min((y + core::session::kTileSide - 1) / m_stride, m_lattice.side - 1);
+    for (int j = firstRow; j <= lastRow; ++j)
+        for (int i = first; i <= last; ++i)
+            m_top[m_lattice.index(i, j)] =
+                patch.top[static_cast<std::size_t>((j * m_stride - y) * core::session::kTileSide + (i * m_stride - x))];
+    m_written = united(m_written, {first, firstRow, last + 1, lastRow + 1});
+}
+
+void ToothSurface::setLight(glm::vec3 towardsLight)
+{
+    m_relit = m_relit || towardsLight != m_towardsLight;
+    m_towardsLight = towardsLight;
+}
+
+ToothSurface::Changes ToothSurface::refresh()
+{
+    Changes changes;
+    if (!m_written.isEmpty()) {
+        changes.outline = sew(m_written);
+        changes.heights = grown(m_written, 1 + kRimReach, m_lattice);
+        smoothRim(changes.heights);
+        if (changes.outline)
+            smoothOutline();
+        buildTriangles(changes.heights);
+        const int reach = static_cast<int>(std::ceil(kShadowReachMm / static_cast<float>(m_lattice.cellMm)));
+        changes.shading = grown(changes.heights, std::max(reach, kNormalReach) + 2, m_lattice);
+        bendNormals(grown(changes.heights, kNormalReach + 1, m_lattice));
+    }
+    if (m_relit)
+        changes.shading = wholeOf(m_lattice);
+    shineLight(changes.shading);
+    m_written = {};
+    m_relit = false;
+    return changes;
+}
+
+/// Solid where there is height left, rim where an empty node is sewn to solid ones. True when a node changed kind.
+bool ToothSurface::sew(const NodeRect& written)
+{
+    for (int j = written.beginJ; j < written.endJ; ++j) {
+        for (int i = written.beginI; i < written.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            const bool solid = m_top[k] > m_wholeBottom[k];
+            const float drawn = m_top[k] < m_wholeTop[k] ? std::min(m_top[k], m_flankTop[k]) : m_flankTop[k];
+            m_solidTop[k] = solid ? drawn : kEmptyTop;
+            m_solidBottom[k] = solid ? std::min(m_flankBottom[k], drawn - kThinnestMm) : kEmptyBottom;
+        }
+    }
+    core::terrain::sewRim(m_lattice, m_solidTop, m_solidBottom, written, m_sewn);
+    bool changed = false;
+    const NodeRect rect = grown(written, 1, m_lattice);
+    for (int j = rect.beginJ; j < rect.endJ; ++j) {
+        for (int i = rect.beginI; i < rect.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            const Node kind = m_solidTop[k] > kEmptyTop ? Node::Solid : m_sewn[k] > kEmptyTop ? Node::Rim : Node::Empty;
+            changed = changed || m_nodes[k] != kind;
+            m_nodes[k] = kind;
+        }
+    }
+    return changed;
+}
+
+/// Calls use(node, weight) for the rim nodes around (and at) a place, the near ones with more weight.
+template <class Use>
+void ToothSurface::forRimAround(int i, int j, Use&& use) const
+{
+    constexpr float kFadesAt = kRimReach * kRimReach + 2.0F;
+    for (int dj = -kRimReach; dj <= kRimReach; ++dj) {
+        for (int di = -kRimReach; di <= kRimReach; ++di) {
+            const float weight = 1.0F - static_cast<float>(di * di + dj * dj) / kFadesAt;
+            if (weight <= 0.0F || !m_lattice.contains(i + di, j + dj))
+                continue;
+            const std::size_t n = m_lattice.index(i + di, j + dj);
+            if (m_nodes[n] == Node::Rim)
+                use(n, weight);
+        }
+    }
+}
+
+/// At a steep flank the last solid node may lie anywhere on it, as the lattice happens to fall, and a sewn height with
+/// it. The tooth's rim does not jump like that: its heights are averaged along it.
+void ToothSurface::smoothRim(const NodeRect& rect)
+{
+    for (int j = rect.beginJ; j < rect.endJ; ++j) {
+        for (int i = rect.beginI; i < rect.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (m_nodes[k] == Node::Solid) {
+                m_tops[k] = {m_solidTop[k], m_top[k]};
+                m_bottoms[k] = {m_solidBottom[k], m_wholeBottom[k]};
+            } else if (m_nodes[k] == Node::Rim) {
+                float height = 0.0F;
+                float weights = 0.0F;
+                forRimAround(i, j, [&](std::size_t n, float weight) {
+                    height += weight * m_sewn[n];
+                    weights += weight;
+                });
+                glm::vec2 map{0.0F};
+                float found = 0.0F;
+                for (int dj = -1; dj <= 1; ++dj) {
+                    for (int di = -1; di <= 1; ++di) {
+                        if (!m_lattice.contains(i + di, j + dj) || !isSolid(i + di, j + dj))
+                            continue;
+                        const std::size_t n = m_lattice.index(i + di, j + dj);
+                        map += glm::vec2(m_top[n], m_wholeBottom[n]);
+                        found += 1.0F;
+                    }
+                }
+                m_tops[k] = {height / weights, map.x / found};
+                m_bottoms[k] = {height / weights, map.y / found};
+            }
+        }
+    }
+}
+
+/// Rim nodes move to the average of the rim nodes around them: the steps of the lattice become an outline.
+void ToothSurface::smoothOutline()
+{
+    for (int j = 0; j < m_lattice.side; ++j) {
+        for (int i = 0; i < m_lattice.side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            const glm::vec2 home(m_lattice.nodeMm(i, j));
+            m_places[k] = home;
+            if (m_nodes[k] != Node::Rim)
+                continue;
+            glm::vec2 sum{0.0F};
+            float weights = 0.0F;
+            forRimAround(i, j, [&](std::size_t n, float weight) {
+                const auto side = static_cast<std::size_t>(m_lattice.side);
+                sum += weight * glm::vec2(m_lattice.nodeMm(static_cast<int>(n % side), static_cast<int>(n / side)));
+                weights += weight;
+            });
+            // Never further than the next node: triangles must not turn over.
+            const float limit = 0.45F * static_cast<float>(m_lattice.cellMm);
+            m_places[k] = home + glm::clamp(sum / weights - home, -limit, limit);
+        }
+    }
+}
+
+/// Slope of a height map by a 3 x 3 Sobel operator over the nodes that are shown; a missing one is mirrored.
+glm::vec2 ToothSurface::slope(const std::vector<Height>& heights, int i, int j) const
+{
+    const float here = heights[m_lattice.index(i, j)].shownMm;
+    const auto at = [&](int di, int dj) {
+        if (isShown(i + di, j + dj))
+            return heights[m_lattice.index(i + di, j + dj)].shownMm;
+        return isShown(i - di, j - dj) ? 2.0F * here - heights[m_lattice.index(i - di, j - dj)].shownMm : here;
+    };
+    const float cell = 8.0F * static_cast<float>(m_lattice.cellMm);
+    const float e = at(1, -1) + 2.0F * at(1, 0) + at(1, 1);
+    const float w = at(-1, -1) + 2.0F * at(-1, 0) + at(-1, 1);
+    const float n = at(-1, 1) + 2.0F * at(0, 1) + at(1, 1);
+    const float s = at(-1, -1) + 2.0F * at(0, -1) + at(1, -1);
+    return {(e - w) / cell, (n - s) / cell};
+}
+
+void ToothSurface::bendNormals(const NodeRect& rect)
+{
+    // Solid nodes from the slopes, then the rim from its solid neighbours: it looks straight outwards, for both maps.
+    const NodeRect raw = grown(rect, kNormalReach, m_lattice);
+    for (int j = raw.beginJ; j < raw.endJ; ++j) {
+        for (int i = raw.beginI; i < raw.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (m_nodes[k] != Node::Solid)
+                continue;
+            m_rawNormals[0][k] = glm::normalize(glm::vec3(-slope(m_tops, i, j), 1.0F));
+            m_rawNormals[1][k] = glm::normalize(glm::vec3(slope(m_bottoms, i, j), -1.0F));
+        }
+    }
+    for (int j = raw.beginJ; j < raw.endJ; ++j) {
+        for (int i = raw.beginI; i < raw.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (m_nodes[k] == Node::Solid)
+                continue;
+            glm::vec2 outwards{0.0F};
+            for (int dj = -2; dj <= 2; ++dj)
+                for (int di = -2; di <= 2; ++di)
+                    if (m_lattice.contains(i + di, j + dj) && isSolid(i + di, j + dj))
+                        outwards -= glm::vec2(di, dj) / static_cast<float>(di * di + dj * dj);
+            const float length = glm::length(outwards);
+            const glm::vec3 normal = length > 0.0F ? glm::vec3(outwards / length, 0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
+            m_rawNormals[0][k] = normal;
+            m_rawNormals[1][k] = normal;
+        }
+    }
+    for (int map = 0; map < 2; ++map) {
+        const std::vector<glm::vec3>& from = m_rawNormals[map];
+        std::vector<PackedNormal>& to = map == 0 ? m_topNormals : m_bottomNormals;
+        for (int j = rect.beginJ; j < rect.endJ; ++j) {
+            for (int i = rect.beginI; i < rect.endI; ++i) {
+                const std::size_t k = m_lattice.index(i, j);
+                glm::vec3 normal = from[k];
+                if (std::abs(normal.z) < kSteep) {
+                    glm::vec3 sum{0.0F};
+                    for (int dj = -kNormalReach; dj <= kNormalReach; ++dj) {
+                        for (int di = -kNormalReach; di <= kNormalReach; ++di) {
+                            if (!isShown(i + di, j + dj))
+                                continue;
+                            const glm::vec3& near = from[m_lattice.index(i + di, j + dj)];
+                            const float steep = std::max(0.0F, kSteep - std::abs(near.z));
+                            const float alike = std::max(0.0F, glm::dot(near, normal));
+                            sum +=
+                                steep * alike * alike * std::exp(-0.10F * static_cast<float>(di * di + dj * dj)) * near;
+                        }
+                    }
+                    // Blend in, so that nothing shows where "steep" begins.
+                    const float share = std::min(1.0F, (kSteep - std::abs(normal.z)) / 0.2F);
+                    if (glm::length(sum) > 1.0e-6F)
+                        normal = glm::normalize(glm::mix(normal, glm::normalize(sum), share));
+                }
+                to[k] = pack(normal);
+            }
+        }
+    }
+}
+
+void ToothSurface::shineLight(const NodeRect& rect)
+{
+    const int side = m_lattice.side;
+    const auto cell = static_cast<float>(m_lattice.cellMm);
+    struct Sample
+    {
+        int di;
+        int dj;
+        float distanceMm;
+    };
+    std::array<std::array<Sample, kSkyReachMm.size()>, kSkyDirections> sky{};
+    std::array<glm::vec2, kSkyDirections> directions{};
+    for (int d = 0; d < kSkyDirections; ++d) {
+        const float angle = (static_cast<float>(d) + 0.5F) * 6.2831853F / kSkyDirections;
+        directions[static_cast<std::size_t>(d)] = {std::cos(angle), std::sin(angle)};
+        for (std::size_t s = 0; s < kSkyReachMm.size(); ++s) {
+            const int di = static_cast<int>(std::lround(kSkyReachMm[s] * std::cos(angle) / cell));
+            const int dj = static_cast<int>(std::lround(kSkyReachMm[s] * std::sin(angle) / cell));
+            sky[static_cast<std::size_t>(d)][s] = {di, dj, cell * std::sqrt(static_cast<float>(di * di + dj * dj))};
+        }
+    }
+    const glm::vec2 across{m_towardsLight.x, m_towardsLight.y};
+    const float run = glm::length(across);
+    const float rise = run > 1.0e-4F ? m_towardsLight.z / run : 1.0e4F;
+    std::vector<Sample> lightPath;
+    for (float t = 1.5F * cell; t < kShadowReachMm && run > 1.0e-4F; t *= 1.12F) {
+        const int di = static_cast<int>(std::lround(across.x / run * t / cell));
+        const int dj = static_cast<int>(std::lround(across.y / run * t / cell));
+        lightPath.push_back({di, dj, cell * std::sqrt(static_cast<float>(di * di + dj * dj))});
+    }
+    const auto climb = [&](int i, int j, float here, const Sample& sample) {
+        const int x = i + sample.di;
+        const int y = j + sample.dj;
+        if (sample.distanceMm <= 0.0F || x < 0 || y < 0 || x >= side || y >= side)
+            return -1.0e3F;
+        const std::size_t n = m_lattice.index(x, y);
+        return m_nodes[n] == Node::Solid ? (m_solidTop[n] - here) / sample.distanceMm : -1.0e3F;
+    };
+    // Raw values on solid nodes; then each node takes the average of the solid ones around it, the rim as well.
+    const NodeRect raw = grown(rect, 1, m_lattice);
+    for (int j = raw.beginJ; j < raw.endJ; ++j) {
+        for (int i = raw.beginI; i < raw.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            if (m_nodes[k] != Node::Solid)
+                continue;
+            const float here = m_solidTop[k];
+            const glm::vec3& normal = m_rawNormals[0][k];
+            const glm::vec2 slope = -glm::vec2(normal) / std::max(normal.z, 0.12F);
+            // Towards each side the sky begins at the slope of the surface itself; what stands above that takes away
+            // the square of a sine, as of the light that a flat patch receives.
+            float open = 0.0F;
+            float near = 0.0F;
+            float far = 0.0F;
+            for (std::size_t d = 0; d < sky.size(); ++d) {
+                const float own = glm::dot(slope, directions[d]);
+                float horizon = own;
+                for (std::size_t s = 0; s < sky[d].size(); ++s) {
+                    const float rises = climb(i, j, here, sky[d][s]);
+                    horizon = std::max(horizon, rises);
+                    if (rises > -1.0e3F && s == kNearSample)
+                        near += rises - own;
+                    if (rises > -1.0e3F && s == kFarSample)
+                        far += rises - own;
+                }
+                const float along = 1.0F + horizon * own;
+                const float above = along > 0.0F ? (horizon - own) / along : 1.0e3F;
+                open += 1.0F / (1.0F + above * above);
+            }
+            // Along the normal, not along the axis: a bend in a flank is no fissure.
+            const float crevice = normal.z * normal.z * (near - kBowlShare * std::max(far, 0.0F)) / kSkyDirections;
+            const float facing = run > 1.0e-4F ? glm::dot(slope, across) / run : -1.0e3F;
+            float blocked = -1.0e3F;
+            for (const Sample& sample : lightPath)
+                blocked = std::max(blocked, climb(i, j, here, sample));
+            // A slope that turns away is not in shadow by this measure: its normal says enough.
+            const float lit = (std::max(rise, facing) + kPenumbra - blocked) / (2.0F * kPenumbra);
+            const float cut = (m_wholeTop[k] - m_top[k] - kCutFromMm) / (kCutFullMm - kCutFromMm);
+            m_rawLight[k] = glm::clamp(glm::vec4(open / kSkyDirections, lit, cut, 0.5F + 0.5F * crevice), 0.0F, 1.0F);
+        }
+    }
+    for (int j = rect.beginJ; j < rect.endJ; ++j) {
+        for (int i = rect.beginI; i < rect.endI; ++i) {
+            glm::vec4 sum{0.0F};
+            float weights = 0.0F;
+            for (int dj = -1; dj <= 1; ++dj) {
+                for (int di = -1; di <= 1; ++di) {
+                    if (!m_lattice.contains(i + di, j + dj) || !isSolid(i + di, j + dj))
+                        continue;
+                    const auto weight = static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
+                    sum += weight * m_rawLight[m_lattice.index(i + di, j + dj)];
+                    weights += weight;
+                }
+            }
+            const glm::vec4 mean = weights > 0.0F ? sum / weights : glm::vec4(1.0F, 1.0F, 0.0F, 0.5F);
+            m_light[m_lattice.index(i, j)] = {toByte(mean.r), toByte(mean.g), toByte(mean.b), toByte(mean.a)};
+        }
+    }
+}
+
+void ToothSurface::buildTriangles(const NodeRect& rect)
+{
+    const int cells = m_lattice.side - 1;
+    const auto tileOf = [](int cell) { return cell / kTileCells; };
+    const int lastTileX = std::min(tileOf(rect.endI - 1), m_tilesPerSide - 1);
+    const int lastTileY = std::min(tileOf(rect.endJ - 1), m_tilesPerSide - 1);
+    for (int tileY = tileOf(std::max(0, rect.beginJ - 1)); tileY <= lastTileY; ++tileY) {
+        for (int tileX = tileOf(std::max(0, rect.beginI - 1)); tileX <= lastTileX; ++tileX) {
+            const std::size_t tile = static_cast<std::size_t>(tileY * m_tilesPerSide + tileX);
+            std::size_t at = tile * kTileIndices;
+            const std::size_t begin = at;
+            const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
+                // Three rim nodes lie in both surfaces: nothing to see there.
+                if (m_nodes[a] != Node::Solid && m_nodes[b] != Node::Solid && m_nodes[c] != Node::Solid)
+                    return;
+                if (m_nodes[a] == Node::Empty || m_nodes[b] == Node::Empty || m_nodes[c] == Node::Empty)
+                    return;
+                for (const std::size_t node : {a, b, c})
+                    m_indices[at++] = static_cast<std::uint32_t>(node);
+            };
+            for (int j = tileY * kTileCells; j < std::min((tileY + 1) * kTileCells, cells); ++j) {
+                for (int i = tileX * kTileCells; i < std::min((tileX + 1) * kTileCells, cells); ++i) {
+                    const std::size_t a = m_lattice.index(i, j);
+                    const std::size_t b = m_lattice.index(i + 1, j);
+                    const std::size_t c = m_lattice.index(i + 1, j + 1);
+                    const std::size_t d = m_lattice.index(i, j + 1);
+                    // The flatter diagonal follows a wall instead of crossing it.
+                    if (std::abs(m_tops[a].shownMm - m_tops[c].shownMm) <=
+                        std::abs(m_tops[b].shownMm - m_tops[d].shownMm)) {
+                        triangle(a, b, c);
+                        triangle(a, c, d);
+                    } else {
+                        triangle(a, b, d);
+                        triangle(b, c, d);
+                    }
+                }
+            }
+            m_indexCounts[tile] = static_cast<int>(at - begin);
+        }
+    }
+}
+
+float ToothSurface::pickHeight(int i, int j) const
+{
+    const auto resting = static_cast<float>(m_restingMm);
+    if (!m_lattice.contains(i, j))
+        return resting;
+    const std::size_t k = m_lattice.index(i, j);
+    if (m_beside[k] != 0)
+        return resting;
+    return m_nodes[k] == Node::Solid ? m_top[k] : m_wholeBottom[k];
+}
+
+double ToothSurface::heightMm(glm::dvec2 pointMm) const
+{
+    const glm::dvec2 at = m_lattice.latticeOf(pointMm);
+    if (at.x < 0.0 || at.y < 0.0 || at.x >= m_lattice.side - 1 || at.y >= m_lattice.side - 1)
+        return m_restingMm;
+    const int i = static_cast<int>(at.x);
+    const int j = static_cast<int>(at.y);
+    const double u = at.x - i;
+    const double v = at.y - j;
+    return (1.0 - v) * ((1.0 - u) * pickHeight(i, j) + u * pickHeight(i + 1, j)) +
+           v * ((1.0 - u) * pickHeight(i, j + 1) + u * pickHeight(i + 1, j + 1));
+}
+
+bool ToothSurface::isTooth(glm::dvec2 pointMm) const
+{
+    const glm::dvec2 at = glm::round(m_lattice.latticeOf(pointMm));
+    const int i = static_cast<int>(at.x);
+    const int j = static_cast<int>(at.y);
+    return m_lattice.contains(i, j) && m_beside[m_lattice.index(i, j)] == 0;
+}
+
+double ToothSurface::highestWithinMm(glm::dvec2 centreMm, double radiusMm) const
+{
+    const glm::dvec2 at = m_lattice.latticeOf(centreMm);
+    const double reach = radiusMm / m_lattice.cellMm;
+    double highest = heightMm(centreMm);
+    for (int j = static_cast<int>(std::ceil(at.y - reach)); j <= static_cast<int>(std::floor(at.y + reach)); ++j)
+        for (int i = static_cast<int>(std::ceil(at.x - reach)); i <= static_cast<int>(std::floor(at.x + reach)); ++i)
+            if ((i - at.x) * (i - at.x) + (j - at.y) * (j - at.y) <= reach * reach)
+                highest = std::max(highest, static_cast<double>(pickHeight(i, j)));
+    return highest;
+}
+
+double ToothSurface::highestBetweenMm(glm::dvec2 fromMm, glm::dvec2 toMm, double radiusMm) const
+{
+    const double length = glm::distance(fromMm, toMm);
+    const int steps = static_cast<int>(std::ceil(length / std::max(radiusMm, m_lattice.cellMm)));
+    double highest = highestWithinMm(toMm, radiusMm);
+    for (int k = 0; k < steps; ++k)
+        highest = std::max(highest, highestWithinMm(glm::mix(fromMm, toMm, static_cast<double>(k) / steps), radiusMm));
+    return highest;
+}
+
+glm::dvec3 ToothSurface::crownMiddleMm() const
+{
+    const double height = std::min(m_highestMm.z - m_lowestMm.z, kCrownMm);
+    return {glm::dvec2(m_lowestMm + m_highestMm) * 0.5, m_highestMm.z - 0.38 * height};
+}
+
+double ToothSurface::crownRadiusMm() const
+{
+    const glm::dvec3 size = m_highestMm - m_lowestMm;
+    return 0.5 * glm::length(glm::dvec3(size.x, size.y, std::min(size.z, kCrownMm)));
+}
+
+bool ToothSurface::meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm)
+{
+    if (ray.direction.z > -1.0e-3)
+        return false;
+    pointMm = ray.originMm + ray.direction * ((heightMm - ray.originMm.z) / ray.direction.z);
+    return true;
+}
+
+bool ToothSurface::meet(const Ray& ray, glm::dvec3& pointMm) const
+{
+    glm::dvec3 above;
+    glm::dvec3 below;
+    if (!meetPlane(ray, m_highestMm.z + 0.01, above) || !meetPlane(ray, m_lowestMm.z - 0.01, below))
+        return false;
+    const double length = glm::length(below - above);
+    const double step = 0.5 * m_lattice.cellMm;
+    double before = 0.0;
+    for (double along = 0.0; along < length; along += step) {
+        const glm::dvec3 point = above + ray.direction * along;
+        if (point.z > heightMm({point.x, point.y})) {
+            before = along;
+            continue;
+        }
+        double after = along;
+        for (int halving = 0; halving < 16; ++halving) {
+            const double middle = 0.5 * (before + after);
+            const glm::dvec3 at = above + ray.direction * middle;
+            (at.z > heightMm({at.x, at.y}) ? before : after) = middle;
+        }
+        pointMm = above + ray.direction * after;
+        return true;
+    }
+    pointMm = below;
+    return true;
+}
+
+}  // namespace ui::render

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "core/session/Links.h"
+#include "core/terrain/NodeRect.h"
+#include "core/terrain/Tooth.h"
+
+namespace ui::render {
+
+/// A ray of sight in the tooth frame; the direction has length 1.
+struct Ray
+{
+    glm::dvec3 originMm{0.0};
+    glm::dvec3 direction{0.0, 0.0, -1.0};
+};
+
+/// The view's own copy of a tooth: the two height maps as they are drawn, with all that is derived from them (sewn
+/// rim, normals, light, triangles), and where a ray of sight meets them. No OpenGL in here.
+///
+/// The lattice drawn is the tooth's own up to kMaxSide nodes a side and every second, third or fourth node of a finer
+/// one. Ui thread.
+class ToothSurface
+{
+public:
+    static constexpr int kMaxSide = 300;
+    static constexpr int kTileCells = 16;
+    /// Square tile of cells that shares one stretch of the index buffer.
+    static constexpr int kTileIndices = kTileCells * kTileCells * 6;
+
+    /// What the last refresh() changed.
+    struct Changes
+    {
+        core::terrain::NodeRect heights;  ///< heights and triangles
+        core::terrain::NodeRect shading;  ///< normals and light, a wider rectangle
+        bool outline = false;             ///< columns appeared or went: places of the rim moved
+    };
+
+    /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0
+    ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, glm::vec3 towardsLight);
+
+    /// Takes over the heights of one tile. Nothing derived moves until refresh().
+    void write(const core::session::TilePatch& patch);
+    /// Brings everything derived up to date and says what that was.
+    Changes refresh();
+    /// Moves the operating light; the next refresh() reports all shading as changed.
+    void setLight(glm::vec3 towardsLight);
+
+    [[nodiscard]] const core::terrain::ToothAnatomy& anatomy() const { return *m_anatomy; }
+    /// The lattice that is drawn.
+    [[nodiscard]] const core::terrain::Grid& lattice() const { return m_lattice; }
+    [[nodiscard]] bool isSolid(int i, int j) const { return m_nodes[m_lattice.index(i, j)] == Node::Solid; }
+
+    /// First point where the ray meets the tooth from above or, beside it, the plane at restingHeightMm(). The two
+    /// join without a step at the sides of the tooth, so that a moving ray finds a moving point. False when the ray
+    /// does not go down.
+    [[nodiscard]] bool meet(const Ray& ray, glm::dvec3& pointMm) const;
+    /// Where a ray meets the horizontal plane at a height. False when the ray does not go down.
+    [[nodiscard]] static bool meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm);
+    /// Highest point of the tooth within a radius, or restingHeightMm() where there is none.
+    [[nodiscard]] double highestWithinMm(glm::dvec2 centreMm, double radiusMm) const;
+    /// The same along the way from one point to another: over what a bur of that radius must be lifted to go there.
+    [[nodiscard]] double highestBetweenMm(glm::dvec2 fromMm, glm::dvec2 toMm, double radiusMm) const;
+    /// Height of the tooth below a point, restingHeightMm() beside it.
+    [[nodiscard]] double heightMm(glm::dvec2 pointMm) const;
+    /// False beside the tooth: where heightMm() is the resting height for want of a chewing surface.
+    [[nodiscard]] bool isTooth(glm::dvec2 pointMm) const;
+    /// Height at which a bur waits beside the tooth.
+    [[nodiscard]] double restingHeightMm() const { return m_restingMm; }
+    /// Box of the uncut tooth.
+    [[nodiscard]] glm::dvec3 lowestMm() const { return m_lowestMm; }
+    [[nodiscard]] glm::dvec3 highestMm() const { return m_highestMm; }
+    /// Ball around the crown, what there is of roots left out: what a view must show.
+    [[nodiscard]] glm::dvec3 crownMiddleMm() const;
+    [[nodiscard]] double crownRadiusMm() const;
+
+    // What the renderer uploads: arrays over the lattice, row by row, i fast.
+    /// A height as it is drawn (sewn, flanks smoothed), and as the maps have it: where materials are looked up.
+    struct Height
+    {
+        float shownMm = 0.0F;
+        float mapMm = 0.0F;
+    };
+    [[nodiscard]] const std::vector<Height>& tops() const { return m_tops; }
+    [[nodiscard]] const std::vector<Height>& bottoms() const { return m_bottoms; }
+    [[nodiscard]] const std::vector<glm::vec2>& places() const { return m_places; }  ///< x, y of each node, mm
+    using PackedNormal = std::array<std::int16_t, 2>;  ///< x and y of a unit normal, 32767 is one
+    [[nodiscard]] const std::vector<PackedNormal>& topNormals() const { return m_topNormals; }
+    [[nodiscard]] const std::vector<PackedNormal>& bottomNormals() const { return m_bottomNormals; }
+    /// Red: openness to the sky. Green: operating light that arrives. Blue: cut since the tooth was whole. Alpha:
+    /// crevice above one half, ridge below. 255 is one.
+    using Light = std::array<std::uint8_t, 4>;
+    [[nodiscard]] const std::vector<Light>& light() const { return m_light; }
+    [[nodiscard]] const std::vector<glm::vec4>& upperLayers() const
+    {
+        return m_upperLayers;
+    }  ///< roof, floor, dej, pulp
+    /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion.
+    [[nodiscard]] const std::vector<glm::vec2>& lowerLayers() const { return m_lowerLayers; }
+    /// Triangles of the upper surface, tile by tile; the lower surface has the same ones turned over.
+    [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
+    [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return m_indices; }  ///< kTileIndices a tile
+    [[nodiscard]] const std::vector<int>& indexCounts() const { return m_indexCounts; }    ///< used of each tile
+
+private:
+    enum class Node : std::uint8_t { Empty, Rim, Solid };
+    static constexpr int kRimReach = 3;  ///< how far along the rim it is smoothed, nodes
+
+    void takeAnatomy();
+    void findResting();
+    void smoothFlanks();
+    void spreadLayers();
+    void softenDecay(const std::vector<std::uint8_t>& caries);
+    bool sew(const core::terrain::NodeRect& written);
+    void smoothRim(const core::terrain::NodeRect& rect);
+    void smoothOutline();
+    void bendNormals(const core::terrain::NodeRect& rect);
+    void shineLight(const core::terrain::NodeRect& rect);
+    void buildTriangles(const core::terrain::NodeRect& rect);
+    template <class Value>
+    bool meanAround(int i, int j, const std::vector<std::uint8_t>& marked, Value&& value, glm::vec4& mean) const;
+    template <class Use>
+    void forRimAround(int i, int j, Use&& use) const;
+    [[nodiscard]] glm::vec2 slope(const std::vector<Height>& heights, int i, int j) const;
+    [[nodiscard]] bool isShown(int i, int j) const
+    {
+        return m_lattice.contains(i, j) && m_nodes[m_lattice.index(i, j)] != Node::Empty;
+    }
+    [[nodiscard]] float pickHeight(int i, int j) const;
+
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
+    core::terrain::Grid m_lattice;
+    int m_stride = 1;  ///< nodes of the anatomy's grid to one of the lattice
+    glm::vec3 m_towardsLight;
+
+    std::vector<float> m_wholeTop;
+    std::vector<float> m_wholeBottom;
+    std::vector<float> m_top;
+    std::vector<float> m_flankTop;     ///< whole top as drawn: freed of the lattice's steps at the flanks
+    std::vector<float> m_flankBottom;  ///< likewise from below
+    std::vector<Node> m_nodes;
+    std::vector<float> m_solidTop;     ///< as drawn, kEmptyTop where nothing is left
+    std::vector<float> m_solidBottom;  ///< as drawn, kEmptyBottom where nothing is left
+    std::vector<float> m_sewn;         ///< of rim nodes, before they are smoothed along the rim
+    std::vector<Height> m_tops;
+    std::vector<Height> m_bottoms;
+    std::vector<glm::vec2> m_places;
+    std::vector<glm::vec3> m_rawNormals[2];
+    std::vector<PackedNormal> m_topNormals;
+    std::vector<PackedNormal> m_bottomNormals;
+    std::vector<glm::vec4> m_rawLight;
+    std::vector<Light> m_light;
+    std::vector<glm::vec4> m_upperLayers;
+    std::vector<glm::vec2> m_lowerLayers;
+    std::vector<std::uint32_t> m_indices;
+    std::vector<int> m_indexCounts;
+    std::vector<std::uint8_t> m_beside;  ///< 1: outside the chewing surface, a bur waits at the resting height
+    int m_tilesPerSide = 0;
+    double m_restingMm = 0.0;
+    glm::dvec3 m_lowestMm{0.0};
+    glm::dvec3 m_highestMm{0.0};
+    core::terrain::NodeRect m_written;
+    bool m_relit = false;
+};
+
+}  // namespace ui::render

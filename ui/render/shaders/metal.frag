@@ -1,0 +1,57 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steel in a lit room: what it mirrors is a soft sky, a bright lamp and a dark floor.
+in vec3 positionMm;
+in vec3 normalInTooth;
+in vec3 onPart;
+in float finishHere;
+
+uniform vec3 eyeMm;
+uniform mat3 eyeRotation;  // eye from tooth
+uniform vec3 towardsLight;
+uniform float turnRad;     // how far the bur has turned
+uniform float blur;        // 0 standing still, 1 spinning: the blades run together
+uniform vec2 glassCentre;  // pixels: where the instrument must not hide the tooth
+uniform float glassRadius; // pixels, 0: opaque everywhere
+
+out vec4 colour;
+
+void main()
+{
+    vec3 normal = normalize(normalInTooth);
+    vec3 towardsEye = normalize(eyeMm - positionMm);
+    vec3 base = vec3(0.80, 0.82, 0.85);
+    float gloss = 1.0;
+    if (finishHere > 1.5) {
+        // Six blades with a slow helix: each a slope that ends in a step.
+        float around = atan(onPart.y, onPart.x) + turnRad + 0.55 * onPart.z;
+        float blade = fract(around * 6.0 / 6.2831853);
+        float groove = smoothstep(0.0, 0.28, blade) * smoothstep(1.0, 0.86, blade);
+        vec3 tangent = normalize(vec3(-normal.y, normal.x, 0.0) + 1.0e-5);
+        normal = normalize(normal + tangent * (blade - 0.45) * 1.1 * (1.0 - blur));
+        base = vec3(0.74, 0.73, 0.71) * mix(mix(0.30, 1.1, groove), 0.9, blur);
+    } else if (finishHere > 0.5) {
+        base = vec3(0.10, 0.105, 0.115);
+        gloss = 0.45;
+    }
+    // The room as the eye sees it mirrored: a soft sky, a long lamp to the left, a thin one to the right, and between
+    // them the dark of the room that makes steel look like steel.
+    vec3 seen = eyeRotation * normal;
+    float sky = 0.10 + 0.42 * smoothstep(-0.7, 0.95, seen.y);
+    float left = seen.x + 0.45;
+    float right = seen.x - 0.74;
+    float core = seen.x - 0.16;
+    float strips = 0.85 * exp(-left * left / 0.035) + 0.40 * exp(-right * right / 0.010);
+    float room = sky * (1.0 - 0.55 * exp(-core * core / 0.09)) + strips * (0.55 + 0.45 * seen.y);
+    float glance = max(dot(normal, normalize(towardsLight + towardsEye)), 0.0);
+    float rim = pow(1.0 - max(dot(normal, towardsEye), 0.0), 4.0);
+    vec3 lit = base * (0.10 + 0.14 * max(dot(normal, towardsLight), 0.0) + gloss * room) +
+               gloss * (0.9 * pow(glance, 60.0) + 0.10 * rim);
+
+    float opacity = 1.0;
+    if (glassRadius > 0.0) {
+        float away = length(gl_FragCoord.xy - glassCentre) / glassRadius;
+        opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.8, 1.35, away));
+    }
+    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), opacity);
+}

@@ -1,0 +1,23 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float finish;
+
+uniform mat4 clipFromTooth;
+uniform mat4 toothFromPart;
+
+out vec3 positionMm;
+out vec3 normalInTooth;
+out vec3 onPart;
+out float finishHere;
+
+void main()
+{
+    vec4 placed = toothFromPart * vec4(position, 1.0);
+    positionMm = placed.xyz;
+    normalInTooth = mat3(toothFromPart) * normal;
+    onPart = position;
+    finishHere = finish;
+    gl_Position = clipFromTooth * placed;
+}

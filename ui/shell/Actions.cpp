@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/Actions.h"
+
+#include <QActionGroup>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "core/drilling/Bur.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr const char* kDrawing = "drawing";
+
+QString drawingOf(const QAction* action)
+{
+    return action->property(kDrawing).toString();
+}
+
+}  // namespace
+
+Actions::Actions(QWidget* window) : QObject(window), m_window(window)
+{
+    m_groups.push_back({tr("Drill"), {}});
+    drill = add("drill", tr("Drill on or off"), tr("Let the bur turn, or stop it"), {Qt::Key_D, Qt::Key_Space});
+    drill->setCheckable(true);
+    undo = add("undo", tr("Undo"), tr("Take back the last stroke"), {Qt::CTRL | Qt::Key_Z});
+    redo = add("redo", tr("Redo"), tr("Make the stroke again that was taken back"), {Qt::CTRL | Qt::SHIFT | Qt::Key_Z});
+    reload =
+        add("reload", tr("Start again"), tr("Make the tooth whole again; undo brings your work back"), {Qt::Key_R});
+    grade = add("grade", tr("Grade"), tr("Measure what you have cut and explain the grade"), {Qt::Key_G});
+
+    m_groups.push_back({tr("Handpiece"), {}});
+    auto* oneBur = new QActionGroup(this);
+    int digit = Qt::Key_1;
+    for (const core::drilling::Bur& bur : core::drilling::burs()) {
+        const QString name = text::burName(bur.id);
+        QAction* action = add({}, name, tr("Take this bur"), {QKeySequence(digit++)});
+        action->setCheckable(true);
+        oneBur->addAction(action);
+        burs.push_back(action);
+    }
+    otherHand = add("hand", tr("Other hand"), tr("Hold the handpiece in the other hand"), {Qt::Key_H});
+    otherHand->setCheckable(true);
+
+    m_groups.push_back({tr("Tooth and files"), {}});
+    chooseTooth = add("tooth", tr("Choose a tooth"), tr("Show the arches and choose one of 16 teeth"), {Qt::Key_T});
+    openScan = add("open", tr("Open a scan"), tr("Open the scan of a tooth: OBJ, STL or PLY"), {Qt::CTRL | Qt::Key_O});
+    saveRecording = add("save", tr("Save the recording"), tr("Save every movement of this attempt to a file"),
+                        {Qt::CTRL | Qt::Key_S});
+    openRecording =
+        add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
+
+    m_groups.push_back({tr("Window"), {}});
+    resetView = add("view", tr("View from the start"), tr("Turn the tooth back to where it began"), {Qt::Key_V});
+    panel = add("panel", tr("Side panel"), tr("Show the figures, or put them away"), {Qt::Key_F9});
+    panel->setCheckable(true);
+    panel->setChecked(true);
+    fullScreen = add("fullscreen", tr("Full screen"), tr("Fill the whole screen"), {Qt::Key_F11});
+    fullScreen->setCheckable(true);
+    help = add("help", tr("Keys and mouse"), tr("Show what every key does"), {Qt::Key_F1});
+    back =
+        add("back", tr("Back to the tooth"), tr("Close what lies over the tooth; nothing is lost"), {Qt::Key_Escape});
+    quit = add("close", tr("Quit"), tr("Close Cusp"), {Qt::CTRL | Qt::Key_Q});
+}
+
+QAction* Actions::add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys)
+{
+    auto* action = new QAction(text, this);
+    action->setShortcuts(keys);
+    action->setStatusTip(tip);
+    //: Tooltip: what it does, then its key
+    action->setToolTip(tr("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText)));
+    action->setProperty(kDrawing, drawing);
+    action->setIcon(lineIcon(drawing, roomPalette()));
+    m_window->addAction(action);
+    m_groups.back().actions.push_back(action);
+    return action;
+}
+
+QToolButton* barButton(QAction* action, bool withText, QWidget* parent)
+{
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(withText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    button->setIconSize({20, 20});
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAutoRaise(true);
+    button->setAccessibleName(action->text());
+    button->setAccessibleDescription(action->toolTip());
+    return button;
+}
+
+QPushButton* pageButton(QAction* action, const char* kind, QWidget* parent)
+{
+    auto* button = new QPushButton(action->text(), parent);
+    button->setProperty("kind", kind);
+    QPalette colours = parent->palette();
+    if (qstrcmp(kind, "filled") == 0)
+        colours.setColor(QPalette::Active, QPalette::ButtonText, colours.color(QPalette::HighlightedText));
+    button->setIcon(lineIcon(drawingOf(action), colours));
+    button->setIconSize({18, 18});
+    button->setToolTip(action->toolTip());
+    button->setStatusTip(action->statusTip());
+    button->setAccessibleName(action->text());
+    button->setAccessibleDescription(action->toolTip());
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAutoDefault(true);  // Enter presses it, too
+    button->setEnabled(action->isEnabled());
+    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    QObject::connect(action, &QAction::enabledChanged, button, &QPushButton::setEnabled);
+    return button;
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QObject>
+#include <QString>
+
+class QPushButton;
+class QToolButton;
+class QWidget;
+
+namespace ui::shell {
+
+/// The action table: everything the window can be asked to do, each with text, keys, tooltip, status tip and drawing.
+/// Buttons, shortcuts and the help overlay are made from it, so none of them can disagree.
+class Actions : public QObject
+{
+    Q_OBJECT
+public:
+    struct Group
+    {
+        QString title;
+        QList<QAction*> actions;
+    };
+
+    /// @param window  where the shortcuts are heard
+    explicit Actions(QWidget* window);
+
+    [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
+
+    QAction* drill = nullptr;  ///< checkable: the bur turns
+    QAction* otherHand = nullptr;
+    QAction* resetView = nullptr;
+    QList<QAction*> burs;  ///< checkable, one of them; in the order of core::drilling::burs()
+    QAction* undo = nullptr;
+    QAction* redo = nullptr;
+    QAction* reload = nullptr;
+    QAction* grade = nullptr;
+    QAction* chooseTooth = nullptr;
+    QAction* openScan = nullptr;
+    QAction* saveRecording = nullptr;
+    QAction* openRecording = nullptr;
+    QAction* panel = nullptr;  ///< checkable: the side panel is there
+    QAction* fullScreen = nullptr;
+    QAction* help = nullptr;
+    QAction* back = nullptr;
+    QAction* quit = nullptr;
+
+private:
+    QAction* add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys);
+
+    QWidget* m_window;
+    QList<Group> m_groups;
+};
+
+/// A flat icon button for a bar of the practice room. Reached with Tab; a click leaves the focus with the tooth.
+[[nodiscard]] QToolButton* barButton(QAction* action, bool withText, QWidget* parent);
+
+/// A button of a page that does what the action does, with its text and icon in the page's colours.
+/// @param kind  "filled", "quiet" or "" (see cusp.qss)
+[[nodiscard]] QPushButton* pageButton(QAction* action, const char* kind, QWidget* parent);
+
+}  // namespace ui::shell

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/BurChooser.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr double kPxPerMm = 11.0;
+/// How much of the shank is drawn above the longest head, mm.
+constexpr double kTopMm = 5.0;
+
+/// Both halves of the head, tip at the origin, y upwards negative.
+QPainterPath headOf(const core::drilling::Bur& bur)
+{
+    QPainterPath path;
+    path.moveTo(0, 0);
+    for (const auto& p : bur.outline)
+        path.lineTo(p.radiusMm, -p.heightMm);
+    for (auto p = bur.outline.rbegin(); p != bur.outline.rend(); ++p)
+        path.lineTo(-p->radiusMm, -p->heightMm);
+    path.closeSubpath();
+    return path;
+}
+
+}  // namespace
+
+BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* parent) : QAbstractButton(parent), m_bur(bur)
+{
+    setCheckable(true);
+    setChecked(action->isChecked());
+    setEnabled(action->isEnabled());
+    setText(action->text());
+    setToolTip(QStringLiteral("%1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
+    setStatusTip(action->statusTip());
+    setAccessibleName(action->text());
+    setAccessibleDescription(action->toolTip());
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_Hover);
+    connect(this, &QAbstractButton::clicked, action, [this, action] {
+        action->trigger();
+        setChecked(action->isChecked());
+    });
+    connect(action, &QAction::toggled, this, &QAbstractButton::setChecked);
+    connect(action, &QAction::enabledChanged, this, &QAbstractButton::setEnabled);
+}
+
+void BurTile::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette& p = palette();
+    const QRectF frame = QRectF(rect()).adjusted(1, 1, -1, -1);
+    painter.setPen(isChecked() ? QPen(p.color(QPalette::Link), 2) : QPen(p.color(QPalette::Mid), 1));
+    painter.setBrush(isChecked() || underMouse() ? p.brush(QPalette::Midlight) : QBrush(Qt::NoBrush));
+    painter.drawRoundedRect(frame, kRadius, kRadius);
+    if (hasFocus()) {
+        painter.setPen(QPen(p.color(QPalette::WindowText), 1, Qt::DotLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(frame.adjusted(3, 3, -3, -3), kRadius - 2, kRadius - 2);
+    }
+    painter.setOpacity(isEnabled() ? 1.0 : 0.38);
+
+    painter.save();
+    painter.translate(width() / 2.0, 62.0);
+    painter.scale(kPxPerMm, kPxPerMm);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(p.color(QPalette::PlaceholderText));
+    painter.drawRect(QRectF(-m_bur.shankRadiusMm, -kTopMm, 2 * m_bur.shankRadiusMm, kTopMm - m_bur.headLengthMm + 0.1));
+    painter.setBrush(p.color(QPalette::WindowText));
+    painter.drawPath(headOf(m_bur));
+    painter.restore();
+
+    painter.setFont(typeface(kSmall, isChecked() ? QFont::DemiBold : QFont::Normal));
+    painter.setPen(p.color(isChecked() ? QPalette::WindowText : QPalette::PlaceholderText));
+    painter.drawText(QRect(0, 64, width(), 18), Qt::AlignCenter,
+                     QString::fromUtf8(m_bur.id.data(), static_cast<qsizetype>(m_bur.id.size())));
+}
+
+BurChooser::BurChooser(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Burs"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpace2);
+    const auto burs = core::drilling::burs();
+    for (qsizetype k = 0; k < actions.size(); ++k)
+        row->addWidget(new BurTile(burs[static_cast<std::size_t>(k)], actions[k], this));
+}
+
+}  // namespace ui::shell

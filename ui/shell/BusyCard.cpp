@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/BusyCard.h"
+
+#include <algorithm>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QVBoxLayout>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr int kWidthPx = 360;
+
+}  // namespace
+
+BusyCard::BusyCard(QWidget* parent) : QFrame(parent), m_what(new QLabel(this)), m_progress(new QProgressBar(this))
+{
+    dress(*this, roomPalette());
+    setProperty("kind", "card");
+    setAutoFillBackground(true);
+    setAccessibleName(tr("Working"));
+    m_what->setFont(typeface(kBody, QFont::Medium));
+    m_what->setAlignment(Qt::AlignCenter);
+    m_what->setWordWrap(true);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
+    column->setSpacing(kSpace4);
+    column->addWidget(m_what);
+    column->addWidget(m_progress);
+    m_patience.setSingleShot(true);
+    connect(&m_patience, &QTimer::timeout, this, [this] {
+        placeIn(m_area);
+        show();
+        raise();
+    });
+    hide();
+}
+
+void BusyCard::work(const QString& what, int percent)
+{
+    m_what->setText(what);
+    m_progress->setRange(0, percent < 0 ? 0 : 100);
+    m_progress->setValue(percent);
+    if (!m_working)
+        m_patience.start(kPatienceMs);
+    m_working = true;
+}
+
+void BusyCard::done()
+{
+    m_working = false;
+    m_patience.stop();
+    hide();
+}
+
+void BusyCard::placeIn(const QRect& area)
+{
+    m_area = area;
+    const QSize size(std::min(kWidthPx, area.width()), sizeHint().height());
+    QRect place(QPoint(0, 0), size);
+    place.moveCenter(area.center());
+    setGeometry(place);
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/ForceBar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+/// The bar is full at one and a half times the set force, so the mark stands at two thirds.
+constexpr double kFullShare = 1.5;
+
+}  // namespace
+
+ForceBar::ForceBar(QWidget* parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(tr("Force against the force that is set"));
+}
+
+void ForceBar::setForce(double forceN, double setN, bool limited)
+{
+    if (std::abs(forceN - m_forceN) < 0.005 && setN == m_setN && limited == m_limited)
+        return;
+    m_forceN = forceN;
+    m_setN = setN;
+    m_limited = limited;
+    update();
+}
+
+void ForceBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF groove(0, 3, width(), 6);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Mid));
+    painter.drawRoundedRect(groove, 3, 3);
+    const double full = std::max(0.1, m_setN * kFullShare);
+    const double share = std::clamp(m_forceN / full, 0.0, 1.0);
+    const Tones tone = tones(palette());
+    if (share > 0.01) {
+        const QRectF bar(0, 3, std::max(6.0, share * width()), 6);
+        painter.setBrush(m_limited ? tone.attention : tone.accent);
+        painter.drawRoundedRect(bar, 3, 3);
+    }
+    const double mark = width() / kFullShare;
+    painter.setBrush(palette().color(QPalette::WindowText));
+    painter.drawRoundedRect(QRectF(mark - 1, 0, 2, 12), 1, 1);
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/HistoryChart.h"
+
+#include <algorithm>
+
+#include <QPainter>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr double kWidestPx = 44.0;
+constexpr double kGapPx = 8.0;
+/// From this width on a column carries its number.
+constexpr double kNumberPx = 22.0;
+
+}  // namespace
+
+HistoryChart::HistoryChart(QWidget* parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void HistoryChart::setScores(const QList<int>& oldestFirst, int passMark)
+{
+    m_scores = oldestFirst;
+    m_passMark = passMark;
+    QStringList words;
+    for (const int score : oldestFirst)
+        words << QString::number(score);
+    setAccessibleName(tr("Last grades, oldest first: %1").arg(words.join(QStringLiteral(", "))));
+    update();
+}
+
+void HistoryChart::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette& p = palette();
+    const double base = height() - 1.0;
+    const auto heightOf = [&](int score) { return (base - 1.0) * std::clamp(score, 0, 100) / 100.0; };
+    const double mark = base - heightOf(m_passMark);
+    painter.setPen(QPen(p.color(QPalette::Mid), 1));
+    painter.drawLine(QPointF(0, base), QPointF(width(), base));
+    painter.setPen(QPen(p.color(QPalette::PlaceholderText), 1, Qt::DashLine));
+    painter.drawLine(QPointF(0, mark), QPointF(width(), mark));
+    painter.setFont(typeface(kSmall));
+    const QString words = tr("pass mark %1").arg(m_passMark);
+    const double margin = painter.fontMetrics().horizontalAdvance(words) + 2.0 * kGapPx;
+    painter.drawText(QRectF(width() - margin, mark - 18, margin, 16), Qt::AlignRight | Qt::AlignVCenter, words);
+    if (m_scores.isEmpty())
+        return;
+
+    const double step = std::min(kWidestPx + kGapPx, (width() - margin) / static_cast<double>(m_scores.size()));
+    const double column = std::max(3.0, step - kGapPx);
+    painter.setFont(typeface(kSmall, QFont::DemiBold));
+    for (qsizetype k = 0; k < m_scores.size(); ++k) {
+        const bool newest = k + 1 == m_scores.size();
+        const double tall = heightOf(m_scores[k]);
+        const QRectF bar(static_cast<double>(k) * step, base - tall, column, tall);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(p.color(newest ? QPalette::Highlight : QPalette::Mid));
+        painter.drawRect(bar);
+        if (column < kNumberPx)
+            continue;
+        // Inside the column where it fits, above it otherwise.
+        const bool inside = tall > 24.0;
+        painter.setPen(p.color(inside && newest ? QPalette::HighlightedText : QPalette::WindowText));
+        painter.drawText(QRectF(bar.left(), inside ? bar.top() + 4 : bar.top() - 20, column, 16), Qt::AlignCenter,
+                         QString::number(m_scores[k]));
+    }
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+namespace ui::shell {
+
+/// The last scores as columns, oldest first, the newest marked, with the pass mark as a line.
+class HistoryChart : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit HistoryChart(QWidget* parent);
+    void setScores(const QList<int>& oldestFirst, int passMark);
+    [[nodiscard]] QSize sizeHint() const override { return {240, 200}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QList<int> m_scores;
+    int m_passMark = 0;
+};
+
+}  // namespace ui::shell

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/MainWindow.h"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QIcon>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include "core/drilling/Bur.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/BusyCard.h"
+#include "ui/shell/HelpOverlay.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/shell/PracticeRoom.h"
+#include "ui/shell/ScorePage.h"
+#include "ui/shell/SidePanel.h"
+#include "ui/shell/Theme.h"
+#include "ui/shell/ToothChooser.h"
+#include "ui/text/Texts.h"
+#include "ui/tooth/ToothView.h"
+
+namespace ui::shell {
+namespace {
+
+/// How long the servo may take to follow a wish before its own word counts again.
+constexpr qint64 kWishMs = 500;
+/// The session's state is read this often even while the view does not paint.
+constexpr int kSessionMs = 100;
+constexpr QSize kFirstSize{1280, 800};
+constexpr QSize kSmallest{960, 640};
+
+QString patternOf(const QStringList& suffixes)
+{
+    QStringList patterns;
+    for (const QString& suffix : suffixes)
+        patterns << "*." + suffix << "*." + suffix.toUpper();
+    return patterns.join(u' ');
+}
+
+QString recordingFilter()
+{
+    return MainWindow::tr("Recordings (%1)").arg(patternOf({MainWindow::recordingSuffix()}));
+}
+
+/// The file a drag carries, empty when it carries anything else.
+QString droppedFile(const QMimeData* data)
+{
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+}  // namespace
+
+MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
+    : QMainWindow(parent), m_links(links), m_actions(new Actions(this)),
+      m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
+      m_room(new PracticeRoom(*m_actions, m_view->pane(), m_pages)), m_chooser(new ToothChooser(*m_actions, m_pages)),
+      m_scorePage(new ScorePage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
+      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
+      m_folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+{
+    setWindowTitle(tr("Cusp"));
+    setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
+    setMinimumSize(kSmallest);
+    resize(kFirstSize);
+    setAcceptDrops(true);
+    setCentralWidget(m_pages);
+    for (QWidget* page :
+         {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage)})
+        m_pages->addWidget(page);
+    m_actions->burs.front()->setChecked(true);
+
+    connectActions();
+    connectView();
+    connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
+        goTo(m_room);
+        emit toothChosen(fdi);
+    });
+    connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
+
+    auto* pulse = new QTimer(this);
+    connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
+    pulse->start(kSessionMs);
+    qApp->installEventFilter(this);
+    goTo(m_room);
+}
+
+MainWindow::~MainWindow()
+{
+    qApp->removeEventFilter(this);
+}
+
+void MainWindow::connectActions()
+{
+    const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
+    on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
+    for (int k = 0; k < m_actions->burs.size(); ++k)
+        on(m_actions->burs[k], [this, k] { wishBur(k); });
+    on(m_actions->otherHand, [this](bool left) { m_view->setLeftHanded(left); });
+    on(m_actions->resetView, [this] { m_view->resetCamera(); });
+    on(m_actions->undo, [this] { send(core::session::Undo{}); });
+    on(m_actions->redo, [this] { send(core::session::Redo{}); });
+    on(m_actions->reload, [this] {
+        goTo(m_room);
+        if (send(core::session::Reload{}))
+            m_messages->say(
+                {MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
+                     send(core::session::Undo{});
+                 }});
+    });
+    on(m_actions->grade, [this] { emit gradeRequested(); });
+    on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
+    on(m_actions->openScan, [this] {
+        askForFile(m_actions->openScan->text(), tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes())),
+                   &MainWindow::scanChosen);
+    });
+    on(m_actions->saveRecording, [this] {
+        askForFile(m_actions->saveRecording->text(), recordingFilter(), &MainWindow::recordingSaveRequested,
+                   newRecordingName());
+    });
+    on(m_actions->openRecording, [this] {
+        askForFile(m_actions->openRecording->text(), recordingFilter(), &MainWindow::recordingOpenRequested);
+    });
+    on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
+    on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+    on(m_actions->help, [this] {
+        m_help->setVisible(!m_help->isVisible());
+        placeOverlays();
+    });
+    on(m_actions->back, [this] { goBack(); });
+    on(m_actions->quit, [this] { close(); });
+}
+
+void MainWindow::connectView()
+{
+    connect(m_view.get(), &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
+    connect(m_view.get(), &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
+    connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view.get(), &tooth::ToothView::setPushForce);
+    m_room->panel().setPushForce(m_view->pushForce());
+}
+
+void MainWindow::takeFrame(const core::session::ServoState& servo)
+{
+    takeSession();
+    m_room->panel().setFigures(servo, m_session);
+    if (servo.cutting && !m_hasCut) {
+        m_hasCut = true;
+        m_room->setHintVisible(false);
+    }
+    const auto mayAnswer = [](const Wish& wish, int said) {
+        return said == wish.value || !wish.since.isValid() || wish.since.elapsed() > kWishMs;
+    };
+    // Before its first tick the servo has said nothing yet.
+    if (servo.tick == 0)
+        return;
+    if (mayAnswer(m_drillWish, servo.drillOn ? 1 : 0) && m_actions->drill->isChecked() != servo.drillOn) {
+        m_actions->drill->setChecked(servo.drillOn);
+        m_view->setDrillOn(servo.drillOn);
+    }
+    if (servo.burIndex < m_actions->burs.size() && mayAnswer(m_burWish, servo.burIndex))
+        m_actions->burs[servo.burIndex]->setChecked(true);
+}
+
+void MainWindow::takeSession()
+{
+    const core::session::SessionState& now = m_links.session.latest();
+    const bool moved = now.undoSteps != m_session.undoSteps || now.redoSteps != m_session.redoSteps;
+    m_session = now;
+    if (moved)
+        enableActions();
+}
+
+bool MainWindow::send(const core::session::SessionCommand& command)
+{
+    if (m_links.commands.tryPush(command))
+        return true;
+    m_messages->say({MessageBar::Kind::Warning,
+                     tr("Cusp is still busy with what came before, and did not do that. Try again."),
+                     {},
+                     {},
+                     {}});
+    return false;
+}
+
+void MainWindow::wishDrill(bool on)
+{
+    if (!send(core::session::SetDrill{on})) {
+        m_actions->drill->setChecked(!on);
+        return;
+    }
+    m_drillWish.value = on ? 1 : 0;
+    m_drillWish.since.start();
+    m_view->setDrillOn(on);
+}
+
+void MainWindow::wishBur(int index)
+{
+    if (!send(core::session::SetBur{static_cast<std::uint8_t>(index)}))
+        return;
+    m_burWish.value = index;
+    m_burWish.since.start();
+}
+
+void MainWindow::goTo(QWidget* page)
+{
+    m_help->hide();
+    m_pages->setCurrentWidget(page);
+    if (page == m_room)
+        m_view->setFocus();
+    enableActions();
+    placeOverlays();
+}
+
+void MainWindow::goBack()
+{
+    if (m_help->isVisible()) {
+        m_help->hide();
+        m_view->setFocus();
+    } else if (m_pages->currentWidget() != m_room) {
+        goTo(m_room);
+    } else if (m_messages->dismiss()) {
+        return;
+    } else if (m_replaying) {
+        emit replayStopRequested();
+    } else if (isFullScreen()) {
+        m_actions->fullScreen->trigger();
+    }
+}
+
+void MainWindow::enableActions()
+{
+    const bool inRoom = m_pages->currentWidget() == m_room;
+    const bool mine = m_tooth != nullptr && !m_busy->isWorking() && !m_replaying;
+    m_actions->drill->setEnabled(inRoom && mine);
+    for (QAction* bur : m_actions->burs)
+        bur->setEnabled(inRoom && mine);
+    m_actions->otherHand->setEnabled(inRoom);
+    m_actions->resetView->setEnabled(inRoom);
+    m_actions->panel->setEnabled(inRoom);
+    m_actions->undo->setEnabled(inRoom && mine && m_session.undoSteps > 0);
+    m_actions->redo->setEnabled(inRoom && mine && m_session.redoSteps > 0);
+    m_actions->reload->setEnabled(mine);
+    m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
+    m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
+    m_actions->openScan->setEnabled(!m_busy->isWorking());
+    m_actions->openRecording->setEnabled(!m_busy->isWorking());
+    m_actions->saveRecording->setEnabled(m_tooth != nullptr && !m_busy->isWorking());
+}
+
+void MainWindow::placeOverlays()
+{
+    m_help->setGeometry(m_pages->rect());
+    if (m_help->isVisible())
+        m_help->raise();
+    const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
+    m_messages->placeIn(area);
+    m_busy->placeIn(area);
+}
+
+void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
+                           const QStringList& notes)
+{
+    m_busy->done();
+    m_tooth = std::move(tooth);
+    m_view->setTooth(m_tooth, generation);
+    const QString title = text::toothTitle(*m_tooth);
+    const QString name = text::toothName(m_tooth->fdi);
+    m_room->setTooth(title, name);
+    m_chooser->setPresent(m_tooth->fdi);
+    setWindowTitle(tr("%1 – Cusp").arg(title));
+    goTo(m_room);
+    if (notes.size() == 1)
+        m_messages->say({MessageBar::Kind::Warning, notes.front(), {}, {}, {}});
+    else if (!notes.isEmpty())
+        m_messages->say({MessageBar::Kind::Warning,
+                         tr("%n note(s) about this scan", nullptr, static_cast<int>(notes.size())),
+                         notes.join(u'\n'),
+                         {},
+                         {}});
+}
+
+void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
+{
+    if (what.isEmpty())
+        m_busy->done();
+    else
+        m_busy->work(what, percentOrMinusOne);
+    enableActions();
+    placeOverlays();
+}
+
+void MainWindow::showError(const core::Error& error)
+{
+    m_busy->done();
+    enableActions();
+    m_messages->say({MessageBar::Kind::Error, text::errorText(error), QString::fromStdString(error.detail), {}, {}});
+}
+
+void MainWindow::showMessage(const QString& sentence)
+{
+    m_messages->say({MessageBar::Kind::News, sentence, {}, {}, {}});
+}
+
+void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history)
+{
+    m_busy->done();
+    const QString title = m_tooth != nullptr ? text::toothTitle(*m_tooth) : QString();
+    m_scorePage->setScore(title, sheet, history, m_view->isUsable() ? m_view->picture() : QImage());
+    goTo(m_scorePage);
+}
+
+void MainWindow::setReplaying(bool replaying)
+{
+    m_replaying = replaying;
+    m_room->setReplaying(replaying);
+    enableActions();
+}
+
+void MainWindow::askForFile(const QString& title, const QString& filter, void (MainWindow::*chosen)(const QString&),
+                            const QString& newName)
+{
+    auto* dialog = new QFileDialog(this, title, m_folder);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (newName.isEmpty()) {
+        dialog->setFileMode(QFileDialog::ExistingFile);
+        dialog->setNameFilters({filter, tr("All files (*)")});
+    } else {
+        dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setDefaultSuffix(recordingSuffix());
+        dialog->setNameFilter(filter);
+        dialog->selectFile(newName);
+    }
+    connect(dialog, &QFileDialog::fileSelected, this, [this, chosen](const QString& path) {
+        m_folder = QFileInfo(path).path();
+        emit(this->*chosen)(path);
+    });
+    dialog->open();  // beside the window's own events: nothing stops meanwhile
+}
+
+QString MainWindow::newRecordingName() const
+{
+    const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName();
+    const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
+    return QStringLiteral("%1-%2.%3").arg(tooth, now, recordingSuffix());
+}
+
+void MainWindow::openFile(const QString& path)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == recordingSuffix())
+        emit recordingOpenRequested(path);
+    else if (scanSuffixes().contains(suffix))
+        emit scanChosen(path);
+    else
+        m_messages->say({MessageBar::Kind::Error,
+                         tr("This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those."),
+                         QFileInfo(path).fileName(),
+                         {},
+                         {}});
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    placeOverlays();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!droppedFile(event->mimeData()).isEmpty() && !m_busy->isWorking())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    event->acceptProposedAction();
+    openFile(droppedFile(event->mimeData()));
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    // Who has walked to a button with Tab presses it with Space; only elsewhere Space switches the drill.
+    if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractButton*>(watched) != nullptr &&
+        dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        event->accept();
+        return true;
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace ui::shell

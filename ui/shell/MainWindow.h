@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include <QElapsedTimer>
+#include <QList>
+#include <QMainWindow>
+#include <QString>
+#include <QStringList>
+
+#include "core/base/Result.h"
+#include "core/session/Links.h"
+#include "database/records.h"
+#include "lessons/ScoreSheet.h"
+
+class QStackedWidget;
+
+namespace ui::tooth {
+class ToothView;
+}
+
+namespace ui::shell {
+
+class Actions;
+class BusyCard;
+class HelpOverlay;
+class MessageBar;
+class PracticeRoom;
+class ScorePage;
+class ToothChooser;
+
+/// The window: the practice room, and over it the choice of a tooth, the grade, the keys, messages and progress.
+///
+/// It reads links.session and writes links.commands (Undo, Redo, Reload, SetBur, SetDrill); the rest of the links
+/// belong to the tooth view. What needs files, the database or another tooth it asks for by its signals.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// Name filters of the file dialogs, and what is taken when a file is dropped.
+    static QStringList scanSuffixes() { return {"obj", "stl", "ply"}; }
+    static QString recordingSuffix() { return "cusprec"; }
+
+    /// @param links  must outlive the window
+    explicit MainWindow(core::session::UiLinks& links, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] tooth::ToothView& view() { return *m_view; }
+
+public slots:
+    /// The tooth that is now on the table.
+    /// @param notes  what the importer guessed or warned, one sentence each
+    void showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
+                   const QStringList& notes);
+    /// Work is going on. It ends with showTooth, showScore, showError, or with an empty `what`.
+    void showBusy(const QString& what, int percentOrMinusOne);
+    void showError(const core::Error& error);
+    void showMessage(const QString& sentence);
+    /// @param history  grades of this tooth, newest first, this one included
+    void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history);
+    /// A recording drives the bur: the student's own controls rest.
+    void setReplaying(bool replaying);
+
+signals:
+    void toothChosen(int fdi);
+    void scanChosen(const QString& path);
+    void recordingSaveRequested(const QString& path);
+    void recordingOpenRequested(const QString& path);
+    void gradeRequested();
+    void replayStopRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    /// What was asked of the servo and is believed until it answers, or until it has had time to.
+    struct Wish
+    {
+        int value = 0;
+        QElapsedTimer since;
+    };
+
+    void connectActions();
+    void connectView();
+    void takeFrame(const core::session::ServoState& servo);
+    void takeSession();
+    bool send(const core::session::SessionCommand& command);
+    void wishDrill(bool on);
+    void wishBur(int index);
+    void goTo(QWidget* page);
+    void goBack();
+    void enableActions();
+    void placeOverlays();
+    /// @param chosen   signal that carries the path
+    /// @param newName  what a new file may be called; empty: an existing one is wanted
+    void askForFile(const QString& title, const QString& filter, void (MainWindow::*chosen)(const QString&),
+                    const QString& newName = {});
+    [[nodiscard]] QString newRecordingName() const;
+    void openFile(const QString& path);
+
+    core::session::UiLinks& m_links;
+    Actions* m_actions;
+    std::unique_ptr<tooth::ToothView> m_view;  ///< not a child: see ToothView::pane()
+    QStackedWidget* m_pages;
+    PracticeRoom* m_room;
+    ToothChooser* m_chooser;
+    ScorePage* m_scorePage;
+    MessageBar* m_messages;
+    BusyCard* m_busy;
+    HelpOverlay* m_help;
+    QString m_folder;  ///< where the last file was opened or saved
+
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
+    core::session::SessionState m_session;
+    Wish m_drillWish;
+    Wish m_burWish;
+    bool m_replaying = false;
+    bool m_hasCut = false;
+};
+
+}  // namespace ui::shell

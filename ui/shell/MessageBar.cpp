@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/MessageBar.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr int kWidthPx = 640;
+constexpr int kIconPx = 22;
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), m_icon(new QLabel(this)), m_sentence(new QLabel(this)), m_detail(new QLabel(this)),
+      m_button(new QPushButton(this)), m_close(new QToolButton(this))
+{
+    // Dark on every page, as it is one thing wherever it appears.
+    dress(*this, roomPalette());
+    setProperty("kind", "card");
+    setAutoFillBackground(true);
+    setAccessibleName(tr("Message"));
+    m_sentence->setWordWrap(true);
+    m_sentence->setFont(typeface(kBody, QFont::Medium));
+    m_detail->setWordWrap(true);
+    m_detail->setFont(typeface(kSmall));
+    m_detail->setForegroundRole(QPalette::PlaceholderText);
+    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_button->setFocusPolicy(Qt::TabFocus);
+    m_close->setFocusPolicy(Qt::TabFocus);
+    m_close->setIcon(lineIcon(QStringLiteral("close"), palette()));
+    m_close->setToolTip(tr("Close this message (Esc)"));
+    m_close->setAccessibleName(tr("Close this message"));
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(kSpace1);
+    words->addWidget(m_sentence);
+    words->addWidget(m_detail);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kSpace4, kSpace2, kSpace2, kSpace2);
+    row->setSpacing(kSpace4);
+    row->addWidget(m_icon);
+    row->addLayout(words, 1);
+    row->addWidget(m_button);
+    row->addWidget(m_close);
+
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &MessageBar::dismiss);
+    connect(m_close, &QToolButton::clicked, this, &MessageBar::dismiss);
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        const auto action = m_now.action;
+        dismiss();
+        if (action)
+            action();
+    });
+    hide();
+}
+
+void MessageBar::say(const Message& message)
+{
+    const bool mustWait = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
+    if (mustWait)
+        m_waiting.push_back(message);
+    else
+        present(message);
+}
+
+bool MessageBar::dismiss()
+{
+    if (!isVisibleTo(parentWidget()))
+        return false;
+    m_timer.stop();
+    hide();
+    m_now = {};
+    if (!m_waiting.isEmpty())
+        present(m_waiting.takeFirst());
+    return true;
+}
+
+QString MessageBar::sentence() const
+{
+    return isVisibleTo(parentWidget()) ? m_sentence->text() : QString();
+}
+
+void MessageBar::present(const Message& message)
+{
+    m_now = message;
+    const Tones tone = tones(palette());
+    struct Look
+    {
+        const char* drawing;
+        QColor colour;
+    };
+    const std::array<Look, 3> looks{{{"info", tone.accent}, {"warning", tone.attention}, {"error", tone.harm}}};
+    const Look& look = looks.at(static_cast<std::size_t>(message.kind));
+    m_icon->setPixmap(linePixmap(QString::fromLatin1(look.drawing), look.colour, kIconPx, devicePixelRatioF()));
+    m_sentence->setText(message.sentence);
+    m_detail->setText(message.detail);
+    m_detail->setVisible(!message.detail.isEmpty());
+    m_button->setText(message.actionText);
+    m_button->setAccessibleName(message.actionText);
+    m_button->setVisible(!message.actionText.isEmpty());
+    setAccessibleDescription(message.sentence);
+    QFrame::show();
+    raise();
+    placeIn(m_area);
+    if (message.kind == Kind::News)
+        m_timer.start(kNewsMs);
+    else
+        m_timer.stop();
+}
+
+void MessageBar::placeIn(const QRect& area)
+{
+    m_area = area;
+    const int width = std::min(kWidthPx, area.width() - 2 * kSpace4);
+    if (width <= 0)
+        return;
+    layout()->invalidate();
+    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+    setGeometry(area.center().x() - width / 2, area.top() + kSpace4, width, height);
+}
+
+void MessageBar::enterEvent(QEnterEvent* event)
+{
+    m_timer.stop();
+    QFrame::enterEvent(event);
+}
+
+void MessageBar::leaveEvent(QEvent* event)
+{
+    if (isVisible() && m_now.kind == Kind::News)
+        m_timer.start(kNewsMs);
+    QFrame::leaveEvent(event);
+}
+
+}  // namespace ui::shell

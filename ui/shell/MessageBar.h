@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QFrame>
+#include <QList>
+#include <QString>
+#include <QTimer>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace ui::shell {
+
+/// One message inside the window: what happened, what to do, and at most one button for doing it.
+///
+/// News goes away by itself; warnings and errors stay until they are closed, and what comes meanwhile waits its turn.
+class MessageBar : public QFrame
+{
+    Q_OBJECT
+public:
+    enum class Kind { News, Warning, Error };
+    struct Message
+    {
+        Kind kind = Kind::News;
+        QString sentence;
+        QString detail;      ///< quieter, beneath; may be empty
+        QString actionText;  ///< empty: no button
+        std::function<void()> action;
+    };
+
+    /// How long news stays.
+    static constexpr int kNewsMs = 7000;
+
+    explicit MessageBar(QWidget* parent);
+
+    void say(const Message& message);
+    /// Closes the present message; the next one follows. False when there was none.
+    bool dismiss();
+
+    [[nodiscard]] QString sentence() const;
+    /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs.
+    void placeIn(const QRect& area);
+
+protected:
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    void present(const Message& message);
+
+    QLabel* m_icon;
+    QLabel* m_sentence;
+    QLabel* m_detail;
+    QPushButton* m_button;
+    QToolButton* m_close;
+    QTimer m_timer;
+    QRect m_area;
+    Message m_now;
+    QList<Message> m_waiting;
+};
+
+}  // namespace ui::shell

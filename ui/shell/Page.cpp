@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/Page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+
+Page::Page(const Actions& actions, const QString& title, QWidget* parent)
+    : QWidget(parent), m_title(new QLabel(title, this)), m_body(new QVBoxLayout)
+{
+    setAutoFillBackground(true);
+    auto* back = new QToolButton(this);
+    back->setIcon(lineIcon(QStringLiteral("back"), palette()));
+    back->setIconSize({22, 22});
+    back->setToolTip(actions.back->toolTip());
+    back->setStatusTip(actions.back->statusTip());
+    back->setAccessibleName(actions.back->text());
+    back->setFocusPolicy(Qt::TabFocus);
+    connect(back, &QToolButton::clicked, actions.back, &QAction::trigger);
+    m_title->setFont(typeface(kTitle, QFont::DemiBold));
+
+    auto* head = new QHBoxLayout;
+    head->setSpacing(kSpace2);
+    head->addWidget(back);
+    head->addWidget(m_title, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace6);
+    column->setSpacing(kSpace4);
+    column->addLayout(head);
+    column->addLayout(m_body, 1);
+}
+
+void Page::setTitle(const QString& title)
+{
+    m_title->setText(title);
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace ui::shell {
+
+class Actions;
+
+/// A page beside the practice room: a way back and a title at the top, its content beneath.
+class Page : public QWidget
+{
+    Q_OBJECT
+public:
+    Page(const Actions& actions, const QString& title, QWidget* parent);
+    void setTitle(const QString& title);
+
+protected:
+    /// Where a page puts its content.
+    [[nodiscard]] QVBoxLayout* body() { return m_body; }
+
+private:
+    QLabel* m_title;
+    QVBoxLayout* m_body;
+};
+
+}  // namespace ui::shell

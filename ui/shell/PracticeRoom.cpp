@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/PracticeRoom.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/SidePanel.h"
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr int kBarHeightPx = 52;
+
+QFrame* bar(QWidget* parent)
+{
+    auto* frame = new QFrame(parent);
+    frame->setProperty("kind", "bar");
+    frame->setFixedHeight(kBarHeightPx);
+    return frame;
+}
+
+}  // namespace
+
+PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* parent) : QWidget(parent), m_view(view)
+{
+    // Before any child is made, so that all of them take their icons and colours from this room.
+    dress(*this, roomPalette());
+    setAutoFillBackground(true);
+    view->setParent(this);
+    view->setAccessibleName(tr("Tooth"));
+    view->installEventFilter(this);
+    m_panel = new SidePanel(actions, this);
+
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(1);
+    middle->addWidget(view, 1);
+    middle->addWidget(m_panel);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(1);
+    column->addWidget(makeTopBar(actions));
+    column->addLayout(middle, 1);
+    column->addWidget(makeBottomBar(actions));
+
+    m_hint = new QLabel(tr("Move the mouse over the tooth, press the left button to drill; right-drag turns the view; "
+                           "F1 for keys"),
+                        this);
+    m_hint->setProperty("kind", "hint");
+    m_hint->setAlignment(Qt::AlignCenter);
+    m_hint->setWordWrap(true);
+    m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_hint->setObjectName(QStringLiteral("hint"));
+
+    m_replay = new QFrame(this);
+    m_replay->setProperty("kind", "card");
+    auto* row = new QHBoxLayout(m_replay);
+    row->setContentsMargins(kSpace4, kSpace1, kSpace1, kSpace1);
+    row->setSpacing(kSpace2);
+    auto* icon = new QLabel(m_replay);
+    icon->setPixmap(linePixmap(QStringLiteral("play"), tones(palette()).attention, 20, devicePixelRatioF()));
+    row->addWidget(icon);
+    row->addWidget(new QLabel(tr("You are watching a recording"), m_replay));
+    auto* stop = new QPushButton(tr("Stop"), m_replay);
+    stop->setProperty("kind", "quiet");
+    stop->setAccessibleName(tr("Stop the recording"));
+    stop->setToolTip(tr("Stop watching and drill yourself (Esc)"));
+    stop->setFocusPolicy(Qt::TabFocus);
+    connect(stop, &QPushButton::clicked, this, &PracticeRoom::replayStopRequested);
+    row->addWidget(stop);
+    m_replay->hide();
+}
+
+QWidget* PracticeRoom::makeTopBar(const Actions& actions)
+{
+    QFrame* frame = bar(this);
+    auto* row = new QHBoxLayout(frame);
+    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    row->setSpacing(kSpace1);
+    // Not barButton(): what this one shows is the tooth, not the action's words.
+    m_tooth = new QToolButton(frame);
+    m_tooth->setIcon(actions.chooseTooth->icon());
+    m_tooth->setIconSize({22, 22});
+    m_tooth->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_tooth->setToolTip(actions.chooseTooth->toolTip());
+    m_tooth->setStatusTip(actions.chooseTooth->statusTip());
+    m_tooth->setAccessibleName(actions.chooseTooth->text());
+    m_tooth->setFocusPolicy(Qt::TabFocus);
+    m_tooth->setObjectName(QStringLiteral("toothButton"));
+    m_tooth->setFont(typeface(kTitle, QFont::DemiBold));
+    connect(m_tooth, &QToolButton::clicked, actions.chooseTooth, &QAction::trigger);
+    connect(actions.chooseTooth, &QAction::enabledChanged, m_tooth, &QToolButton::setEnabled);
+    m_name = new QLabel(frame);
+    m_name->setForegroundRole(QPalette::PlaceholderText);
+    row->addWidget(m_tooth);
+    row->addWidget(m_name, 1);
+    row->addWidget(barButton(actions.openScan, false, frame));
+    row->addWidget(barButton(actions.openRecording, false, frame));
+    row->addWidget(barButton(actions.saveRecording, false, frame));
+    row->addSpacing(kSpace4);
+    row->addWidget(barButton(actions.help, false, frame));
+    row->addWidget(barButton(actions.fullScreen, false, frame));
+    row->addWidget(barButton(actions.panel, false, frame));
+    return frame;
+}
+
+QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
+{
+    QFrame* frame = bar(this);
+    auto* row = new QHBoxLayout(frame);
+    row->setContentsMargins(kSpace2, 0, kSpace4, 0);
+    row->setSpacing(kSpace1);
+    row->addWidget(barButton(actions.undo, true, frame));
+    row->addWidget(barButton(actions.redo, true, frame));
+    row->addWidget(barButton(actions.reload, true, frame));
+    row->addStretch(1);
+    row->addWidget(barButton(actions.otherHand, true, frame));
+    row->addWidget(barButton(actions.resetView, true, frame));
+    row->addStretch(1);
+    row->addWidget(pageButton(actions.grade, "filled", frame));
+    return frame;
+}
+
+void PracticeRoom::setTooth(const QString& title, const QString& name)
+{
+    m_tooth->setText(title);
+    m_name->setText(name);
+}
+
+void PracticeRoom::setHintVisible(bool visible)
+{
+    m_hintWanted = visible;
+    m_hint->setVisible(m_hintWanted && !m_replay->isVisibleTo(this));
+    placeOverlays();
+}
+
+void PracticeRoom::setReplaying(bool replaying)
+{
+    m_replay->setVisible(replaying);
+    setHintVisible(m_hintWanted);
+}
+
+void PracticeRoom::setPanelVisible(bool visible)
+{
+    m_panel->setVisible(visible);
+}
+
+QRect PracticeRoom::viewArea() const
+{
+    return m_view->geometry();
+}
+
+bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
+        placeOverlays();
+    return QWidget::eventFilter(watched, event);
+}
+
+void PracticeRoom::placeOverlays()
+{
+    const QRect area = viewArea();
+    const int oneLine = m_hint->fontMetrics().horizontalAdvance(m_hint->text()) + 2 * kSpace6;
+    const int width = std::min(area.width() - 2 * kSpace4, oneLine);
+    const int height = m_hint->heightForWidth(width);
+    m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
+    m_hint->raise();
+    m_replay->adjustSize();
+    m_replay->move(area.center().x() - m_replay->width() / 2, area.bottom() - kSpace4 - m_replay->height());
+    m_replay->raise();
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace ui::shell {
+
+class Actions;
+class SidePanel;
+
+/// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
+/// buttons, the side panel the figures. Dark grey in either theme.
+class PracticeRoom : public QWidget
+{
+    Q_OBJECT
+public:
+    /// @param view  the tooth; becomes a child
+    PracticeRoom(const Actions& actions, QWidget* view, QWidget* parent);
+
+    [[nodiscard]] SidePanel& panel() { return *m_panel; }
+    /// @param title  "Tooth 36", or the file
+    /// @param name   "lower left first molar", or empty
+    void setTooth(const QString& title, const QString& name);
+    /// The line at the foot of the view that says how to begin.
+    void setHintVisible(bool visible);
+    void setReplaying(bool replaying);
+    /// Puts the side panel away, or shows it.
+    void setPanelVisible(bool visible);
+    /// Where the tooth is, in this widget's coordinates.
+    [[nodiscard]] QRect viewArea() const;
+
+signals:
+    void replayStopRequested();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QWidget* makeTopBar(const Actions& actions);
+    QWidget* makeBottomBar(const Actions& actions);
+    void placeOverlays();
+
+    QWidget* m_view;
+    SidePanel* m_panel;
+    QToolButton* m_tooth = nullptr;
+    QLabel* m_name = nullptr;
+    QWidget* m_replay = nullptr;
+    QLabel* m_hint = nullptr;
+    bool m_hintWanted = true;
+};
+
+}  // namespace ui::shell

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/ScorePage.h"
+
+#include <algorithm>
+
+#include <QDateTime>
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/HistoryChart.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/PictureFrame.h"
+#include "ui/shell/ScoreBar.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr int kResultWidthPx = 320;
+constexpr int kWidestPx = 1160;
+constexpr qsizetype kListed = 5;
+constexpr qsizetype kCharted = 12;
+
+QFrame* card(QWidget* parent)
+{
+    auto* frame = new QFrame(parent);
+    frame->setProperty("kind", "card");
+    return frame;
+}
+
+QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
+{
+    auto* made = new QLabel(words, parent);
+    made->setFont(typeface(size, weight));
+    made->setForegroundRole(role);
+    return made;
+}
+
+QFrame* line(QWidget* parent)
+{
+    auto* rule = new QFrame(parent);
+    rule->setProperty("kind", "line");
+    return rule;
+}
+
+QString signedPoints(int lost)
+{
+    return lost == 0 ? QStringLiteral("0") : QChar(0x2212) + QString::number(lost);
+}
+
+}  // namespace
+
+ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr("Grade"), parent)
+{
+    auto* block = new QWidget(this);
+    block->setMaximumWidth(kWidestPx);
+    auto* cards = new QGridLayout(block);
+    cards->setContentsMargins(0, 0, 0, 0);
+    cards->setSpacing(kSpace4);
+    cards->addWidget(makeResult(), 0, 0, 2, 1);
+    cards->addWidget(makeCriteria(), 0, 1);
+    cards->addWidget(makeHistory(), 1, 1);
+    cards->setColumnStretch(1, 1);
+    cards->setRowStretch(1, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    buttons->addStretch(1);
+    buttons->addWidget(pageButton(actions.saveRecording, "", this));
+    buttons->addWidget(pageButton(actions.reload, "", this));
+    m_back = pageButton(actions.back, "filled", this);
+    buttons->addWidget(m_back);
+    cards->addLayout(buttons, 2, 0, 1, 2);
+
+    auto* content = new QWidget(this);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(kSpace6, 0, kSpace6, kSpace2);
+    column->addStretch(1);
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(block, 1000);
+    row->addStretch(1);
+    column->addLayout(row);
+    column->addStretch(2);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    body()->addWidget(scroll, 1);
+}
+
+void ScorePage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    m_back->setFocus();
+}
+
+QWidget* ScorePage::makeResult()
+{
+    QFrame* frame = card(this);
+    frame->setFixedWidth(kResultWidthPx);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
+    column->setSpacing(kSpace2);
+
+    m_total = new TabularLabel(frame);
+    m_total->setFont(typeface(kHero, QFont::DemiBold));
+    m_total->setObjectName(QStringLiteral("total"));
+    column->addWidget(m_total);
+
+    auto* verdict = new QHBoxLayout;
+    verdict->setSpacing(kSpace2);
+    m_verdictIcon = new QLabel(frame);
+    m_verdict = label({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
+    m_verdict->setWordWrap(true);
+    m_verdict->setObjectName(QStringLiteral("verdict"));
+    verdict->addWidget(m_verdictIcon);
+    verdict->addWidget(m_verdict, 1);
+    column->addLayout(verdict);
+    column->addSpacing(kSpace2);
+    m_bar = new ScoreBar(frame);
+    column->addWidget(m_bar);
+    column->addSpacing(kSpace2);
+    m_picture = new PictureFrame(frame);
+    m_picture->setAccessibleName(tr("Picture of the tooth as graded"));
+    column->addWidget(m_picture, 1);
+    return frame;
+}
+
+QWidget* ScorePage::makeCriteria()
+{
+    QFrame* frame = card(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
+    column->setSpacing(kSpace2);
+    column->addWidget(label(tr("How the grade was worked out"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    m_criteriaSlot = new QVBoxLayout;
+    column->addLayout(m_criteriaSlot);
+    column->addWidget(line(frame));
+    auto* sum = new QHBoxLayout;
+    sum->addWidget(label(tr("Sum"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    sum->addStretch(1);
+    m_sum = label({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
+    m_sum->setObjectName(QStringLiteral("sum"));
+    sum->addWidget(m_sum);
+    column->addLayout(sum);
+    return frame;
+}
+
+QWidget* ScorePage::makeHistory()
+{
+    QFrame* frame = card(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
+    column->setSpacing(kSpace4);
+    column->addWidget(label(tr("Last grades of this tooth"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2 * kSpace6);
+    m_chart = new HistoryChart(frame);
+    row->addWidget(m_chart, 3);
+    m_listSlot = new QVBoxLayout;
+    row->addLayout(m_listSlot, 2);
+    row->setAlignment(m_listSlot, Qt::AlignTop);
+    column->addLayout(row, 1);
+    return frame;
+}
+
+void ScorePage::setScore(const QString& tooth, const lessons::ScoreSheet& sheet,
+                         const QList<database::AttemptRecord>& history, const QImage& picture)
+{
+    //: %1 is "Tooth 36" or a file name
+    setTitle(tr("Grade: %1").arg(tooth));
+    const Tones tone = tones(palette());
+    m_total->setText(QString::number(sheet.total), tr("of 100"));
+    const bool passed = sheet.passed();
+    m_verdict->setText(passed                     ? tr("Passed")
+                       : sheet.failedCritically() ? tr("Not passed: harm done")
+                                                  : tr("Not passed yet"));
+    m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
+                                        passed                     ? tone.accent
+                                        : sheet.failedCritically() ? tone.harm
+                                                                   : tone.attention,
+                                        26, devicePixelRatioF()));
+    m_bar->setScore(sheet.total, sheet.passMark);
+    m_picture->setPicture(picture);
+    fillCriteria(sheet);
+    fillHistory(history, sheet.total, sheet.passMark);
+}
+
+void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
+{
+    delete m_criteria;
+    m_criteria = new QWidget(this);
+    auto* grid = new QGridLayout(m_criteria);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kSpace6);
+    grid->setVerticalSpacing(kSpace1);
+    grid->setColumnStretch(0, 1);
+    const Tones tone = tones(palette());
+    int row = 0;
+    for (const lessons::Criterion& criterion : sheet.criteria) {
+        grid->addWidget(line(m_criteria), row++, 0, 1, 3);
+        auto* measured = new TabularLabel(m_criteria);
+        measured->setFont(typeface(kBody));
+        measured->setAlignment(Qt::AlignRight);
+        measured->setText(text::criterionMeasured(criterion));
+        auto* lost = new TabularLabel(m_criteria);
+        lost->setFont(typeface(kTitle, QFont::DemiBold));
+        lost->setAlignment(Qt::AlignRight);
+        lost->setMinimumWidth(48);
+        lost->setText(signedPoints(criterion.pointsLost));
+        lost->setColour(criterion.pointsLost > 0 ? criterion.critical ? tone.harmText : tone.attentionText
+                                                 : palette().color(QPalette::PlaceholderText));
+        lost->setObjectName(QStringLiteral("lost_") + QString::fromStdString(criterion.id));
+        //: Tooltip on the points of one criterion
+        lost->setToolTip(tr("At most %1 points can be lost here").arg(criterion.maxPoints));
+        grid->addWidget(label(text::criterionName(criterion), kBody, QFont::Medium, QPalette::WindowText, m_criteria),
+                        row, 0);
+        grid->addWidget(measured, row, 1);
+        grid->addWidget(lost, row, 2, 2, 1, Qt::AlignVCenter | Qt::AlignRight);
+        auto* worked =
+            label(text::criterionWorked(criterion), kSmall, QFont::Normal, QPalette::PlaceholderText, m_criteria);
+        worked->setWordWrap(true);
+        worked->setObjectName(QStringLiteral("worked_") + QString::fromStdString(criterion.id));
+        grid->addWidget(worked, row + 1, 0, 1, 2);
+        grid->setRowMinimumHeight(row + 1, 24);
+        row += 2;
+    }
+    m_criteriaSlot->addWidget(m_criteria);
+    m_sum->setText(text::scoreSum(sheet));
+}
+
+void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int total, int passMark)
+{
+    QList<int> scores;
+    for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
+        scores << history[k - 1].score;
+    if (scores.isEmpty())
+        scores << total;
+    m_chart->setScores(scores, passMark);
+
+    delete m_list;
+    m_list = new QWidget(this);
+    auto* grid = new QGridLayout(m_list);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(kSpace1);
+    grid->setColumnStretch(0, 1);
+    const QLocale locale;
+    for (qsizetype k = 0; k < std::min(kListed, history.size()); ++k) {
+        const auto& attempt = history[k];
+        const QDateTime when = QDateTime::fromString(QString::fromStdString(attempt.finishedUtc), Qt::ISODate);
+        const QString date = when.isValid() ? locale.toString(when.toLocalTime(), QLocale::ShortFormat)
+                                            : QString::fromStdString(attempt.finishedUtc);
+        auto* score = new TabularLabel(m_list);
+        score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
+        score->setAlignment(Qt::AlignRight);
+        score->setText(QString::number(attempt.score));
+        const int line = static_cast<int>(k);
+        grid->addWidget(
+            label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), line,
+            0);
+        grid->addWidget(score, line, 1);
+    }
+    if (history.isEmpty())
+        grid->addWidget(label(tr("This is the first grade of this tooth."), kBody, QFont::Normal,
+                              QPalette::PlaceholderText, m_list),
+                        0, 0);
+    m_listSlot->addWidget(m_list);
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QList>
+
+#include "database/records.h"
+#include "lessons/ScoreSheet.h"
+#include "ui/shell/Page.h"
+
+class QPushButton;
+
+namespace ui::shell {
+
+class HistoryChart;
+class PictureFrame;
+class ScoreBar;
+class TabularLabel;
+
+/// A grade that explains itself: the total, whether it passes, every criterion with its formula worked in numbers, the
+/// sum, and the grades before it.
+class ScorePage : public Page
+{
+    Q_OBJECT
+public:
+    ScorePage(const Actions& actions, QWidget* parent);
+
+    /// @param history  newest first, this attempt included
+    /// @param picture  the tooth as it looks now; may be null
+    void setScore(const QString& tooth, const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
+                  const QImage& picture);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* makeResult();
+    QWidget* makeCriteria();
+    QWidget* makeHistory();
+    void fillCriteria(const lessons::ScoreSheet& sheet);
+    void fillHistory(const QList<database::AttemptRecord>& history, int total, int passMark);
+
+    TabularLabel* m_total = nullptr;
+    QLabel* m_verdictIcon = nullptr;
+    QLabel* m_verdict = nullptr;
+    ScoreBar* m_bar = nullptr;
+    PictureFrame* m_picture = nullptr;
+    QWidget* m_criteria = nullptr;
+    QVBoxLayout* m_criteriaSlot = nullptr;
+    QLabel* m_sum = nullptr;
+    QPushButton* m_back = nullptr;
+    HistoryChart* m_chart = nullptr;
+    QWidget* m_list = nullptr;
+    QVBoxLayout* m_listSlot = nullptr;
+};
+
+}  // namespace ui::shell

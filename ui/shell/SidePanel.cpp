@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/SidePanel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/BurChooser.h"
+#include "ui/shell/DrillSwitch.h"
+#include "ui/shell/ForceBar.h"
+#include "ui/shell/MaterialSwatch.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::shell {
+namespace {
+
+using core::terrain::Material;
+
+constexpr int kWidthPx = 272;
+/// Words and digits change this often at most; faster than that, the last digit is a blur.
+constexpr qint64 kWordsEveryMs = 80;
+
+std::size_t at(Material material)
+{
+    return static_cast<std::size_t>(material);
+}
+
+QLabel* quietLabel(const QString& words, QWidget* parent)
+{
+    auto* label = new QLabel(words, parent);
+    label->setFont(typeface(kSmall));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+QFrame* line(QWidget* parent)
+{
+    auto* rule = new QFrame(parent);
+    rule->setProperty("kind", "line");
+    return rule;
+}
+
+QString dash()
+{
+    return QStringLiteral("–");
+}
+
+QString capitalised(QString words)
+{
+    if (!words.isEmpty())
+        words[0] = words[0].toUpper();
+    return words;
+}
+
+}  // namespace
+
+SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
+{
+    setProperty("kind", "bar");
+    setAccessibleName(tr("Live figures and handpiece"));
+    setFixedWidth(kWidthPx);
+
+    auto* content = new QWidget;
+    content->setAutoFillBackground(false);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
+
+    column->addWidget(new DrillSwitch(actions.drill, content));
+    column->addSpacing(kSpace2);
+
+    m_swatch = new MaterialSwatch(28, content);
+    m_material = addFigure(column, tr("Under the bur"), "materialFigure", m_swatch);
+    column->addSpacing(kSpace1);
+    m_forceBar = new ForceBar(content);
+    m_force = addFigure(column, tr("Force"), "forceFigure");
+    column->addWidget(m_forceBar);
+    column->addSpacing(kSpace1);
+    auto* pair = new QHBoxLayout;
+    pair->setSpacing(kSpace2);
+    m_depth = addFigure(pair, tr("Depth"), "depthFigure");
+    m_decay = addFigure(pair, tr("Decay left"), "decayFigure");
+    pair->setStretch(0, 1);
+    pair->setStretch(1, 1);
+    column->addLayout(pair);
+
+    m_health = new QLabel(content);
+    m_health->setFont(typeface(kSmall, QFont::Medium));
+    m_health->setWordWrap(true);
+    m_health->hide();
+    column->addWidget(m_health);
+
+    column->addSpacing(kSpace1);
+    column->addWidget(line(content));
+    column->addWidget(quietLabel(tr("Removed"), content));
+    for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp}) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace2);
+        auto* swatch = new MaterialSwatch(18, content);
+        swatch->setMaterial(material);
+        auto* value = new TabularLabel(content);
+        value->setFont(typeface(kBody, QFont::Medium));
+        value->setAlignment(Qt::AlignRight);
+        row->addWidget(swatch);
+        row->addWidget(new QLabel(capitalised(text::materialName(material)), content));
+        row->addStretch(1);
+        row->addWidget(value);
+        column->addLayout(row);
+        m_removed.at(at(material)) = value;
+    }
+    m_removed.at(at(Material::Enamel))->setObjectName(QStringLiteral("enamelRemoved"));
+    m_removed.at(at(Material::Dentin))->setObjectName(QStringLiteral("dentinRemoved"));
+    m_removed.at(at(Material::Pulp))->setObjectName(QStringLiteral("pulpRemoved"));
+
+    column->addSpacing(kSpace1);
+    column->addWidget(line(content));
+    column->addWidget(quietLabel(tr("Bur"), content));
+    column->addWidget(new BurChooser(actions.burs, content));
+    column->addSpacing(kSpace2);
+
+    auto* pushRow = new QHBoxLayout;
+    auto* pushLabel = quietLabel(tr("Push with"), content);
+    m_pushText = new TabularLabel(content);
+    m_pushText->setFont(typeface(kBody, QFont::Medium));
+    pushRow->addWidget(pushLabel);
+    pushRow->addStretch(1);
+    pushRow->addWidget(m_pushText);
+    column->addLayout(pushRow);
+    m_push = new QSlider(Qt::Horizontal, content);
+    m_push->setRange(static_cast<int>(std::lround(kMinPushN / kPushStepN)),
+                     static_cast<int>(std::lround(kMaxPushN / kPushStepN)));
+    m_push->setPageStep(5);
+    m_push->setFocusPolicy(Qt::TabFocus);
+    m_push->setObjectName(QStringLiteral("pushForce"));
+    m_push->setAccessibleName(tr("Push with, newtons"));
+    m_push->setToolTip(tr("How hard the mouse and the keys push the bur against the tooth"));
+    m_push->setStatusTip(m_push->toolTip());
+    pushLabel->setBuddy(m_push);
+    connect(m_push, &QSlider::valueChanged, this, [this](int steps) {
+        setPushForce(steps * kPushStepN);
+        emit pushForceChosen(m_pushN);
+    });
+    column->addWidget(m_push);
+    column->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->viewport()->setAutoFillBackground(false);
+    auto* fill = new QVBoxLayout(this);
+    fill->setContentsMargins(0, 0, 0, 0);
+    fill->addWidget(scroll);
+
+    setPushForce(1.0);
+    setFigures({}, {});
+}
+
+SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const QString& caption, const char* objectName,
+                                       QWidget* before)
+{
+    auto* block = new QWidget;
+    auto* lines = new QVBoxLayout(block);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(0);
+    lines->addWidget(quietLabel(caption, block));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace2);
+    if (before != nullptr)
+        row->addWidget(before);
+    auto* value = new TabularLabel(block);
+    value->setFont(typeface(kFigure, QFont::Medium));
+    value->setObjectName(QString::fromLatin1(objectName));
+    row->addWidget(value, 1);
+    lines->addLayout(row);
+    layout->addWidget(block);
+    return {block, caption, value};
+}
+
+void SidePanel::setFigure(const Figure& figure, const QString& words, const QString& unit, const QColor& colour)
+{
+    figure.value->setText(words, unit);
+    figure.value->setColour(colour);
+    figure.block->setAccessibleName(QStringLiteral("%1: %2 %3").arg(figure.caption, words, unit));
+}
+
+void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session)
+{
+    const double forceN = glm::length(servo.forceN);
+    const bool limited = (servo.health & core::session::kForceClamped) != 0;
+    m_forceBar->setForce(forceN, m_pushN, limited);
+    if (m_sinceWords.isValid() && m_sinceWords.elapsed() < kWordsEveryMs)
+        return;
+    m_sinceWords.start();
+
+    const Tones tone = tones(palette());
+    const QColor quiet = palette().color(QPalette::PlaceholderText);
+    const bool inPulp = servo.touching && servo.materialUnderBur == Material::Pulp;
+    m_swatch->setMaterial(servo.touching ? std::optional(servo.materialUnderBur) : std::nullopt);
+    if (servo.touching)
+        setFigure(m_material, capitalised(text::materialName(servo.materialUnderBur)), {},
+                  inPulp ? tone.harmText : QColor());
+    else
+        setFigure(m_material, tr("Air", "the bur touches nothing"), {}, quiet);
+    //: Unit of the force while the wanted force is beyond what the device may give
+    setFigure(m_force, text::number(forceN, 2), limited ? tr("N, limited") : QStringLiteral("N"),
+              limited ? tone.attentionText : QColor());
+    if (servo.touching)
+        setFigure(m_depth, text::number(std::max(0.0, servo.depthMm), 2), QStringLiteral("mm"));
+    else
+        setFigure(m_depth, dash(), QStringLiteral("mm"), quiet);
+
+    const double decay = session.wholeMm3.at(at(Material::Caries));
+    if (decay > 0.0) {
+        const double left = 100.0 * std::max(0.0, decay - session.removedMm3.at(at(Material::Caries))) / decay;
+        // Never "0 %" while some is left.
+        setFigure(m_decay, left > 0.0 && left < 0.5 ? tr("< 1") : text::number(left, 0), QStringLiteral("%"));
+    } else {
+        setFigure(m_decay, dash(), {}, quiet);
+    }
+    for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp}) {
+        const double removed = session.removedMm3.at(at(material));
+        TabularLabel* value = m_removed.at(at(material));
+        value->setText(text::number(removed, 2), QStringLiteral("mm³"));
+        value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
+    }
+
+    // The figure tells of a clamped force; a sentence would come and go many times a second.
+    const QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
+    const bool lost = (servo.health & core::session::kDeviceLost) != 0;
+    QPalette words = palette();
+    words.setColor(QPalette::WindowText, lost ? tone.harmText : tone.attentionText);
+    if (m_health->text() != health) {
+        m_health->setPalette(words);
+        m_health->setText(health);
+        m_health->setVisible(!health.isEmpty());
+    }
+}
+
+void SidePanel::setPushForce(double newtons)
+{
+    m_pushN = std::clamp(newtons, kMinPushN, kMaxPushN);
+    const QSignalBlocker silent(m_push);
+    m_push->setValue(static_cast<int>(std::lround(m_pushN / kPushStepN)));
+    m_pushText->setText(text::number(m_pushN, 1), QStringLiteral("N"));
+}
+
+}  // namespace ui::shell

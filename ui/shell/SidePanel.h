@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QElapsedTimer>
+#include <QFrame>
+
+#include "core/session/Links.h"
+
+class QLabel;
+class QSlider;
+class QBoxLayout;
+
+namespace ui::shell {
+
+class Actions;
+class DrillSwitch;
+class ForceBar;
+class MaterialSwatch;
+class TabularLabel;
+
+/// Beside the tooth: whether the bur turns, the live figures, the burs, and how hard the pointer pushes.
+class SidePanel : public QFrame
+{
+    Q_OBJECT
+public:
+    /// Range of the push force, N, and the step of its slider.
+    static constexpr double kMinPushN = 0.2;
+    static constexpr double kMaxPushN = 3.0;
+    static constexpr double kPushStepN = 0.1;
+
+    SidePanel(const Actions& actions, QWidget* parent);
+
+    /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
+    void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session);
+    /// Shows this push force without announcing it.
+    void setPushForce(double newtons);
+    [[nodiscard]] double pushForce() const { return m_pushN; }
+
+signals:
+    /// The person moved the slider.
+    void pushForceChosen(double newtons);
+
+private:
+    struct Figure
+    {
+        QWidget* block;
+        QString caption;
+        TabularLabel* value;
+    };
+    /// @param before  stands before the value, or null
+    static Figure addFigure(QBoxLayout* layout, const QString& caption, const char* objectName,
+                            QWidget* before = nullptr);
+    static void setFigure(const Figure& figure, const QString& text, const QString& unit, const QColor& colour = {});
+
+    Figure m_material{};
+    Figure m_force{};
+    Figure m_depth{};
+    Figure m_decay{};
+    MaterialSwatch* m_swatch = nullptr;
+    ForceBar* m_forceBar = nullptr;
+    std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    QLabel* m_health = nullptr;
+    QSlider* m_push = nullptr;
+    TabularLabel* m_pushText = nullptr;
+    double m_pushN = 1.0;
+    QElapsedTimer m_sinceWords;
+};
+
+}  // namespace ui::shell

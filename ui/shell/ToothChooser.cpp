@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/ToothChooser.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/ArchView.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr int kCardWidthPx = 340;
+constexpr int kGapPx = 64;
+constexpr int kWidestArchesPx = 600;
+
+}  // namespace
+
+ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
+    : Page(actions, tr("Choose a tooth"), parent), m_arches(new ArchView(this)), m_number(new QLabel(this)),
+      m_name(new QLabel(this)), m_note(new QLabel(this)), m_take(new QPushButton(tr("Drill this tooth"), this))
+{
+    m_arches->setMaximumWidth(kWidestArchesPx);
+    m_number->setFont(typeface(kHero, QFont::DemiBold));
+    m_name->setFont(typeface(kTitle, QFont::Medium));
+    m_name->setWordWrap(true);
+    m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_note->setWordWrap(true);
+    m_take->setProperty("kind", "filled");
+    m_take->setAccessibleName(m_take->text());
+    m_take->setToolTip(tr("Put this tooth on the table (Enter)"));
+    m_take->setFocusPolicy(Qt::TabFocus);
+    m_take->setAutoDefault(true);
+    m_take->setObjectName(QStringLiteral("takeTooth"));
+
+    auto* scanHint =
+        new QLabel(tr("Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file "
+                      "anywhere on this window."),
+                   this);
+    scanHint->setWordWrap(true);
+    scanHint->setForegroundRole(QPalette::PlaceholderText);
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(kSpace2);
+    words->addStretch(1);
+    words->addWidget(m_number);
+    words->addWidget(m_name);
+    words->addWidget(m_note);
+    words->addSpacing(kSpace4);
+    words->addWidget(m_take, 0, Qt::AlignLeft);
+    words->addSpacing(kSpace6);
+    auto* rule = new QFrame(this);
+    rule->setProperty("kind", "line");
+    words->addWidget(rule);
+    words->addSpacing(kSpace2);
+    words->addWidget(scanHint);
+    words->addSpacing(kSpace2);
+    words->addWidget(pageButton(actions.openScan, "", this), 0, Qt::AlignLeft);
+    words->addStretch(1);
+    auto* side = new QWidget(this);
+    side->setFixedWidth(kCardWidthPx);
+    side->setLayout(words);
+
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(m_arches, 4);
+    row->addSpacing(kGapPx);
+    row->addWidget(side);
+    row->addStretch(1);
+    body()->addLayout(row, 1);
+
+    connect(m_arches, &ArchView::selectionChanged, this, &ToothChooser::describe);
+    connect(m_arches, &ArchView::toothActivated, this, &ToothChooser::toothChosen);
+    connect(m_take, &QPushButton::clicked, this, [this] { emit toothChosen(m_arches->selected()); });
+    describe(0);
+}
+
+void ToothChooser::setPresent(int fdi)
+{
+    m_present = fdi;
+    m_arches->setSelected(fdi);
+    describe(m_arches->selected());
+}
+
+void ToothChooser::showEvent(QShowEvent* event)
+{
+    setPresent(m_present);
+    Page::showEvent(event);
+    m_arches->takeFocus();
+}
+
+void ToothChooser::describe(int fdi)
+{
+    m_number->setText(fdi == 0 ? QStringLiteral("–") : QString::number(fdi));
+    QString name = text::toothName(fdi);
+    if (!name.isEmpty())
+        name[0] = name[0].toUpper();
+    m_name->setText(fdi == 0 ? tr("Nothing chosen") : name);
+    m_note->setText(fdi != 0 && fdi == m_present ? tr("On the table now. Taking it again gives you a whole one.")
+                                                 : tr("Click a tooth, or walk with the arrow keys."));
+    m_take->setEnabled(fdi != 0);
+}
+
+}  // namespace ui::shell

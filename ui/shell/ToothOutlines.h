@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPainterPath>
+#include <QPointF>
+
+namespace ui::shell {
+
+/// A crown seen from above, for the picture of the arches. Millimetres, origin at the crown's centre,
+/// +x distal, +y towards cheek or lip. Sizes: mean crown diameters (Wheeler); shapes simplified by eye.
+struct CrownPicture
+{
+    double widthMm = 0.0;  ///< mesial to distal: the length it takes in the arch
+    QPainterPath outline;
+    QPainterPath grooves;  ///< fissures, or the incisal edge
+};
+
+/// @param upper     upper or lower jaw
+/// @param position  1 central incisor .. 8 third molar
+[[nodiscard]] CrownPicture crownPicture(bool upper, int position);
+
+/// Where a crown stands in its arch, seen from above with the lips at +y: x to the side of the midline.
+struct ArchPlace
+{
+    QPointF centreMm;
+    double angleRad = 0.0;  ///< of the distal direction against +x
+};
+
+[[nodiscard]] ArchPlace archPlace(bool upper, int position);
+
+}  // namespace ui::shell

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/Texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "core/session/Links.h"
+
+namespace ui::text {
+namespace {
+
+QString quadrantName(int quadrant)
+{
+    switch (quadrant) {
+    case 1:
+        return QCoreApplication::translate("Tooth", "upper right");
+    case 2:
+        return QCoreApplication::translate("Tooth", "upper left");
+    case 3:
+        return QCoreApplication::translate("Tooth", "lower left");
+    case 4:
+        return QCoreApplication::translate("Tooth", "lower right");
+    default:
+        return {};
+    }
+}
+
+QString kindName(int position)
+{
+    switch (position) {
+    case 1:
+        return QCoreApplication::translate("Tooth", "%1 central incisor");
+    case 2:
+        return QCoreApplication::translate("Tooth", "%1 lateral incisor");
+    case 3:
+        return QCoreApplication::translate("Tooth", "%1 canine");
+    case 4:
+        return QCoreApplication::translate("Tooth", "%1 first premolar");
+    case 5:
+        return QCoreApplication::translate("Tooth", "%1 second premolar");
+    case 6:
+        return QCoreApplication::translate("Tooth", "%1 first molar");
+    case 7:
+        return QCoreApplication::translate("Tooth", "%1 second molar");
+    case 8:
+        return QCoreApplication::translate("Tooth", "%1 third molar");
+    default:
+        return {};
+    }
+}
+
+}  // namespace
+
+QString errorText(const core::Error& error)
+{
+    switch (error.code) {
+    case core::ErrorCode::FileMissing:
+        return QCoreApplication::translate("Error", "The file is not there. Was it moved or renamed?");
+    case core::ErrorCode::FileUnreadable:
+        return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
+                                                    "open it.");
+    case core::ErrorCode::FileUnwritable:
+        return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
+                                                    "on the disk.");
+    case core::ErrorCode::FileEmpty:
+        return QCoreApplication::translate("Error", "The file is empty. Export or copy it again.");
+    case core::ErrorCode::FileTruncated:
+        return QCoreApplication::translate("Error", "The file ends too early. Export or copy it again.");
+    case core::ErrorCode::FileTooLarge:
+        return QCoreApplication::translate("Error", "The file is too large. Export the scan with fewer triangles.");
+    case core::ErrorCode::WrongKind:
+        return QCoreApplication::translate("Error", "The file is of another kind than its name says. Scans are OBJ, "
+                                                    "STL or PLY.");
+    case core::ErrorCode::NewerVersion:
+        return QCoreApplication::translate("Error", "A newer Cusp wrote this file. Update Cusp to open it.");
+    case core::ErrorCode::BadNumber:
+        return QCoreApplication::translate("Error", "The file holds something that is not a number where one belongs. "
+                                                    "Export it again.");
+    case core::ErrorCode::BadStructure:
+        return QCoreApplication::translate("Error", "The content of the file does not fit together. Export it again.");
+    case core::ErrorCode::NoTriangles:
+        return QCoreApplication::translate("Error", "There is no surface in this file. Choose a scan of a tooth.");
+    case core::ErrorCode::UnknownName:
+        return QCoreApplication::translate("Error", "Cusp does not know what is asked for by this name.");
+    case core::ErrorCode::OutOfRange:
+        return QCoreApplication::translate("Error", "A value lies outside what Cusp can work with.");
+    }
+    return QString::fromStdString(error.detail);
+}
+
+QString materialName(core::terrain::Material material)
+{
+    switch (material) {
+    case core::terrain::Material::Caries:
+        return QCoreApplication::translate("Material", "decay");
+    case core::terrain::Material::Enamel:
+        return QCoreApplication::translate("Material", "enamel");
+    case core::terrain::Material::Dentin:
+        return QCoreApplication::translate("Material", "dentin");
+    case core::terrain::Material::Pulp:
+        return QCoreApplication::translate("Material", "pulp");
+    }
+    return {};
+}
+
+QString materialLetter(core::terrain::Material material)
+{
+    switch (material) {
+    case core::terrain::Material::Caries:
+        //: One letter for decay (caries); must differ from those of enamel, dentin and pulp.
+        return QCoreApplication::translate("Material", "C");
+    case core::terrain::Material::Enamel:
+        //: One letter for enamel
+        return QCoreApplication::translate("Material", "E");
+    case core::terrain::Material::Dentin:
+        //: One letter for dentin
+        return QCoreApplication::translate("Material", "D");
+    case core::terrain::Material::Pulp:
+        //: One letter for pulp
+        return QCoreApplication::translate("Material", "P");
+    }
+    return {};
+}
+
+QString toothName(int fdi)
+{
+    const QString quadrant = quadrantName(fdi / 10);
+    const QString kind = kindName(fdi % 10);
+    return quadrant.isEmpty() || kind.isEmpty() ? QString() : kind.arg(quadrant);
+}
+
+QString toothTitle(const core::terrain::ToothAnatomy& tooth)
+{
+    const QString name = QString::fromStdString(tooth.name);
+    if (tooth.fdi != 0 && (name.isEmpty() || name == QString::number(tooth.fdi)))
+        return QCoreApplication::translate("Tooth", "Tooth %1").arg(tooth.fdi);
+    return name.isEmpty() ? QCoreApplication::translate("Tooth", "Tooth without a name") : name;
+}
+
+QString burName(std::string_view id)
+{
+    if (id == "2")
+        return QCoreApplication::translate("Bur", "Round, No. 2");
+    if (id == "330")
+        return QCoreApplication::translate("Bur", "Pear, No. 330");
+    if (id == "245")
+        return QCoreApplication::translate("Bur", "Long pear, No. 245");
+    if (id == "57")
+        return QCoreApplication::translate("Bur", "Straight fissure, No. 57");
+    return QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+}
+
+QString healthText(std::uint32_t health)
+{
+    if ((health & core::session::kDeviceLost) != 0)
+        return QCoreApplication::translate("Health", "The handpiece is gone: no force. Plug it in again.");
+    if ((health & core::session::kRecordGap) != 0)
+        return QCoreApplication::translate("Health", "The computer was too slow: the recording has a gap.");
+    if ((health & core::session::kPatchQueueFull) != 0)
+        return QCoreApplication::translate("Health", "The computer is slow: the picture lags behind.");
+    if ((health & core::session::kForceClamped) != 0)
+        return QCoreApplication::translate("Health", "Force at its limit");
+    return {};
+}
+
+QString criterionName(const lessons::Criterion& criterion)
+{
+    if (criterion.id == "caries_left")
+        return QCoreApplication::translate("Criterion", "Decay left");
+    if (criterion.id == "sound_tissue")
+        return QCoreApplication::translate("Criterion", "Sound tissue removed");
+    if (criterion.id == "pulp_exposure")
+        return QCoreApplication::translate("Criterion", "Pulp opened");
+    return QString::fromStdString(criterion.id);
+}
+
+QString criterionMeasured(const lessons::Criterion& criterion)
+{
+    return number(criterion.measured, criterion.unit == "%" ? 1 : 2) + u' ' + unitName(criterion.unit);
+}
+
+QString criterionWorked(const lessons::Criterion& criterion)
+{
+    const QString unit = unitName(criterion.unit);
+    const QString measured = number(criterion.measured, 2);
+    const QString free = number(criterion.free, 2);
+    const bool someFree = criterion.free > 0.0;
+    if (!(criterion.measured > criterion.free))
+        return someFree ? QCoreApplication::translate("Criterion", "%1 of %2 %3 free: nothing lost")
+                              .arg(measured, free, unit)
+                        : QCoreApplication::translate("Criterion", "Nothing lost");
+    if (criterion.rule == lessons::PointRule::Once)
+        return someFree ? QCoreApplication::translate("Criterion", "More than %1 %2: %n point(s) at once", nullptr,
+                                                      criterion.maxPoints)
+                              .arg(free, unit)
+                        : QCoreApplication::translate("Criterion", "Any at all: %n point(s) at once", nullptr,
+                                                      criterion.maxPoints);
+    const double points = (criterion.measured - criterion.free) * criterion.pointsPerUnit;
+    const QString perUnit = QLocale().toString(criterion.pointsPerUnit, 'g', 4);
+    const QString sum = someFree ? QCoreApplication::translate("Criterion", "(%1 − %2 free) %3 × %4 points = %5")
+                                       .arg(measured, free, unit, perUnit, number(points, 2))
+                                 : QCoreApplication::translate("Criterion", "%1 %2 × %3 points = %4")
+                                       .arg(measured, unit, perUnit, number(points, 2));
+    return criterion.pointsLost < criterion.maxPoints
+               ? QCoreApplication::translate("Criterion", "%1, rounded %2").arg(sum).arg(criterion.pointsLost)
+               : QCoreApplication::translate("Criterion", "%1, at most %2").arg(sum).arg(criterion.maxPoints);
+}
+
+QString scoreSum(const lessons::ScoreSheet& sheet)
+{
+    QString sum = QStringLiteral("100");
+    for (const lessons::Criterion& criterion : sheet.criteria)
+        sum += QStringLiteral(" %1 %2").arg(QChar(0x2212)).arg(criterion.pointsLost);
+    const int below = sheet.pointsBelowZero();
+    if (below > 0)
+        //: %1 is the sum, %2 what it comes to below zero; the score itself stops at 0
+        return QCoreApplication::translate("Criterion", "%1 = %2, no less than 0").arg(sum, number(-below, 0));
+    return QStringLiteral("%1 = %2").arg(sum).arg(sheet.total);
+}
+
+QString unitName(std::string_view unit)
+{
+    if (unit == "mm3")
+        return QStringLiteral("mm³");
+    if (unit == "mm2")
+        return QStringLiteral("mm²");
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
+
+QString number(double value, int decimals)
+{
+    QString text = QLocale().toString(value, 'f', decimals);
+    return text.replace(u'-', QChar(0x2212));
+}
+
+}  // namespace ui::text

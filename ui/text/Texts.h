@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include <QString>
+
+#include "core/base/Result.h"
+#include "core/terrain/Tooth.h"
+#include "lessons/ScoreSheet.h"
+
+/// Codes and values of the rooms below, in words of the user's language. No other place in ui decides on such words.
+namespace ui::text {
+
+/// What happened and what to try, one or two sentences. The error's own detail (English, exact) is shown beside it.
+[[nodiscard]] QString errorText(const core::Error& error);
+
+/// "enamel", "dentin", "decay", "pulp".
+[[nodiscard]] QString materialName(core::terrain::Material material);
+/// One letter that stands for the material where colour alone would not do.
+[[nodiscard]] QString materialLetter(core::terrain::Material material);
+
+/// "lower left first molar"; empty for a number that is not an FDI tooth.
+[[nodiscard]] QString toothName(int fdi);
+/// "Tooth 36", or the file's name for a scan without a number.
+[[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
+
+/// "Pear, No. 330"; the id itself for a bur we have no word for.
+[[nodiscard]] QString burName(std::string_view id);
+
+/// What a bit pattern of core::session::Health means for the person drilling, the gravest first; empty when well.
+[[nodiscard]] QString healthText(std::uint32_t health);
+
+/// "Decay left"; the id itself for a criterion we have no word for.
+[[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
+/// "12.4 %", "1.84 mm³".
+[[nodiscard]] QString criterionMeasured(const lessons::Criterion& criterion);
+/// The formula with its numbers: "(12.40 − 5.00 free) % × 0.5 points = 3.70, rounded 4".
+[[nodiscard]] QString criterionWorked(const lessons::Criterion& criterion);
+/// "100 − 4 − 12 − 0 = 84".
+[[nodiscard]] QString scoreSum(const lessons::ScoreSheet& sheet);
+
+/// "mm³" for "mm3", "mm²" for "mm2"; other units as they are.
+[[nodiscard]] QString unitName(std::string_view unit);
+/// A number with fixed decimals as the user's language writes it, with a true minus sign.
+[[nodiscard]] QString number(double value, int decimals);
+
+}  // namespace ui::text

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tooth/Camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace ui::tooth {
+namespace {
+
+constexpr double kPerNotch = 0.88;  ///< distance after one notch of the wheel
+constexpr double kFollowS = 0.07;   ///< time constant of the zoom
+constexpr double kClosest = 0.22;   ///< of the fitting distance
+constexpr double kFurthest = 2.5;
+
+}  // namespace
+
+void Camera::setSubject(glm::dvec3 centreMm, double radiusMm)
+{
+    m_centreMm = centreMm;
+    m_radiusMm = radiusMm;
+    reset();
+}
+
+void Camera::setViewport(glm::dvec2 sizePx)
+{
+    m_sizePx = glm::max(sizePx, glm::dvec2(1.0));
+    if (m_fitted)
+        m_distanceMm = m_wantedMm = fittingMm();
+}
+
+void Camera::reset()
+{
+    m_azimuthDeg = kStartAzimuthDeg;
+    m_elevationDeg = kStartElevationDeg;
+    m_fitted = true;
+    m_distanceMm = m_wantedMm = fittingMm();
+}
+
+void Camera::set(double azimuthDeg, double elevationDeg, double distanceMm)
+{
+    m_azimuthDeg = azimuthDeg;
+    m_elevationDeg = elevationDeg;
+    m_wantedMm = distanceMm;
+    m_fitted = false;
+    keepInBounds();
+    settle();
+}
+
+void Camera::turn(double azimuthDeg, double elevationDeg)
+{
+    m_azimuthDeg += azimuthDeg;
+    m_elevationDeg += elevationDeg;
+    keepInBounds();
+}
+
+void Camera::zoom(double steps)
+{
+    m_wantedMm *= std::pow(kPerNotch, steps);
+    m_fitted = false;
+    keepInBounds();
+}
+
+bool Camera::advance(double seconds)
+{
+    if (m_distanceMm == m_wantedMm)
+        return false;
+    m_distanceMm += (m_wantedMm - m_distanceMm) * (1.0 - std::exp(-seconds / kFollowS));
+    if (std::abs(m_distanceMm - m_wantedMm) < 0.002 * m_wantedMm)
+        settle();
+    return true;
+}
+
+void Camera::keepInBounds()
+{
+    m_azimuthDeg = std::remainder(m_azimuthDeg, 360.0);
+    m_elevationDeg = std::clamp(m_elevationDeg, kLowestDeg, kHighestDeg);
+    m_wantedMm = std::clamp(m_wantedMm, kClosest * fittingMm(), kFurthest * fittingMm());
+}
+
+double Camera::fittingMm() const
+{
+    const double vertical = std::tan(glm::radians(kFieldOfViewDeg) / 2.0);
+    const double narrower = vertical * std::min(1.0, m_sizePx.x / m_sizePx.y);
+    return m_radiusMm / std::sin(std::atan(narrower));
+}
+
+double Camera::turnedAzimuth() const
+{
+    return glm::radians(m_azimuthDeg + (m_turned ? 180.0 : 0.0));
+}
+
+glm::dvec3 Camera::eyeMm() const
+{
+    const double azimuth = turnedAzimuth();
+    const double elevation = glm::radians(m_elevationDeg);
+    return m_centreMm + m_distanceMm * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
+                                                  -std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+}
+
+glm::dmat4 Camera::view() const
+{
+    return glm::lookAt(eyeMm(), m_centreMm, glm::dvec3(0.0, 0.0, 1.0));
+}
+
+glm::dmat4 Camera::projection() const
+{
+    return glm::perspective(glm::radians(kFieldOfViewDeg), m_sizePx.x / m_sizePx.y, 0.1 * m_distanceMm,
+                            m_distanceMm + 200.0);
+}
+
+render::Ray Camera::rayThrough(glm::dvec2 pixel) const
+{
+    const double half = std::tan(glm::radians(kFieldOfViewDeg) / 2.0);
+    const double right = (2.0 * pixel.x / m_sizePx.x - 1.0) * half * m_sizePx.x / m_sizePx.y;
+    const double up = (1.0 - 2.0 * pixel.y / m_sizePx.y) * half;
+    const glm::dvec3 eye = eyeMm();
+    const glm::dvec3 forward = glm::normalize(m_centreMm - eye);
+    const glm::dvec3 side = glm::dvec3(rightOnTooth(), 0.0);
+    return {eye, glm::normalize(forward + right * side + up * glm::cross(side, forward))};
+}
+
+glm::dvec2 Camera::pixelOf(glm::dvec3 pointMm) const
+{
+    const glm::dvec4 clip = projection() * view() * glm::dvec4(pointMm, 1.0);
+    return {0.5 * (1.0 + clip.x / clip.w) * m_sizePx.x, 0.5 * (1.0 - clip.y / clip.w) * m_sizePx.y};
+}
+
+glm::dvec2 Camera::rightOnTooth() const
+{
+    const double azimuth = turnedAzimuth();
+    return {std::cos(azimuth), std::sin(azimuth)};
+}
+
+glm::dvec2 Camera::awayOnTooth() const
+{
+    const double azimuth = turnedAzimuth();
+    return {-std::sin(azimuth), std::cos(azimuth)};
+}
+
+}  // namespace ui::tooth

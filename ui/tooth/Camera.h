@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "ui/render/ToothSurface.h"
+
+namespace ui::tooth {
+
+/// A camera on a sphere around the crown, upright, looking at its middle. Plain arithmetic, no OpenGL.
+///
+/// Azimuth 0 looks along +y with +x to the right; it grows as the eye moves towards +x. Elevation is the height of
+/// the eye above the horizon.
+class Camera
+{
+public:
+    static constexpr double kFieldOfViewDeg = 27.0;  ///< vertical
+    static constexpr double kStartAzimuthDeg = 18.0;
+    static constexpr double kStartElevationDeg = 48.0;
+    static constexpr double kLowestDeg = 12.0;
+    static constexpr double kHighestDeg = 88.0;
+
+    /// What must fit the picture.
+    void setSubject(glm::dvec3 centreMm, double radiusMm);
+    void setViewport(glm::dvec2 sizePx);
+    /// Looks from the other side: the scene turned by 180 degrees.
+    void setTurned(bool turned) { m_turned = turned; }
+    [[nodiscard]] bool isTurned() const { return m_turned; }
+
+    /// Back to the start: the whole crown, three quarters from above.
+    void reset();
+    void set(double azimuthDeg, double elevationDeg, double distanceMm);
+    void turn(double azimuthDeg, double elevationDeg);
+    /// Closer by `steps` notches of a wheel, further when negative. Reached smoothly, see advance().
+    void zoom(double steps);
+    /// Lets the distance follow the zoom for a time. True while it still moves.
+    bool advance(double seconds);
+    /// Finishes any movement now.
+    void settle() { m_distanceMm = m_wantedMm; }
+
+    [[nodiscard]] double azimuthDeg() const { return m_azimuthDeg; }
+    [[nodiscard]] double elevationDeg() const { return m_elevationDeg; }
+    [[nodiscard]] double distanceMm() const { return m_distanceMm; }
+    /// Distance at which the subject just fits the viewport.
+    [[nodiscard]] double fittingMm() const;
+
+    [[nodiscard]] glm::dvec3 eyeMm() const;
+    [[nodiscard]] glm::dmat4 view() const;        ///< eye from tooth
+    [[nodiscard]] glm::dmat4 projection() const;  ///< clip from eye
+    /// The ray of sight through a point of the viewport, pixels from its upper left corner.
+    [[nodiscard]] render::Ray rayThrough(glm::dvec2 pixel) const;
+    [[nodiscard]] glm::dvec2 pixelOf(glm::dvec3 pointMm) const;
+    /// Unit vectors of the tooth's x, y plane that point right and up (away) on the screen.
+    [[nodiscard]] glm::dvec2 rightOnTooth() const;
+    [[nodiscard]] glm::dvec2 awayOnTooth() const;
+
+private:
+    [[nodiscard]] double turnedAzimuth() const;  ///< radians, with the other hand's half turn
+    void keepInBounds();
+
+    glm::dvec3 m_centreMm{0.0, 0.0, -3.0};
+    double m_radiusMm = 7.0;
+    glm::dvec2 m_sizePx{1280.0, 800.0};
+    double m_azimuthDeg = kStartAzimuthDeg;
+    double m_elevationDeg = kStartElevationDeg;
+    double m_distanceMm = 40.0;
+    double m_wantedMm = 40.0;
+    bool m_fitted = true;  ///< distance follows the size of the viewport until someone zooms
+    bool m_turned = false;
+};
+
+}  // namespace ui::tooth

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QOpenGLWidget>
+#include <QPointF>
+#include <QPointer>
+#include <QTimer>
+
+#include "core/session/Links.h"
+#include "core/terrain/Tooth.h"
+#include "ui/render/ToothRenderer.h"
+#include "ui/render/ToothSurface.h"
+#include "ui/tooth/Camera.h"
+#include "ui/tooth/PatchInbox.h"
+#include "ui/tooth/PointerControl.h"
+
+class QLabel;
+class QOpenGLFramebufferObject;
+
+namespace ui::tooth {
+
+/// The tooth under the operating light, the bur at its anchor, and the hand: mouse, pen and keys become what the
+/// pointer device asks for.
+///
+/// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms, Ctrl + wheel sets how
+/// hard to push; a double click of the right or middle button, or of the left beside the tooth, resets the view.
+/// Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full
+/// stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home resets the view.
+///
+/// Ui thread. It is the one reader of `servo` and `patches` and the one writer of `pointer`; it polls them 60 times a
+/// second and repaints only when something that shows has changed.
+class ToothView : public QOpenGLWidget
+{
+    Q_OBJECT
+
+public:
+    /// @param links  must outlive the view
+    explicit ToothView(core::session::UiLinks& links, QWidget* parent = nullptr);
+    ~ToothView() override;
+
+    /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
+    void setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation);
+    /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
+    void setPushForce(double newtons);
+    [[nodiscard]] double pushForce() const { return m_control.forceN(); }
+    /// For the look of the bur only.
+    void setDrillOn(bool on);
+    /// The other hand: the scene turned by 180 degrees, the handpiece from the left.
+    void setLeftHanded(bool leftHanded);
+    /// Without animation: the view zooms at once.
+    void setReducedMotion(bool reduced);
+    void resetCamera();
+    void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
+    /// What is shown now, in device pixels.
+    [[nodiscard]] QImage picture();
+    /// False: this computer gives no OpenGL 3.3.
+    [[nodiscard]] bool isUsable() const { return m_usable; }
+    /// What to put into a window: the view, or a page with a sentence where it is not usable. A window that holds an
+    /// OpenGL widget on a computer without OpenGL crashes in Qt 6.4, even if it is hidden; so hold the view itself
+    /// without a parent and give this one to the layout.
+    [[nodiscard]] QWidget* pane();
+
+    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    /// Milliseconds that painting the last picture took, waiting for the graphics driver to finish not included.
+    [[nodiscard]] double paintMs() const { return m_paintMs; }
+
+signals:
+    /// Once a frame, with the newest state of the servo.
+    void frameAdvanced(const core::session::ServoState& state);
+    void pushForceChanged(double newtons);
+    /// The view cannot be used; the sentence says why and what to do.
+    void failed(const QString& sentence);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void advanceFrame();
+    void takePatches();
+    void moveByKeys(double seconds);
+    void stepByKey(int key, double lengthMm);
+    void publishPointer();
+    void turnCamera(double azimuthDeg, double elevationDeg);
+    void release();
+    void fail(const QString& detail);
+    void leaveContext();
+    void drawScene();
+    void drawForce();
+    [[nodiscard]] render::Ray rayAt(QPointF position) const;
+    [[nodiscard]] render::Scene scene() const;
+    [[nodiscard]] glm::vec3 towardsLight() const;
+
+    core::session::UiLinks& m_links;
+    std::unique_ptr<render::ToothSurface> m_surface;
+    std::unique_ptr<render::ToothRenderer> m_renderer;
+    PatchInbox m_inbox;
+    Camera m_camera;
+    PointerControl m_control;
+    core::session::PointerInput m_published;
+    core::session::ServoState m_servo;
+
+    std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
+    bool m_smoothWanted = false;                               ///< of the next picture
+    bool m_smooth = false;                                     ///< the picture shown has smooth edges
+    QElapsedTimer m_sincePaint;
+    bool m_surfaceIsNew = false;              ///< the renderer has not seen it
+    render::ToothSurface::Changes m_changes;  ///< since the last picture
+    bool m_usable = true;
+    bool m_drillOn = false;
+    bool m_leftHanded = false;
+    bool m_reducedMotion = false;
+    double m_turnRad = 0.0;  ///< of the bur
+    double m_paintMs = 0.0;
+    glm::dvec3 m_paintedAnchorMm{0.0};
+    double m_paintedForceN = 0.0;
+
+    Qt::MouseButton m_turning = Qt::NoButton;
+    QPointF m_turnedAt;
+    std::set<int> m_arrows;  ///< held
+    double m_arrowsHeldS = 0.0;
+    bool m_fine = false;
+    QTimer m_frame;
+    QElapsedTimer m_sinceFrame;
+    QElapsedTimer m_sinceForceSet;
+    bool m_forceTold = false;  ///< the set force is written beside the bur
+    QPointer<QLabel> m_sentence;
+};
+
+}  // namespace ui::tooth
