@@ -14,6 +14,13 @@ struct HeightView
     int side = 0;
 };
 
+/// A maximum over columns, and one that gave it.
+struct Peak
+{
+    float heightMm = 0.0F;
+    int column = -1;  ///< index into the map; -1 if there was none
+};
+
 struct Kernels
 {
     const char* name;  ///< "plain" or "avx2"
@@ -21,10 +28,13 @@ struct Kernels
     float (*highestAtNode)(HeightView top, const drilling::BurMask& mask, int i, int j) noexcept;
     /// min over the mask of bottom(i + di, j + dj) - upperSide(di, dj); very high where the mask meets no node.
     float (*lowestAtNode)(HeightView bottom, const drilling::BurMask& mask, int i, int j) noexcept;
-    /// max over nodes within the head of H(q) - underside(|q - p|), p in lattice units, at a point between nodes.
-    /// May stop early and return any value above `enough`.
-    float (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
-                            float enough) noexcept;
+    /// max over nodes within the head of H(q) - underside(|q - p|), p = (u, v) in lattice units, at a point between
+    /// nodes. May stop early and return any value above `enough`.
+    Peak (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
+                           float enough) noexcept;
+    /// The one term of that maximum which column `column` gives, to the bit; very low if the head is not over it.
+    float (*heightOverColumn)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
+                              int column) noexcept;
 };
 
 extern const Kernels kPlainKernels;

@@ -72,19 +72,30 @@ double LiveTooth::clearanceAt(glm::dvec2 pointMm, double enough) noexcept
     int j = 0;
     double fx = 0.0;
     double fy = 0.0;
-    if (!corners(pointMm, i, j, fx, fy)) {
-        // Beside the grid there are no nodes, but the bur may still reach the tooth.
-        const glm::dvec2 beside = grid().latticeOf(pointMm);
-        return static_cast<double>(m_kernels.highestAtPoint({m_tooth.top.data(), grid().side}, mask(), grid().cellMm,
-                                                            beside.x, beside.y, static_cast<float>(enough)));
-    }
-    if (isAnyCut(i, j)) {
-        const glm::dvec2 at = grid().latticeOf(pointMm);
-        return static_cast<double>(m_kernels.highestAtPoint({m_tooth.top.data(), grid().side}, mask(), grid().cellMm,
-                                                            at.x, at.y, static_cast<float>(enough)));
-    }
+    // Beside the grid there are no nodes, but the bur may still reach the tooth.
+    if (!corners(pointMm, i, j, fx, fy) || isAnyCut(i, j))
+        return static_cast<double>(highestAt(grid().latticeOf(pointMm), static_cast<float>(enough)));
     return bilinear(clearanceAtNode(i, j), clearanceAtNode(i + 1, j), clearanceAtNode(i, j + 1),
                     clearanceAtNode(i + 1, j + 1), fx, fy);
+}
+
+float LiveTooth::highestAt(glm::dvec2 lattice, float enough) noexcept
+{
+    const HeightView top{m_tooth.top.data(), grid().side};
+    for (std::size_t k = 0; k < m_peaks.size() && m_peaks[k] >= 0; ++k) {
+        const float height = m_kernels.heightOverColumn(top, mask(), grid().cellMm, lattice.x, lattice.y, m_peaks[k]);
+        if (height > enough) {
+            std::rotate(m_peaks.begin(), m_peaks.begin() + static_cast<std::ptrdiff_t>(k),
+                        m_peaks.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+            return height;
+        }
+    }
+    const Peak peak = m_kernels.highestAtPoint(top, mask(), grid().cellMm, lattice.x, lattice.y, enough);
+    if (peak.column >= 0 && std::find(m_peaks.begin(), m_peaks.end(), peak.column) == m_peaks.end()) {
+        std::copy_backward(m_peaks.begin(), m_peaks.end() - 1, m_peaks.end());
+        m_peaks.front() = peak.column;
+    }
+    return peak.heightMm;
 }
 
 bool LiveTooth::isFeltByColumns(glm::dvec2 pointMm) const noexcept
