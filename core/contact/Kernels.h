@@ -18,7 +18,8 @@ struct HeightView
 struct Peak
 {
     float heightMm = 0.0F;
-    int column = -1;  ///< index into the map; -1 if there was none
+    int i = -1;  ///< -1 if there was none
+    int j = -1;
 };
 
 struct Kernels
@@ -32,9 +33,6 @@ struct Kernels
     /// nodes. May stop early and return any value above `enough`.
     Peak (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
                            float enough) noexcept;
-    /// The one term of that maximum which column `column` gives, to the bit; very low if the head is not over it.
-    float (*heightOverColumn)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
-                              int column) noexcept;
 };
 
 extern const Kernels kPlainKernels;

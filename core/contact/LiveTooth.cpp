@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/Head.h"
+
 namespace core::contact {
 namespace {
 
@@ -20,6 +22,16 @@ LiveTooth::LiveTooth(terrain::Tooth tooth) : m_tooth(std::move(tooth)), m_kernel
 {
     for (const drilling::Bur& bur : drilling::burs())
         m_masks.emplace_back(bur, grid().cellMm);
+    std::size_t widest = 0;
+    for (const drilling::BurMask& mask : m_masks)
+        widest = std::max(widest, static_cast<std::size_t>(mask.width));
+    m_columnsRoom.resize((widest + 2) * (widest + 2));  // and those that a cell's advance adds
+    m_blocks = (grid().side + kBlock - 1) / kBlock;
+    m_cutBlock.resize(static_cast<std::size_t>(m_blocks) * static_cast<std::size_t>(m_blocks), 0);
+    for (int j = 0; j < grid().side; ++j)
+        for (int i = 0; i < grid().side; ++i)
+            if (m_tooth.top[grid().index(i, j)] < m_tooth.anatomy->top[grid().index(i, j)])
+                m_cutBlock[blockOf(i, j)] = 1;
     const std::size_t count = grid().count();
     for (Field* field : {&m_above, &m_below}) {
         field->value.resize(count);
@@ -53,16 +65,15 @@ float LiveTooth::undersideAtNode(int i, int j) noexcept
     return m_below.value[k];
 }
 
-bool LiveTooth::corners(glm::dvec2 pointMm, int& i, int& j, double& fx, double& fy) const noexcept
+bool LiveTooth::corners(glm::dvec2 lattice, int& i, int& j, double& fx, double& fy) const noexcept
 {
-    const glm::dvec2 at = grid().latticeOf(pointMm);
     const double last = grid().side - 1;
-    if (!(at.x >= 0.0 && at.y >= 0.0 && at.x <= last && at.y <= last))
+    if (!(lattice.x >= 0.0 && lattice.y >= 0.0 && lattice.x <= last && lattice.y <= last))
         return false;
-    i = std::min(static_cast<int>(at.x), grid().side - 2);
-    j = std::min(static_cast<int>(at.y), grid().side - 2);
-    fx = at.x - i;
-    fy = at.y - j;
+    i = std::min(static_cast<int>(lattice.x), grid().side - 2);
+    j = std::min(static_cast<int>(lattice.y), grid().side - 2);
+    fx = lattice.x - i;
+    fy = lattice.y - j;
     return true;
 }
 
@@ -73,38 +84,58 @@ double LiveTooth::clearanceAt(glm::dvec2 pointMm, double enough) noexcept
     double fx = 0.0;
     double fy = 0.0;
     // Beside the grid there are no nodes, but the bur may still reach the tooth.
-    if (!corners(pointMm, i, j, fx, fy) || isAnyCut(i, j))
-        return static_cast<double>(highestAt(grid().latticeOf(pointMm), static_cast<float>(enough)));
+    const glm::dvec2 lattice = grid().latticeOf(pointMm);
+    if (!corners(lattice, i, j, fx, fy) || isCutNear(lattice))
+        return static_cast<double>(highestAt(lattice, static_cast<float>(enough)));
     return bilinear(clearanceAtNode(i, j), clearanceAtNode(i + 1, j), clearanceAtNode(i, j + 1),
                     clearanceAtNode(i + 1, j + 1), fx, fy);
 }
 
 float LiveTooth::highestAt(glm::dvec2 lattice, float enough) noexcept
 {
-    const HeightView top{m_tooth.top.data(), grid().side};
-    for (std::size_t k = 0; k < m_peaks.size() && m_peaks[k] >= 0; ++k) {
-        const float height = m_kernels.heightOverColumn(top, mask(), grid().cellMm, lattice.x, lattice.y, m_peaks[k]);
+    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    for (std::size_t k = 0; k < m_peaks.size() && m_peaks[k].i >= 0; ++k) {
+        const Peak& known = m_peaks[k];
+        const float height =
+            heightOver(m_tooth.top[grid().index(known.i, known.j)], known.i, dy2Of(known.j, head), head);
         if (height > enough) {
-            std::rotate(m_peaks.begin(), m_peaks.begin() + static_cast<std::ptrdiff_t>(k),
-                        m_peaks.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+            const auto at = m_peaks.begin() + static_cast<std::ptrdiff_t>(k);
+            std::rotate(m_peaks.begin(), at, at + 1);
             return height;
         }
     }
-    const Peak peak = m_kernels.highestAtPoint(top, mask(), grid().cellMm, lattice.x, lattice.y, enough);
-    if (peak.column >= 0 && std::find(m_peaks.begin(), m_peaks.end(), peak.column) == m_peaks.end()) {
+    const Peak peak = m_kernels.highestAtPoint({m_tooth.top.data(), grid().side}, mask(), grid().cellMm, lattice.x,
+                                               lattice.y, enough);
+    const auto isSame = [&](const Peak& known) { return known.i == peak.i && known.j == peak.j; };
+    if (peak.i >= 0 && std::none_of(m_peaks.begin(), m_peaks.end(), isSame)) {
         std::copy_backward(m_peaks.begin(), m_peaks.end() - 1, m_peaks.end());
-        m_peaks.front() = peak.column;
+        m_peaks.front() = peak;
     }
     return peak.heightMm;
 }
 
+bool LiveTooth::isCutNear(glm::dvec2 lattice) const noexcept
+{
+    const double reach = static_cast<double>(mask().radiusMm) / grid().cellMm + 1.0;
+    const auto block = [&](double at) {
+        return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(grid().side - 1))) / kBlock;
+    };
+    // Mostly the bur stands in its own cut.
+    if (m_cutBlock[blockOf(block(lattice.x) * kBlock, block(lattice.y) * kBlock)] != 0)
+        return true;
+    const int lastI = block(lattice.x + reach);
+    const int lastJ = block(lattice.y + reach);
+    for (int j = block(lattice.y - reach); j <= lastJ; ++j)
+        for (int i = block(lattice.x - reach); i <= lastI; ++i)
+            if (m_cutBlock[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_blocks) +
+                           static_cast<std::size_t>(i)] != 0)
+                return true;
+    return false;
+}
+
 bool LiveTooth::isFeltByColumns(glm::dvec2 pointMm) const noexcept
 {
-    int i = 0;
-    int j = 0;
-    double fx = 0.0;
-    double fy = 0.0;
-    return corners(pointMm, i, j, fx, fy) && isAnyCut(i, j);
+    return isCutNear(grid().latticeOf(pointMm));
 }
 
 double LiveTooth::undersideAt(glm::dvec2 pointMm) noexcept
@@ -113,7 +144,7 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm) noexcept
     int j = 0;
     double fx = 0.0;
     double fy = 0.0;
-    if (!corners(pointMm, i, j, fx, fy)) {
+    if (!corners(grid().latticeOf(pointMm), i, j, fx, fy)) {
         // Beside the grid: open if the bur reaches nothing, else no room beneath is promised.
         const bool open = clearanceAt(pointMm) <= static_cast<double>(terrain::kEmptyTop);
         return static_cast<double>(open ? terrain::kEmptyBottom : terrain::kEmptyTop);
@@ -122,8 +153,10 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm) noexcept
                     undersideAtNode(i + 1, j + 1), fx, fy);
 }
 
-void LiveTooth::lower(std::size_t index, float heightMm) noexcept
+void LiveTooth::lower(int i, int j, float heightMm) noexcept
 {
+    const std::size_t index = grid().index(i, j);
+    m_cutBlock[blockOf(i, j)] = 1;
     if (heightMm > m_tooth.bottom[index]) {
         m_tooth.top[index] = heightMm;
         return;

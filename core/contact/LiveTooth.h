@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -43,21 +44,24 @@ public:
 
     /// Least height at which the tip is free above everything, at any point of the tooth frame, mm.
     ///
-    /// Over uncut surface bilinear between nodes, which is exact on planes and does not cog (haptics.md 3.1). Over
-    /// columns that have been cut, the maximum over the columns under the bur itself: a pocket as wide as the bur that
-    /// made it lies between the nodes and none of them sees it.
+    /// Over uncut surface bilinear between nodes, which is exact on planes and does not cog (haptics.md 3.1). Where the
+    /// bur covers columns that have been cut, the maximum over the columns themselves: a pocket as wide as the bur that
+    /// made it lies between the nodes, none of them sees it, and the bur could rest on ground it can never cut.
     /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
     [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept;
-    /// Whether clearanceAt() takes the columns themselves here, because one of the four around has been cut.
+    /// Whether clearanceAt() takes the columns themselves here.
     [[nodiscard]] bool isFeltByColumns(glm::dvec2 pointMm) const noexcept;
     /// Greatest height at which the tip is free beneath everything, at any point, mm.
     [[nodiscard]] double undersideAt(glm::dvec2 pointMm) noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     /// Clearances go stale only with markCut().
-    void lower(std::size_t index, float heightMm) noexcept;
+    void lower(int i, int j, float heightMm) noexcept;
     /// Says that columns i0..i1 x j0..j1 (on the grid) were lowered: dirties the clearances within the bur's reach.
     void markCut(int i0, int j0, int i1, int j1) noexcept;
+
+    /// Room for every column that any bur covers, for whoever cuts to make a list in. Not part of the tooth's state.
+    [[nodiscard]] std::span<terrain::ColumnAt> columnsRoom() noexcept { return m_columnsRoom; }
 
 private:
     struct Field
@@ -66,18 +70,15 @@ private:
         std::vector<std::uint32_t> stamp;  ///< value is fresh if this equals m_epoch
     };
 
-    [[nodiscard]] bool isCut(int i, int j) const noexcept
+    [[nodiscard]] std::size_t blockOf(int i, int j) const noexcept
     {
-        const std::size_t k = grid().index(i, j);
-        return m_tooth.top[k] < m_tooth.anatomy->top[k];
+        return static_cast<std::size_t>(j / kBlock) * static_cast<std::size_t>(m_blocks) +
+               static_cast<std::size_t>(i / kBlock);
     }
-    [[nodiscard]] bool isAnyCut(int i, int j) const noexcept
-    {
-        return isCut(i, j) || isCut(i + 1, j) || isCut(i, j + 1) || isCut(i + 1, j + 1);
-    }
+    [[nodiscard]] bool isCutNear(glm::dvec2 lattice) const noexcept;
     /// C at a point in lattice units, from the columns themselves. Any answer above `enough` may be any other above it.
     [[nodiscard]] float highestAt(glm::dvec2 lattice, float enough) noexcept;
-    [[nodiscard]] bool corners(glm::dvec2 pointMm, int& i, int& j, double& fx, double& fy) const noexcept;
+    [[nodiscard]] bool corners(glm::dvec2 lattice, int& i, int& j, double& fx, double& fy) const noexcept;
 
     terrain::Tooth m_tooth;
     std::vector<drilling::BurMask> m_masks;
@@ -85,9 +86,13 @@ private:
     Field m_above;
     Field m_below;
     std::uint32_t m_epoch = 1;
-    /// Columns that the bur met in the last looks, newest first, -1 for none. The next look, a fraction of a cell away,
-    /// mostly meets one of them again, which settles it. They save time and change no answer.
-    std::array<int, 6> m_peaks{-1, -1, -1, -1, -1, -1};
+    std::vector<terrain::ColumnAt> m_columnsRoom;
+    static constexpr int kBlock = 8;
+    int m_blocks = 0;                      ///< a side
+    std::vector<std::uint8_t> m_cutBlock;  ///< 1 if a column of that block of kBlock x kBlock has been cut
+    /// Columns that the bur met in the last looks, newest first. The next look, a fraction of a cell away, mostly meets
+    /// one of them again, which settles it. They save time and change no answer.
+    std::array<Peak, 4> m_peaks;
     const Kernels& m_kernels;
 };
 

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include <glm/geometric.hpp>
+
+#include "core/contact/Head.h"
 
 namespace core::drilling {
 namespace {
@@ -18,82 +22,118 @@ constexpr double kCloseEnough = 0.95;
 constexpr double kAim = 0.975;
 /// Of the way a column has to go: less is a material that does not yield to this force.
 constexpr double kLeastShare = 1.0e-6;
+constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
 
-/// Calls visit(index, i, j, limit) for every column that a bur with its tip at `tip` would lower to `limit`.
+using Columns = std::span<const terrain::ColumnAt>;
+
+/// The columns that a bur moving from `from` towards `towards` for up to `reachMm` may lower: no column is missed, some
+/// are listed in vain. Stops early and returns `room.size() + 1` if there is no room for them.
+std::size_t listColumns(const contact::LiveTooth& live, const glm::dvec3& from, const glm::dvec3& towards,
+                        double reachMm, std::span<terrain::ColumnAt> room) noexcept
+{
+    const terrain::Grid& grid = live.grid();
+    const BurMask& mask = live.mask();
+    const terrain::Tooth& tooth = live.tooth();
+    const glm::dvec2 at = grid.latticeOf({from.x, from.y});
+    const double sideways = reachMm * std::sqrt(towards.x * towards.x + towards.y * towards.y);
+    const double radius = static_cast<double>(mask.radiusMm) + sideways;
+    // (r - sideways)^2 is no less than r^2 - 2 radius sideways anywhere in the circle: no square root a column.
+    const auto nearer = static_cast<float>(2.0 * radius * sideways);
+    const auto lowestZ = static_cast<float>(from.z + std::min(0.0, reachMm * towards.z) - kRoundingMm);
+    const float last2 = mask.radiusMm * mask.radiusMm;
+    const auto cell = static_cast<float>(grid.cellMm);
+    const double cells = radius / grid.cellMm + kRoundingMm;
+    const int firstRow = std::max(0, static_cast<int>(std::ceil(at.y - cells)));
+    const int lastRow = std::min(grid.side - 1, static_cast<int>(std::floor(at.y + cells)));
+    std::size_t count = 0;
+    for (int j = firstRow; j <= lastRow; ++j) {
+        const double dv = j - at.y;
+        const double half = std::sqrt(std::max(0.0, cells * cells - dv * dv));
+        const int first = std::max(0, static_cast<int>(std::ceil(at.x - half)));
+        const int last = std::min(grid.side - 1, static_cast<int>(std::floor(at.x + half)));
+        const float dy = static_cast<float>(dv) * cell;
+        const float dy2 = dy * dy - nearer;
+        for (int i = first; i <= last; ++i) {
+            const float top = tooth.top[grid.index(i, j)];
+            if (!(top > lowestZ))
+                continue;
+            const float dx = static_cast<float>(i - at.x) * cell;
+            const auto step = static_cast<std::size_t>(std::clamp(dx * dx + dy2, 0.0F, last2) * mask.r2ToStep);
+            if (!(top > lowestZ + mask.underOfR2[step]))
+                continue;
+            if (count == room.size())
+                return count + 1;
+            room[count++] = {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)};
+        }
+    }
+    return count;
+}
+
+/// Calls visit(index, i, j, limit) for every listed column that a bur with its tip at `tip` would lower to `limit`.
 template <class Visit>
-void forEachColumn(const contact::LiveTooth& live, const glm::dvec3& tip, Visit&& visit) noexcept
+void forEachColumn(const contact::LiveTooth& live, Columns columns, const glm::dvec3& tip, Visit&& visit) noexcept
 {
     const terrain::Grid& grid = live.grid();
     const BurMask& mask = live.mask();
     const terrain::Tooth& tooth = live.tooth();
     const glm::dvec2 at = grid.latticeOf({tip.x, tip.y});
-    const double reach = static_cast<double>(mask.radiusMm) / grid.cellMm;
-    const auto cell = static_cast<float>(grid.cellMm);
+    const contact::Head head = contact::headAt(mask, grid.cellMm, at.x, at.y);
     const auto tipZ = static_cast<float>(tip.z);
-    const float last2 = mask.radiusMm * mask.radiusMm;
-    const int firstRow = std::max(0, static_cast<int>(std::ceil(at.y - reach)));
-    const int lastRow = std::min(grid.side - 1, static_cast<int>(std::floor(at.y + reach)));
-    for (int j = firstRow; j <= lastRow; ++j) {
-        const double dv = j - at.y;
-        const double half = std::sqrt(std::max(0.0, reach * reach - dv * dv));
-        const int first = std::max(0, static_cast<int>(std::ceil(at.x - half)));
-        const int last = std::min(grid.side - 1, static_cast<int>(std::floor(at.x + half)));
-        const float dy = static_cast<float>(dv) * cell;
-        const float dy2 = dy * dy;
-        const float start = static_cast<float>(first - at.x) * cell;
-        for (int i = first; i <= last; ++i) {
-            const std::size_t k = grid.index(i, j);
-            if (!(tooth.top[k] > tipZ))
-                continue;
-            const float dx = start + static_cast<float>(i - first) * cell;
-            const auto step = static_cast<std::size_t>(std::min(dx * dx + dy2, last2) * mask.r2ToStep);
-            const float limit = tipZ + mask.underOfR2[step];
-            if (!(tooth.top[k] > limit))
-                continue;
-            if (!(tipZ + mask.upperOfR2[step] > tooth.bottom[k]))
-                continue;
-            if (!visit(k, i, j, limit))
-                return;
-        }
+    for (const terrain::ColumnAt column : columns) {
+        const std::size_t step = contact::stepOf(column.i, contact::dy2Of(column.j, head), head);
+        const std::size_t k = grid.index(column.i, column.j);
+        const float limit = tipZ + mask.underOfR2[step];
+        if (!(tooth.top[k] > limit))
+            continue;
+        if (!(tipZ + mask.upperOfR2[step] > tooth.bottom[k]))
+            continue;
+        if (!visit(k, column.i, column.j, limit))
+            return;
     }
 }
 
-/// Volume of each material in column k from `height` up to its top, added to `volumes`.
-void addVolumes(const terrain::Tooth& tooth, std::size_t k, float height, terrain::PerMaterial& volumes) noexcept
+/// Calls take(material, mm3) for each material in column k from `height` up to its top.
+template <class Take>
+void forEachVolume(const terrain::Tooth& tooth, std::size_t k, float height, Take&& take) noexcept
 {
     const terrain::ToothAnatomy& anatomy = *tooth.anatomy;
-    const terrain::PerMaterial length =
-        terrain::lengthsBetween(anatomy.layers[k], std::max(height, tooth.bottom[k]), tooth.top[k]);
+    const terrain::ColumnLayers& layers = anatomy.layers[k];
+    const float top = tooth.top[k];
+    const float low = std::max(height, tooth.bottom[k]);
+    const auto area = static_cast<double>(anatomy.areaMm2[k]);
+    if (terrain::Material only{}; terrain::isOneMaterial(layers, low, top, only)) {
+        take(static_cast<std::size_t>(only), (static_cast<double>(top) - static_cast<double>(low)) * area);
+        return;
+    }
+    const terrain::PerMaterial length = terrain::lengthsBetween(layers, low, top);
     for (std::size_t m = 0; m < length.size(); ++m)
-        volumes[m] += length[m] * static_cast<double>(anatomy.areaMm2[k]);
+        if (length[m] > 0.0)
+            take(m, length[m] * area);
 }
 
 /// Time that it takes to remove what is under a bur with its tip at `tip`; any time above `limit` may be given as
 /// another above it.
-double secondsToRemove(const contact::LiveTooth& tooth, const glm::dvec3& tip,
+double secondsToRemove(const contact::LiveTooth& tooth, Columns columns, const glm::dvec3& tip,
                        const terrain::PerMaterial& secondsPerMm3, double limit) noexcept
 {
     double seconds = 0.0;
-    forEachColumn(tooth, tip, [&](std::size_t k, int, int, float height) {
-        terrain::PerMaterial volume{};
-        addVolumes(tooth.tooth(), k, height, volume);
-        for (std::size_t m = 0; m < volume.size(); ++m)
-            if (volume[m] > 0.0)
-                seconds += volume[m] * secondsPerMm3[m];
+    forEachColumn(tooth, columns, tip, [&](std::size_t k, int, int, float height) {
+        forEachVolume(tooth.tooth(), k, height,
+                      [&](std::size_t m, double volume) { seconds += volume * secondsPerMm3[m]; });
         return seconds <= limit;
     });
     return std::min(seconds, 2.0 * limit);
 }
 
 /// Lowers every column that a bur with its tip at `tip` would lower, by a share of the way, and adds to `done`.
-void removeUnder(contact::LiveTooth& tooth, const glm::dvec3& tip, float share, Cut& done) noexcept
+void removeUnder(contact::LiveTooth& tooth, Columns columns, const glm::dvec3& tip, float share, Cut& done) noexcept
 {
-    forEachColumn(tooth, tip, [&](std::size_t k, int i, int j, float height) {
+    forEachColumn(tooth, columns, tip, [&](std::size_t k, int i, int j, float height) {
         const float top = tooth.tooth().top[k];
         const float low = std::max(height, tooth.tooth().bottom[k]);
         const float to = share < 1.0F ? top - share * (top - low) : height;
-        addVolumes(tooth.tooth(), k, to, done.removedMm3);
-        tooth.lower(k, to);
+        forEachVolume(tooth.tooth(), k, to, [&](std::size_t m, double volume) { done.removedMm3[m] += volume; });
+        tooth.lower(i, j, to);
         CutRect& rect = done.changed;
         if (rect.isEmpty())
             rect = {i, j, i, j};
@@ -138,8 +178,20 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     double spent = 0.0;
     double tried = m_lastAdvance > 0.0 ? std::min(gap, m_lastAdvance) : gap;
     int side = 0;
+    double listed = -1.0;  // the list holds what an advance up to here meets
+    Columns columns;
     for (int attempt = 0; attempt < kMaxTries; ++attempt) {
-        const double needed = secondsToRemove(tooth, anchor + towards * tried, secondsPerMm3, 4.0 * granted);
+        if (tried > listed) {
+            listed = std::min(gap, 2.0 * tried);
+            std::size_t count = listColumns(tooth, anchor, towards, listed, tooth.columnsRoom());
+            while (count > tooth.columnsRoom().size()) {  // a long way sideways: go half of it
+                listed *= 0.5;
+                count = listColumns(tooth, anchor, towards, listed, tooth.columnsRoom());
+            }
+            columns = tooth.columnsRoom().first(count);
+            tried = std::min(tried, listed);
+        }
+        const double needed = secondsToRemove(tooth, columns, anchor + towards * tried, secondsPerMm3, 4.0 * granted);
         if (needed <= granted) {
             near = tried;
             spent = needed;
@@ -166,15 +218,15 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     m_lastAdvance = near;
     done.tipMm = anchor + towards * near;
     if (spent > 0.0)
-        removeUnder(tooth, done.tipMm, 1.0F, done);
+        removeUnder(tooth, columns, done.tipMm, 1.0F, done);
 
     // A column of a high wall comes under the rim of the bur all at once and costs more than a tick has: no advance
     // uses the time. Then the columns just beyond are lowered by that share of their way which the time pays for.
     if (far > 0.0 && spent < kCloseEnough * granted) {
         const glm::dvec3 beyond = anchor + towards * far;
-        const double share = (granted - spent) / secondsToRemove(tooth, beyond, secondsPerMm3, 1.0e12);
+        const double share = (granted - spent) / secondsToRemove(tooth, columns, beyond, secondsPerMm3, 1.0e12);
         if (share > kLeastShare) {
-            removeUnder(tooth, beyond, static_cast<float>(std::min(1.0, share)), done);
+            removeUnder(tooth, columns, beyond, static_cast<float>(std::min(1.0, share)), done);
             spent = granted;
         }
     }

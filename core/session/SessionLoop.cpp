@@ -84,7 +84,6 @@ void SessionLoop::applyGroup()
     m_mirrorTick = m_group.back().tick;
     m_vouched = {m_mirror, m_mirrorTick};
     m_unfinished = true;
-    m_volumesStale = true;
     if (m_group.back().strokeEnded) {
         rememberUnfinished();
         ++m_strokes;
@@ -150,7 +149,7 @@ void SessionLoop::apply(const ReplaceTooth& replace)
     m_unfinished = false;
     m_strokes = 0;
     m_wholeMm3 = terrain::volumes(*tooth);
-    m_volumesStale = true;
+    m_removed = history::RemovedTally(m_anatomy);
     m_group.clear();
     m_toUi.clear();
     static_cast<void>(m_servo.commands.tryPush(
@@ -176,7 +175,6 @@ void SessionLoop::handOver(const history::ToothMoment& moment)
         m_toUi.push_back(patch);
     m_mirror = moment.top;
     m_mirrorTick = moment.tick;
-    m_volumesStale = true;
     static_cast<void>(
         m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, moment.top.flat())),
                                            m_generation, ++m_serial, false, moment.tick}));
@@ -190,10 +188,6 @@ void SessionLoop::forward()
 
 void SessionLoop::publish()
 {
-    if (m_volumesStale && m_anatomy) {
-        m_removedMm3 = terrain::removedVolumes(terrain::restored(m_anatomy, m_mirror.flat()));
-        m_volumesStale = false;
-    }
     SessionState& out = m_ui.session.back();
     out = {};
     out.toothGeneration = m_generation;
@@ -201,7 +195,8 @@ void SessionLoop::publish()
     out.redoSteps = m_unfinished ? 0 : m_undo.redoSteps();
     out.strokes = m_strokes;
     out.wholeMm3 = m_wholeMm3;
-    out.removedMm3 = m_removedMm3;
+    if (m_anatomy)
+        out.removedMm3 = m_removed.of(m_mirror);
     out.recordedS = m_recording ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
     m_ui.session.publish();
 }

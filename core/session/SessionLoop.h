@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/history/RemovedTally.h"
 #include "core/history/UndoStack.h"
 #include "core/recording/Recording.h"
 #include "core/rt/Loop.h"
@@ -74,8 +75,7 @@ private:
     std::uint64_t m_serial = 0;
     std::uint64_t m_generation = 0;
     terrain::PerMaterial m_wholeMm3{};
-    terrain::PerMaterial m_removedMm3{};
-    bool m_volumesStale = true;
+    history::RemovedTally m_removed;
     std::vector<TilePatch> m_group;  ///< patches of a group that is not complete yet
     std::deque<TilePatch> m_toUi;
 };

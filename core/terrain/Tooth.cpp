@@ -55,13 +55,8 @@ PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high)
     PerMaterial length{};
     if (!(high > low))
         return length;
-    // Nearly always all of it is one material: the slices that a bur takes off are thin.
-    const bool lesionAway =
-        column.cariesRoof <= low || column.cariesFloor >= high || column.cariesFloor >= column.cariesRoof;
-    const bool pulpAway = column.pulpRoof <= low || column.pulpFloor >= high || column.pulpFloor >= column.pulpRoof;
-    if (lesionAway && pulpAway && (column.dej <= low || column.dej >= high)) {
-        length[at(column.dej <= low ? Material::Enamel : Material::Dentin)] =
-            static_cast<double>(high) - static_cast<double>(low);
+    if (Material material{}; isOneMaterial(column, low, high, material)) {
+        length[at(material)] = static_cast<double>(high) - static_cast<double>(low);
         return length;
     }
     // The lesion first, then what is left above and below it.
@@ -96,20 +91,20 @@ PerMaterial volumes(const Tooth& tooth)
     return sum;
 }
 
+void addRemoved(const ToothAnatomy& anatomy, std::size_t k, float top, PerMaterial& sum)
+{
+    if (!(top < anatomy.top[k]))
+        return;
+    const PerMaterial length = lengthsBetween(anatomy.layers[k], std::max(top, anatomy.bottom[k]), anatomy.top[k]);
+    for (std::size_t m = 0; m < sum.size(); ++m)
+        sum[m] += length[m] * static_cast<double>(anatomy.areaMm2[k]);
+}
+
 PerMaterial removedVolumes(const Tooth& tooth)
 {
-    const ToothAnatomy& anatomy = *tooth.anatomy;
     PerMaterial sum{};
-    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
-        if (!(anatomy.top[k] > anatomy.bottom[k]))
-            continue;
-        const float now = tooth.isSolid(k) ? tooth.top[k] : anatomy.bottom[k];
-        if (!(now < anatomy.top[k]))
-            continue;
-        const PerMaterial length = lengthsBetween(anatomy.layers[k], now, anatomy.top[k]);
-        for (std::size_t m = 0; m < sum.size(); ++m)
-            sum[m] += length[m] * static_cast<double>(anatomy.areaMm2[k]);
-    }
+    for (std::size_t k = 0; k < tooth.top.size(); ++k)
+        addRemoved(*tooth.anatomy, k, tooth.top[k], sum);
     return sum;
 }
 

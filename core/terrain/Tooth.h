@@ -75,6 +75,17 @@ struct Tooth
 /// The material at height z of a column, by the rule of ColumnLayers. z is taken to lie inside the tooth.
 [[nodiscard]] Material materialAt(const ColumnLayers& column, float z);
 
+/// Whether the part of a column between low and high (low < high) is of one material, which goes to `material`. False
+/// is also said of a few that are: this is the quick answer for the thin slices that a bur takes off.
+[[nodiscard]] inline bool isOneMaterial(const ColumnLayers& column, float low, float high, Material& material) noexcept
+{
+    const bool lesionAway =
+        column.cariesRoof <= low || column.cariesFloor >= high || column.cariesFloor >= column.cariesRoof;
+    const bool pulpAway = column.pulpRoof <= low || column.pulpFloor >= high || column.pulpFloor >= column.pulpRoof;
+    material = column.dej <= low ? Material::Enamel : Material::Dentin;
+    return lesionAway && pulpAway && (column.dej <= low || column.dej >= high);
+}
+
 /// Length of each material in the part of a column between low and high (low <= high), mm.
 [[nodiscard]] PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high);
 
@@ -83,6 +94,8 @@ struct Tooth
 
 /// Volume of each material removed since the anatomy, mm3.
 [[nodiscard]] PerMaterial removedVolumes(const Tooth& tooth);
+/// Adds to `sum` what is gone of column k when its top is at `top` (kEmptyTop if all of it), mm3.
+void addRemoved(const ToothAnatomy& anatomy, std::size_t k, float top, PerMaterial& sum);
 
 /// 64-bit FNV-1a over grid and both maps, bit for bit. Two teeth are the same if and only if (short of a collision)
 /// their hashes are: what `cusp replay` prints.

@@ -7,6 +7,7 @@
 
 #include "core/base/Rng.h"
 #include "core/contact/ContactMethod.h"
+#include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "tests/support/SyntheticTooth.h"
 
@@ -60,6 +61,9 @@ private slots:
     void clearanceIsTheSlowObviousMaximum();
     void anchorStandsOnPlanes_data();
     void anchorStandsOnPlanes();
+    void flatBurStandsOnItsRim_data();
+    void flatBurStandsOnItsRim();
+    void meetsAWallThatEndsTheGrid();
     void latticeSticksOnSlopes();
     void burIsNeverInsideTheTooth_data();
     void burIsNeverInsideTheTooth();
@@ -94,14 +98,16 @@ void TestContact::kernelsAgreeToTheBit()
             QCOMPARE(fast.lowestAtNode(bottom, tooth->mask(), i, j), plain.lowestAtNode(bottom, tooth->mask(), i, j));
             const contact::Peak peak = fast.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F);
             QCOMPARE(peak.heightMm, plain.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F).heightMm);
-            if (peak.column < 0)
+            if (peak.i < 0)
                 continue;
             // A peak that is remembered must answer as the whole search does, and no column may top it.
-            const int other = rng.below(150 * 150);
-            for (const contact::Kernels* kernels : {&fast, &plain}) {
-                QCOMPARE(kernels->heightOverColumn(top, tooth->mask(), 0.07, u, v, peak.column), peak.heightMm);
-                QVERIFY(kernels->heightOverColumn(top, tooth->mask(), 0.07, u, v, other) <= peak.heightMm);
-            }
+            const contact::Head head = contact::headAt(tooth->mask(), 0.07, u, v);
+            const auto heightOver = [&](int p, int q) {
+                return contact::heightOver(tooth->tooth().top[tooth->grid().index(p, q)], p, contact::dy2Of(q, head),
+                                           head);
+            };
+            QCOMPARE(heightOver(peak.i, peak.j), peak.heightMm);
+            QVERIFY(heightOver(rng.below(150), rng.below(150)) <= peak.heightMm);
         }
     }
 }
@@ -152,6 +158,59 @@ void TestContact::anchorStandsOnPlanes()
     QFETCH(double, allowedUm);
     const double worst = worstOnPlaneUm("continuous", degrees);
     QVERIFY2(worst < allowedUm, qPrintable(QString("%1 um").arg(worst)));
+}
+
+void TestContact::flatBurStandsOnItsRim_data()
+{
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<double>("turn");
+    for (const double degrees : {10.0, 30.0, 45.0, 60.0})
+        for (const double turn : {0.0, 15.0, 45.0})
+            QTest::addRow("%g degrees, turned %g", degrees, turn) << degrees << turn;
+}
+
+void TestContact::flatBurStandsOnItsRim()
+{
+    // The end of bur 57 is a disc of 0.5 mm: on a slope s it stands s * 0.5 mm above the plane under its axis. The
+    // lattice knows the plane only at its columns, so it may stand lower by what lies between them and the rim.
+    QFETCH(double, degrees);
+    QFETCH(double, turn);
+    const double slope = std::tan(degrees * kDegree);
+    const glm::dvec2 up(std::cos(turn * kDegree), std::sin(turn * kDegree));
+    support::Block block;
+    block.bottomMm = -40.0;
+    block.topMm = [&](double x, double y) { return slope * (up.x * x + up.y * y); };
+    const auto tooth = live(block);
+    tooth->selectBur(drilling::findBur("57").value());
+    Rng rng(3);
+    for (int n = 0; n < 2000; ++n) {
+        const glm::dvec2 at(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0));
+        const double lack = slope * (up.x * at.x + up.y * at.y + 0.5) - tooth->clearanceAt(at);
+        QVERIFY2(lack > -0.001 && lack < 0.5 * 0.07 * slope,
+                 qPrintable(QString("%1 um low at %2 %3").arg(1000.0 * lack).arg(at.x).arg(at.y)));
+    }
+}
+
+void TestContact::meetsAWallThatEndsTheGrid()
+{
+    // A tooth that fills its grid to the edge, and a ball that comes from outside the grid.
+    support::Block block;
+    block.topMm = [](double, double) { return 0.0; };
+    block.bottomMm = -8.0;
+    const auto tooth = live(block);
+    const terrain::Grid& grid = tooth->grid();
+    const double wall = grid.nodeMm(grid.side - 1, 0).x;
+    const auto contact = contact::makeContactMethod("continuous").value();
+    glm::dvec3 device(wall + 2.0, 0.0, -3.0);
+    contact->restart(device);
+    double before = device.x;
+    for (; device.x > wall - 1.0; device.x -= 0.005) {
+        const glm::dvec3 anchor = contact->update(*tooth, device);
+        QVERIFY2(anchor.x > wall + 0.5 - 0.01, qPrintable(QString("the bur is at %1").arg(anchor.x - wall)));
+        QVERIFY2(std::abs(anchor.x - before) < 0.02, "the bur jumped");
+        QVERIFY(std::abs(anchor.z - device.z) < 0.1);
+        before = anchor.x;
+    }
 }
 
 void TestContact::latticeSticksOnSlopes()

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/RemovedTally.h"
+
+#include <algorithm>
+
+namespace core::history {
+
+using session::kTileSide;
+
+RemovedTally::RemovedTally(std::shared_ptr<const terrain::ToothAnatomy> anatomy) : m_anatomy(std::move(anatomy)) {}
+
+const terrain::PerMaterial& RemovedTally::of(const TiledHeights& top)
+{
+    const int side = top.tilesPerSide();
+    m_known.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    m_sumMm3 = {};
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            Known& known = m_known[static_cast<std::size_t>(y * side + x)];
+            if (const std::shared_ptr<const Tile>& tile = top.tile(x, y); known.tile != tile)
+                known = {tile, removedIn(x, y, *tile)};
+            for (std::size_t m = 0; m < m_sumMm3.size(); ++m)
+                m_sumMm3[m] += known.removedMm3[m];
+        }
+    }
+    return m_sumMm3;
+}
+
+terrain::PerMaterial RemovedTally::removedIn(int tileX, int tileY, const Tile& tile) const
+{
+    const terrain::Grid& grid = m_anatomy->grid;
+    terrain::PerMaterial sum{};
+    const int endI = std::min((tileX + 1) * kTileSide, grid.side);
+    const int endJ = std::min((tileY + 1) * kTileSide, grid.side);
+    for (int j = tileY * kTileSide; j < endJ; ++j) {
+        for (int i = tileX * kTileSide; i < endI; ++i) {
+            const auto inTile = static_cast<std::size_t>((j % kTileSide) * kTileSide + i % kTileSide);
+            terrain::addRemoved(*m_anatomy, grid.index(i, j), tile[inTile], sum);
+        }
+    }
+    return sum;
+}
+
+}  // namespace core::history
