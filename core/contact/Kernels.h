@@ -33,6 +33,9 @@ struct Kernels
     /// nodes. May stop early and return any value above `enough`.
     Peak (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
                            float enough) noexcept;
+    /// min over nodes within the head of bottom(q) - upperSide(|q - p|); very high where there is none.
+    float (*lowestAtPoint)(HeightView bottom, const drilling::BurMask& mask, double cellMm, double u,
+                           double v) noexcept;
 };
 
 extern const Kernels kPlainKernels;

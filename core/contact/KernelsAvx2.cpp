@@ -6,7 +6,7 @@
 namespace core::contact {
 
 extern const Kernels kAvx2Kernels;
-const Kernels kAvx2Kernels{"avx2", highestAtNode, lowestAtNode, highestAtPoint};
+const Kernels kAvx2Kernels{"avx2", highestAtNode, lowestAtNode, highestAtPoint, lowestAtPoint};
 
 }  // namespace core::contact
 #endif

@@ -5,7 +5,7 @@
 
 namespace core::contact {
 
-const Kernels kPlainKernels{"plain", highestAtNode, lowestAtNode, highestAtPoint};
+const Kernels kPlainKernels{"plain", highestAtNode, lowestAtNode, highestAtPoint, lowestAtPoint};
 
 #ifdef CUSP_HAVE_AVX2
 extern const Kernels kAvx2Kernels;

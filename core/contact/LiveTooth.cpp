@@ -18,7 +18,11 @@ double bilinear(float a, float b, float c, float d, double fx, double fy)
 
 }  // namespace
 
-LiveTooth::LiveTooth(terrain::Tooth tooth) : m_tooth(std::move(tooth)), m_kernels(kernels())
+LiveTooth::LiveTooth(terrain::Tooth tooth)
+    : m_tooth(std::move(tooth)),
+      m_floorMm(static_cast<double>(*std::max_element(m_tooth.anatomy->top.begin(), m_tooth.anatomy->top.end())) -
+                drilling::kChuckMm),
+      m_kernels(kernels())
 {
     for (const drilling::Bur& bur : drilling::burs())
         m_masks.emplace_back(bur, grid().cellMm);
@@ -149,6 +153,9 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm) noexcept
         const bool open = clearanceAt(pointMm) <= static_cast<double>(terrain::kEmptyTop);
         return static_cast<double>(open ? terrain::kEmptyBottom : terrain::kEmptyTop);
     }
+    if (const glm::dvec2 lattice = grid().latticeOf(pointMm); isCutNear(lattice))
+        return static_cast<double>(
+            m_kernels.lowestAtPoint({m_tooth.bottom.data(), grid().side}, mask(), grid().cellMm, lattice.x, lattice.y));
     return bilinear(undersideAtNode(i, j), undersideAtNode(i + 1, j), undersideAtNode(i, j + 1),
                     undersideAtNode(i + 1, j + 1), fx, fy);
 }

@@ -34,6 +34,9 @@ public:
     [[nodiscard]] const drilling::BurMask& mask() const noexcept { return m_masks[m_bur]; }
     [[nodiscard]] std::size_t burIndex() const noexcept { return m_bur; }
 
+    /// Deepest the tip gets anywhere, mm: there the head of the handpiece lies on the highest cusp of the uncut crown.
+    [[nodiscard]] double floorMm() const noexcept { return m_floorMm; }
+
     /// Takes another bur in hand: index into drilling::burs(). Constant time, all clearances become stale.
     void selectBur(std::size_t index) noexcept;
 
@@ -51,7 +54,7 @@ public:
     [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept;
     /// Whether clearanceAt() takes the columns themselves here.
     [[nodiscard]] bool isFeltByColumns(glm::dvec2 pointMm) const noexcept;
-    /// Greatest height at which the tip is free beneath everything, at any point, mm.
+    /// Greatest height at which the tip is free beneath everything, at any point, mm. By nodes or columns, as above.
     [[nodiscard]] double undersideAt(glm::dvec2 pointMm) noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
@@ -82,6 +85,7 @@ private:
 
     terrain::Tooth m_tooth;
     std::vector<drilling::BurMask> m_masks;
+    double m_floorMm = 0.0;
     std::size_t m_bur = 0;
     Field m_above;
     Field m_below;

@@ -13,6 +13,10 @@ namespace core::drilling {
 /// Above the head there is only the shank; inside its radius the upper side of the bur never ends.
 inline constexpr double kShankTopMm = 1.0e3;
 
+/// What sticks out of the chuck of a friction-grip handpiece, from the tip, mm: no bur goes deeper, for then the head
+/// of the handpiece lies on the tooth.
+inline constexpr double kChuckMm = 9.0;
+
 /// One axisymmetric bur. Heights are above its tip, radii from its axis, mm. US numbers and sizes: teeth.md section 6.
 struct Bur
 {

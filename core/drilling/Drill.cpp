@@ -16,8 +16,9 @@ namespace {
 
 /// Tries at finding the advance. It is found when removal uses from 95 to 100 % of the time granted; what is left goes
 /// to the next tick.
-constexpr int kMaxTries = 8;
-constexpr double kTightMm = 0.0005;  ///< a bracket this narrow holds a wall, not the advance
+constexpr int kMaxTries = 6;
+constexpr double kFirstGuessMm = 0.001;  ///< advance tried first in fresh material
+constexpr double kTightMm = 0.002;       ///< a bracket this narrow holds a wall, not the advance
 constexpr double kCloseEnough = 0.95;
 constexpr double kAim = 0.975;
 /// Of the way a column has to go: less is a material that does not yield to this force.
@@ -69,23 +70,33 @@ std::size_t listColumns(const contact::LiveTooth& live, const glm::dvec3& from, 
     return count;
 }
 
+/// One advance of the bur: the tooth, where the tip began, and the columns it may meet.
+struct Advance
+{
+    contact::LiveTooth& tooth;
+    double beginZ;
+    Columns columns;
+};
+
 /// Calls visit(index, i, j, limit) for every listed column that a bur with its tip at `tip` would lower to `limit`.
 template <class Visit>
-void forEachColumn(const contact::LiveTooth& live, Columns columns, const glm::dvec3& tip, Visit&& visit) noexcept
+void forEachColumn(const Advance& advance, const glm::dvec3& tip, Visit&& visit) noexcept
 {
-    const terrain::Grid& grid = live.grid();
-    const BurMask& mask = live.mask();
-    const terrain::Tooth& tooth = live.tooth();
+    const terrain::Grid& grid = advance.tooth.grid();
+    const BurMask& mask = advance.tooth.mask();
+    const terrain::Tooth& tooth = advance.tooth.tooth();
     const glm::dvec2 at = grid.latticeOf({tip.x, tip.y});
     const contact::Head head = contact::headAt(mask, grid.cellMm, at.x, at.y);
     const auto tipZ = static_cast<float>(tip.z);
-    for (const terrain::ColumnAt column : columns) {
+    // The head has been everywhere on its way down: thin material is not spared because its far side was reached.
+    const auto highestZ = static_cast<float>(std::max(tip.z, advance.beginZ));
+    for (const terrain::ColumnAt column : advance.columns) {
         const std::size_t step = contact::stepOf(column.i, contact::dy2Of(column.j, head), head);
         const std::size_t k = grid.index(column.i, column.j);
         const float limit = tipZ + mask.underOfR2[step];
         if (!(tooth.top[k] > limit))
             continue;
-        if (!(tipZ + mask.upperOfR2[step] > tooth.bottom[k]))
+        if (!(highestZ + mask.upperOfR2[step] > tooth.bottom[k]))
             continue;
         if (!visit(k, column.i, column.j, limit))
             return;
@@ -113,12 +124,12 @@ void forEachVolume(const terrain::Tooth& tooth, std::size_t k, float height, Tak
 
 /// Time that it takes to remove what is under a bur with its tip at `tip`; any time above `limit` may be given as
 /// another above it.
-double secondsToRemove(const contact::LiveTooth& tooth, Columns columns, const glm::dvec3& tip,
-                       const terrain::PerMaterial& secondsPerMm3, double limit) noexcept
+double secondsToRemove(const Advance& advance, const glm::dvec3& tip, const terrain::PerMaterial& secondsPerMm3,
+                       double limit) noexcept
 {
     double seconds = 0.0;
-    forEachColumn(tooth, columns, tip, [&](std::size_t k, int, int, float height) {
-        forEachVolume(tooth.tooth(), k, height,
+    forEachColumn(advance, tip, [&](std::size_t k, int, int, float height) {
+        forEachVolume(advance.tooth.tooth(), k, height,
                       [&](std::size_t m, double volume) { seconds += volume * secondsPerMm3[m]; });
         return seconds <= limit;
     });
@@ -126,9 +137,10 @@ double secondsToRemove(const contact::LiveTooth& tooth, Columns columns, const g
 }
 
 /// Lowers every column that a bur with its tip at `tip` would lower, by a share of the way, and adds to `done`.
-void removeUnder(contact::LiveTooth& tooth, Columns columns, const glm::dvec3& tip, float share, Cut& done) noexcept
+void removeUnder(const Advance& advance, const glm::dvec3& tip, float share, Cut& done) noexcept
 {
-    forEachColumn(tooth, columns, tip, [&](std::size_t k, int i, int j, float height) {
+    contact::LiveTooth& tooth = advance.tooth;
+    forEachColumn(advance, tip, [&](std::size_t k, int i, int j, float height) {
         const float top = tooth.tooth().top[k];
         const float low = std::max(height, tooth.tooth().bottom[k]);
         const float to = share < 1.0F ? top - share * (top - low) : height;
@@ -176,10 +188,10 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     double far = -1.0;  // not found yet
     double farExcess = 0.0;
     double spent = 0.0;
-    double tried = m_lastAdvance > 0.0 ? std::min(gap, m_lastAdvance) : gap;
+    double tried = std::min(gap, std::max(m_lastAdvance, kFirstGuessMm));
     int side = 0;
     double listed = -1.0;  // the list holds what an advance up to here meets
-    Columns columns;
+    Advance advance{tooth, anchor.z, {}};
     for (int attempt = 0; attempt < kMaxTries; ++attempt) {
         if (tried > listed) {
             listed = std::min(gap, 2.0 * tried);
@@ -188,10 +200,10 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
                 listed *= 0.5;
                 count = listColumns(tooth, anchor, towards, listed, tooth.columnsRoom());
             }
-            columns = tooth.columnsRoom().first(count);
+            advance.columns = tooth.columnsRoom().first(count);
             tried = std::min(tried, listed);
         }
-        const double needed = secondsToRemove(tooth, columns, anchor + towards * tried, secondsPerMm3, 4.0 * granted);
+        const double needed = secondsToRemove(advance, anchor + towards * tried, secondsPerMm3, 4.0 * granted);
         if (needed <= granted) {
             near = tried;
             spent = needed;
@@ -218,15 +230,15 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     m_lastAdvance = near;
     done.tipMm = anchor + towards * near;
     if (spent > 0.0)
-        removeUnder(tooth, columns, done.tipMm, 1.0F, done);
+        removeUnder(advance, done.tipMm, 1.0F, done);
 
     // A column of a high wall comes under the rim of the bur all at once and costs more than a tick has: no advance
     // uses the time. Then the columns just beyond are lowered by that share of their way which the time pays for.
     if (far > 0.0 && spent < kCloseEnough * granted) {
         const glm::dvec3 beyond = anchor + towards * far;
-        const double share = (granted - spent) / secondsToRemove(tooth, columns, beyond, secondsPerMm3, 1.0e12);
+        const double share = (granted - spent) / secondsToRemove(advance, beyond, secondsPerMm3, 1.0e12);
         if (share > kLeastShare) {
-            removeUnder(tooth, columns, beyond, static_cast<float>(std::min(1.0, share)), done);
+            removeUnder(advance, beyond, static_cast<float>(std::min(1.0, share)), done);
             spent = granted;
         }
     }

@@ -86,14 +86,18 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         m_method->restart(m_state.deviceMm);
         m_restart = false;
     }
-    m_state.anchorMm = m_method->update(*m_tooth, m_state.deviceMm);
-    const glm::dvec3 stretch = m_state.anchorMm - m_state.deviceMm;
+    // The handpiece stops at the tooth as the bur does; what is pushed beyond that presses on the crown and cuts
+    // nothing.
+    glm::dvec3 reached = m_state.deviceMm;
+    reached.z = std::max(reached.z, m_tooth->floorMm());
+    m_state.anchorMm = m_method->update(*m_tooth, reached);
+    const glm::dvec3 stretch = m_state.anchorMm - reached;
     const double depth = std::sqrt(glm::dot(stretch, stretch));
     m_state.touching = depth > kTouchMm;
 
     if (m_state.drillOn && m_state.touching) {
         const double pull = std::min(depth * m_force.settings().stiffnessNPerMm, m_force.settings().clampN);
-        const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_state.deviceMm, pull, seconds);
+        const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, reached, pull, seconds);
         m_changed = cut.changed;
         m_state.cutting = !cut.changed.isEmpty();
         double most = 0.0;

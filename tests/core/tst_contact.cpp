@@ -96,6 +96,8 @@ void TestContact::kernelsAgreeToTheBit()
             const auto& plain = contact::kPlainKernels;
             QCOMPARE(fast.highestAtNode(top, tooth->mask(), i, j), plain.highestAtNode(top, tooth->mask(), i, j));
             QCOMPARE(fast.lowestAtNode(bottom, tooth->mask(), i, j), plain.lowestAtNode(bottom, tooth->mask(), i, j));
+            QCOMPARE(fast.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v),
+                     plain.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v));
             const contact::Peak peak = fast.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F);
             QCOMPARE(peak.heightMm, plain.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F).heightMm);
             if (peak.i < 0)

@@ -68,6 +68,7 @@ private slots:
     void perforatedColumnIsGoneFromBothMaps();
     void pressedBurNeverStalls_data();
     void pressedBurNeverStalls();
+    void handpieceStopsTheBur();
     void drillOffRemovesNothing();
     void heightsOnlyGoDown();
     void badPresetIsRefused();
@@ -228,6 +229,35 @@ void TestDrill::pressedBurNeverStalls()
                                                 .arg(state.anchorMm.y - at.y)));
         }
     }
+}
+
+void TestDrill::handpieceStopsTheBur()
+{
+    // Through a plate and far below it, then about beneath it: the bur goes as deep as it sticks out of its chuck, the
+    // crown carries the rest, and a bur that is down does not come up through the plate by itself.
+    support::Block block;
+    block.bottomMm = -2.0;
+    const Bench bench(block, "330");
+    bench.step({0.0, 0.0, 0.5});
+    for (int tick = 0; tick < 6000; ++tick)
+        bench.step({0.0, 0.0, std::max(bench.servo->state().anchorMm.z - 1.0, -30.0)});
+    QCOMPARE(bench.servo->state().anchorMm.z, -drilling::kChuckMm);
+    QVERIFY(bench.servo->state().forceN.z > 1.0);
+
+    const terrain::PerMaterial before = bench.servo->state().removedMm3;
+    for (int tick = 0; tick < 500; ++tick)
+        bench.step({0.0, 0.0, -30.0});
+    QCOMPARE(bench.servo->state().removedMm3, before);
+
+    double deepest = 0.0;
+    for (int tick = 0; tick < 2000; ++tick) {
+        const double z = bench.servo->state().anchorMm.z;
+        const auto& state = bench.step({0.5 * std::sin(0.01 * tick), 0.5 * std::cos(0.01 * tick), -30.0});
+        QVERIFY2(std::abs(state.anchorMm.z - z) < 0.5,
+                 qPrintable(QString("from %1 to %2").arg(z).arg(state.anchorMm.z)));
+        deepest = std::min(deepest, state.anchorMm.z);
+    }
+    QVERIFY(deepest >= -drilling::kChuckMm);
 }
 
 void TestDrill::drillOffRemovesNothing()

@@ -97,7 +97,7 @@ SolidMesh burMesh(const core::drilling::Bur& bur)
     profile.emplace_back(neck, head, kSteel);
     profile.emplace_back(neck, head + 0.8F, kSteel);
     profile.emplace_back(kShankMm, head + 2.4F, kSteel);
-    profile.emplace_back(kShankMm, static_cast<float>(kChuckMm) + 1.0F, kSteel);
+    profile.emplace_back(kShankMm, static_cast<float>(core::drilling::kChuckMm) + 1.0F, kSteel);
     SolidMesh mesh;
     turn(mesh, profile);
     return mesh;
@@ -106,7 +106,7 @@ SolidMesh burMesh(const core::drilling::Bur& bur)
 SolidMesh handpieceMesh()
 {
     SolidMesh mesh;
-    const auto chuck = static_cast<float>(kChuckMm);
+    const auto chuck = static_cast<float>(core::drilling::kChuckMm);
     // The head: chuck, cap below, barrel, push button on top.
     const std::vector<glm::vec3> head{
         {0.9F, chuck, kGrip},          {1.9F, chuck, kSteel},         {2.3F, chuck + 0.5F, kSteel},

@@ -27,9 +27,6 @@ struct SolidMesh
     std::vector<std::uint32_t> indices;
 };
 
-/// Height above the tip at which the handpiece takes hold of the bur, mm: what sticks out of a friction-grip chuck.
-inline constexpr double kChuckMm = 9.0;
-
 /// The bur from its tip to the chuck: head by its outline, neck and shank (1.6 mm, friction grip).
 [[nodiscard]] SolidMesh burMesh(const core::drilling::Bur& bur);
 
