@@ -94,7 +94,10 @@ QString kindOf(const ToothReport& report)
 
 QString toText(const ToothReport& report)
 {
-    const auto number = [](double value, int decimals) { return QString::number(value, 'f', decimals); };
+    const auto number = [](double value, int decimals) {
+        const QString digits = QString::number(value, 'f', decimals);
+        return digits.toDouble() == 0.0 ? QString::number(0.0, 'f', decimals) : digits;  // no "-0.000"
+    };
     const auto& placement = report.placement;
     const glm::dvec3 size = report.highMm - report.lowMm;
     QString text = QString::fromStdString(report.source) + u'\n';

@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "core/mesh/Holes.h"
 #include "core/mesh/MeshAnalysis.h"
@@ -176,6 +177,9 @@ private:
             m_report.warnings.push_back("the mesh has " + n(m_report.shells) + " separate shells, " +
                                         n(m_report.shellsInside) +
                                         " of them inside another; the model keeps the outermost surface and is solid");
+        if (m_report.oriented && !enclosedVolume())
+            m_report.warnings.emplace_back("the shells may overlap, so the mesh volume may count places twice and what "
+                                           "the undercuts hold is unknown");
     }
 
     Status keepFrame()
@@ -248,6 +252,39 @@ private:
         return {};
     }
 
+    /// What the surface encloses, no place counted twice, in file units; nothing where the shells do not tell.
+    [[nodiscard]] std::optional<double> enclosedVolume() const
+    {
+        if (!m_facts.oriented)
+            return std::nullopt;
+        double sum = 0.0;
+        bool hollow = false;
+        bool filledTwice = false;
+        for (const mesh::Shell& shell : m_facts.shells) {
+            const bool inFull = shell.inside && shell.volume > 0.0;  // material in material
+            filledTwice = filledTwice || inFull;
+            hollow = hollow || (shell.inside && !inFull);
+            sum += inFull ? 0.0 : shell.volume;
+        }
+        if ((hollow && filledTwice) || shellsMayOverlap())
+            return std::nullopt;
+        return sum;
+    }
+
+    /// Do the boxes of two shells meet that are not one inside the other?
+    [[nodiscard]] bool shellsMayOverlap() const
+    {
+        constexpr std::size_t kMostShells = 32;  // of more, nobody knows which lies inside which (findNested)
+        const std::vector<mesh::Shell>& shells = m_facts.shells;
+        for (std::size_t a = 0; a < shells.size() && shells.size() <= kMostShells; ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                if (!shells[a].inside && !shells[b].inside &&
+                    glm::all(glm::lessThan(glm::max(shells[a].low, shells[b].low),
+                                           glm::min(shells[a].high, shells[b].high))))
+                    return true;
+        return shells.size() > kMostShells;
+    }
+
     /// Rasterising takes time in proportion to the boxes around the faces. A surface covers its outline a few times
     /// over; a fan of thousands of faces around one corner some hundred times.
     [[nodiscard]] bool isHeapOfFaces() const
@@ -287,8 +324,8 @@ private:
         if (m_report.modelVolumeMm3 == 0.0)
             return failure(ErrorCode::BadStructure, "its surface encloses nothing seen from above the crown; check "
                                                     "--up or close the mesh");
-        if (m_report.oriented)
-            m_report.undercutMm3 = m_report.modelVolumeMm3 - m_report.meshVolumeMm3;
+        if (const auto enclosed = enclosedVolume())
+            m_report.undercutMm3 = m_report.modelVolumeMm3 - *enclosed * std::pow(m_report.placement.unit.mmPerUnit, 3);
         std::vector<float> sewn;
         m_report.sewnCells = terrain::sewRim(grid, maps.top, maps.bottom, terrain::wholeOf(grid), sewn);
         m_anatomy.grid = grid;
