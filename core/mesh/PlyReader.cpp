@@ -235,10 +235,14 @@ private:
             return {};
         const bool vertices = element.name == "vertex";
         const bool faces = element.name == "face";
+        if (element.count > body.bytesLeft() / rowBytes)
+            return unexpected(ErrorCode::FileTruncated,
+                              m_name + " is cut short: its header states " + std::to_string(element.count) + " of " +
+                                  quoted(std::string_view(element.name)) + ", more than the " +
+                                  std::to_string(body.bytesLeft()) +
+                                  " bytes left can hold; copy the file again or export it anew");
         if ((vertices && element.count > kMaxVertices) || (faces && element.count > kMaxTriangles))
             return tooManyTriangles(m_name);
-        if (element.count > body.bytesLeft() / rowBytes)
-            return cutShort(element.name + " count of " + std::to_string(element.count));
         if (vertices)
             m_file.mesh.vertices.reserve(static_cast<std::size_t>(element.count));
         for (std::uint64_t row = 0; row < element.count; ++row) {
@@ -338,8 +342,9 @@ private:
 
     tl::unexpected<Error> cutShort(const std::string& where) const
     {
-        return unexpected(ErrorCode::FileTruncated, m_name + " is cut short or not what its header says, at " + where +
-                                                        "; copy the file again or export it anew");
+        return unexpected(ErrorCode::FileTruncated,
+                          m_name + " is cut short, or holds something else than its header says, at " + where +
+                              "; copy the file again or export it anew");
     }
 
     std::string m_name;

@@ -37,6 +37,12 @@ double threadCpuMs()
     return static_cast<double>(time.tv_sec) * 1.0e3 + static_cast<double>(time.tv_nsec) * 1.0e-6;
 }
 
+/// "1 hole", "3 holes"
+std::string counted(std::size_t count, const char* one, const char* many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 /// A tooth narrower than this has no grid worth the name.
 constexpr double kLeastWidthMm = 0.2;
 /// Holes whose patch is smaller than this part of the tooth's outline are patched without further thought.
@@ -126,8 +132,8 @@ private:
         mesh::weldByPosition(m_mesh);
         m_facts = mesh::analyse(m_mesh);
         if (m_facts.shells.empty() || m_facts.area == 0.0)
-            return failure(ErrorCode::NoTriangles, "every one of its " + std::to_string(m_facts.triangles) +
-                                                       " faces has zero area; export the mesh again");
+            return failure(ErrorCode::NoTriangles, "every one of its faces has zero area (" +
+                                                       std::to_string(m_facts.triangles) + "); export the mesh again");
         if (m_facts.triangles < 4)
             return failure(ErrorCode::NoTriangles, "its surface has " + std::to_string(m_facts.triangles) +
                                                        (m_facts.triangles == 1 ? " triangle" : " triangles") +
@@ -157,25 +163,25 @@ private:
 
     void warnAboutMesh()
     {
-        const auto warn = [&](std::size_t count, const std::string& sentence) {
+        const auto warn = [&](std::size_t count, const char* one, const char* many, const char* rest) {
             if (count > 0)
-                m_report.warnings.push_back(sentence);
+                m_report.warnings.push_back(counted(count, one, many) + rest);
         };
-        const auto n = [](std::size_t count) { return std::to_string(count); };
-        warn(m_report.zeroAreaFaces, n(m_report.zeroAreaFaces) + " faces have zero area and were passed over");
-        warn(m_report.duplicateFaces, n(m_report.duplicateFaces) + " faces are there twice");
-        warn(m_report.nonManifoldEdges, "the mesh is not a manifold: " + n(m_report.nonManifoldEdges) +
-                                            " edges belong to three or more faces, so its volume means little");
-        warn(m_report.flippedEdges, n(m_report.flippedEdges) +
-                                        " edges have faces that disagree which side is outside, so the mesh volume "
-                                        "means little; the height maps do not mind");
-        warn(m_report.shellsInsideOut,
-             m_report.shells == 1
-                 ? "the mesh was inside out and has been turned"
-                 : n(m_report.shellsInsideOut) + " of the shells were inside out and have been turned");
+        warn(m_report.zeroAreaFaces, "face has zero area and was", "faces have zero area and were", " passed over");
+        warn(m_report.duplicateFaces, "face is", "faces are", " there twice");
+        warn(m_report.nonManifoldEdges, "edge belongs", "edges belong",
+             " to three or more faces: the mesh is not a manifold, so its volume means little");
+        warn(
+            m_report.flippedEdges, "edge has", "edges have",
+            " faces that disagree which side is outside, so the mesh volume means little; the height maps do not mind");
+        if (m_report.shells == 1 && m_report.shellsInsideOut == 1)
+            m_report.warnings.emplace_back("the mesh was inside out and has been turned");
+        else
+            warn(m_report.shellsInsideOut, "of the shells was inside out and has",
+                 "of the shells were inside out and have", " been turned");
         if (m_report.shells > 1)
-            m_report.warnings.push_back("the mesh has " + n(m_report.shells) + " separate shells, " +
-                                        n(m_report.shellsInside) +
+            m_report.warnings.push_back("the mesh has " + std::to_string(m_report.shells) + " separate shells, " +
+                                        std::to_string(m_report.shellsInside) +
                                         " of them inside another; the model keeps the outermost surface and is solid");
         if (m_report.oriented && !enclosedVolume())
             m_report.warnings.emplace_back("the shells may overlap, so the mesh volume may count places twice and what "
@@ -240,14 +246,15 @@ private:
                 ++patched;
             }
         }
-        m_report.warnings.push_back("the mesh is open (" + std::to_string(m_facts.boundaryEdges) + " edges in " +
-                                    std::to_string(holes.size()) + " holes), so its volume means little");
+        m_report.warnings.push_back("the mesh is open (" + counted(m_facts.boundaryEdges, "edge", "edges") + " in " +
+                                    counted(holes.size(), "hole", "holes") + "), so its volume means little");
         if (m_closeAtMm)
             m_report.warnings.push_back(
                 "the scan is open below and was closed with a flat bottom at its lowest rim, z = " +
                 millimetres(*m_closeAtMm));
         if (patched > 0)
-            m_report.warnings.push_back(std::to_string(patched) + " holes were closed with flat patches");
+            m_report.warnings.push_back(
+                counted(patched, "hole was closed with a flat patch", "holes were closed with flat patches"));
         endStage("close");
         return {};
     }

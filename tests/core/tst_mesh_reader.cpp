@@ -417,7 +417,7 @@ void TestMeshReader::badBytes_data()
         "face 1");
     add("ply: vertices of 4 billion", MeshFormat::Ply,
         "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nend_header\nxxxx",
-        ErrorCode::FileTooLarge, "5000000");
+        ErrorCode::FileTruncated, "states 4000000000 of \"vertex\", more than the 4 bytes left");
     add("ply: faces cut in binary", MeshFormat::Ply, support::asBinaryPly(support::box(1, 1, 1), true).substr(0, 320),
         ErrorCode::FileTruncated, "cut short");
 }
