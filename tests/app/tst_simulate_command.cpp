@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/FullDisk.h"
 #include "tests/support/Program.h"
 #include "tests/support/Solids.h"
 
@@ -28,6 +30,9 @@ private slots:
     void otherRatesAndGrids_data();
     void otherRatesAndGrids();
     void frameOfTheFileIsKept();
+    void badPresetsSayWhatToDo_data();
+    void badPresetsSayWhatToDo();
+    void aFailureLeavesTheOlderTrace();
     void badInputIsOneSentence_data();
     void badInputIsOneSentence();
     void wrongUsage_data();
@@ -143,6 +148,49 @@ void TestSimulateCommand::frameOfTheFileIsKept()
     QCOMPARE(moved[10], QByteArray("0"));
 }
 
+void TestSimulateCommand::badPresetsSayWhatToDo_data()
+{
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<QByteArray>("says");
+    QTest::newRow("a folder") << m_folder.path() << QByteArray("name natural, typodont or a JSON file");
+    QTest::newRow("out of range") << write("hard.json", R"({"enamel": {"rate_mm3_per_ns": 1e9}})")
+                                  << QByteArray("between 0 and 100 mm3/(N s); change it in ");
+    QTest::newRow("unknown figure") << write("odd.json", R"({"enamel": {"rate": 1}})") << QByteArray("--help");
+    QTest::newRow("no JSON") << write("no.json", "rate: 1") << QByteArray("--help");
+}
+
+void TestSimulateCommand::badPresetsSayWhatToDo()
+{
+    QFETCH(QString, preset);
+    QFETCH(QByteArray, says);
+    const Ending ending = runCusp(
+        {"simulate", "--tooth", "36", "--path", m_path, "--out", m_folder.filePath("t.csv"), "--preset", preset});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.isOneSentence() && ending.error.contains(says), ending.error);
+}
+
+void TestSimulateCommand::aFailureLeavesTheOlderTrace()
+{
+    const QString trace = write("older.csv", "older");
+    const QString users = write("older.csv.part", "mine");
+    const QStringList arguments{"simulate", "--tooth", "36", "--path", m_path, "--out", trace};
+    {
+        const support::FullDisk full(10'000);  // inherited by the program
+        const Ending ending = runCusp(arguments);
+        QCOMPARE(ending.exitCode, 1);
+        QVERIFY2(ending.isOneSentence(), ending.error);
+    }
+    const auto contents = [](const QString& name) {
+        QFile file(name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QCOMPARE(contents(trace), QByteArray("older"));
+    QCOMPARE(runCusp(arguments).exitCode, 0);
+    QVERIFY(contents(trace).startsWith("t_s,"));
+    QCOMPARE(contents(users), QByteArray("mine"));
+    QCOMPARE(QDir(m_folder.path()).entryList({"older*"}).size(), 2);
+}
+
 void TestSimulateCommand::badInputIsOneSentence_data()
 {
     QTest::addColumn<QString>("path");
@@ -175,6 +223,10 @@ void TestSimulateCommand::wrongUsage_data()
 {
     QTest::addColumn<QStringList>("options");
     QTest::newRow("no path") << QStringList{"--out", "t.csv"};
+    QTest::newRow("one file for trace and recording")
+        << QStringList{"--path", m_path, "--out", m_folder.filePath("t.csv"), "--record", m_folder.filePath("./t.csv")};
+    QTest::newRow("trace over the path") << QStringList{"--path", m_path, "--out", m_path};
+    QTest::newRow("recording over the path") << QStringList{"--path", m_path, "--out", "t.csv", "--record", m_path};
     QTest::newRow("unknown option") << QStringList{"--path", m_path, "--out", "t.csv", "--fast"};
     QTest::newRow("unknown bur") << QStringList{"--path", m_path, "--out", "t.csv", "--bur", "9"};
     QTest::newRow("unknown method") << QStringList{"--path", m_path, "--out", "t.csv", "--method", "magic"};

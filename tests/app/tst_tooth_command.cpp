@@ -25,6 +25,10 @@ private slots:
     void frameOfTheFileIsKept();
     void exportedToothComesBackTheSame();
     void helpAndVersion();
+    void aToothWithoutANameIsWrongUsage();
+    void windowWithoutADisplaySaysSo();
+    void exportKeepsItsInput();
+    void nothingIsMinusZero();
     void wrongUsage_data();
     void wrongUsage();
     void badFiles_data();
@@ -144,6 +148,12 @@ void TestToothCommand::wrongUsage_data()
 {
     QTest::addColumn<QString>("line");
     for (const char* line : {"nonsense",
+                             "--bogus",
+                             "--tooth",
+                             "--theme blue",
+                             "tooth 36 --export 36.stl",
+                             "tooth 36 --export /dev/null",
+                             "tooth box.obj --export ./box.obj",
                              "help nonsense",
                              "tooth",
                              "tooth 36 37",
@@ -164,6 +174,49 @@ void TestToothCommand::wrongUsage_data()
                              "tooth 36 --extent 1.5",
                              "tooth 36 --extent nan"})
         QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestToothCommand::aToothWithoutANameIsWrongUsage()
+{
+    for (const char* name : {"", "  "}) {
+        const Ending ending = runCusp({QStringLiteral("tooth"), QLatin1String(name)});
+        QCOMPARE(ending.exitCode, 2);
+        QVERIFY2(ending.isOneSentence() && ending.error.contains("usage"), ending.error);
+    }
+}
+
+void TestToothCommand::windowWithoutADisplaySaysSo()
+{
+    const Ending ending = runCusp({QStringLiteral("--tooth"), QStringLiteral("36")});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.isOneSentence() && ending.error.contains("no display"), ending.error);
+}
+
+void TestToothCommand::exportKeepsItsInput()
+{
+    // A name that leads to the input by another way.
+    const std::string bytes = support::asObj(support::box(8.0F, 9.0F, 7.0F));
+    const QString file = write(QStringLiteral("input.obj"), bytes);
+    QVERIFY(QFile::link(file, m_folder.filePath(QStringLiteral("link.obj"))));
+    const Ending ending = runCusp(
+        {QStringLiteral("tooth"), file, QStringLiteral("--export"), m_folder.filePath(QStringLiteral("link.obj"))});
+    QCOMPARE(ending.exitCode, 2);
+    QVERIFY2(ending.isOneSentence() && ending.error.contains("overwrite"), ending.error);
+    QFile kept(file);
+    QVERIFY(kept.open(QIODevice::ReadOnly));
+    QCOMPARE(kept.readAll().toStdString(), bytes);
+}
+
+void TestToothCommand::nothingIsMinusZero()
+{
+    // A solid box in another: model and mesh differ by rounding alone.
+    const QString file =
+        write(QStringLiteral("two.obj"),
+              support::asObj(support::joined(support::box(10.0F, 10.0F, 10.0F),
+                                             support::moved(support::box(6.0F, 6.0F, 6.0F), {2.0F, 2.0F, 2.0F}))));
+    const Ending ending = runCusp({QStringLiteral("tooth"), file, QStringLiteral("--up"), QStringLiteral("+z")});
+    QCOMPARE(ending.exitCode, 0);
+    QVERIFY2(ending.out.contains("undercut lost 0.000 mm3"), ending.out);
 }
 
 void TestToothCommand::wrongUsage()
