@@ -196,9 +196,10 @@ int simulateCommand(const QStringList& arguments)
             {core::ErrorCode::OutOfRange, "The device path is too long for this rate: " + std::to_string(ticks) +
                                               " ticks, at most 100 million are run."});
     const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
-    const auto tooth = core::teeth::buildTooth(source, *build);
+    auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
+    tooth->mesh = {};  // only its maps are drilled
 
     TraceWriter trace(parser.value(QStringLiteral("out")));
     if (const core::Status opened = trace.open(); !opened)

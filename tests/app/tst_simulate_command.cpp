@@ -38,6 +38,7 @@ private slots:
     void wrongUsage_data();
     void wrongUsage();
     void aMinuteStaysUnder80MiB();
+    void aPathOfTenMinutesStaysUnder80MiB();
 
 private:
     QString write(const QString& name, const QByteArray& bytes);
@@ -249,6 +250,22 @@ void TestSimulateCommand::aMinuteStaysUnder80MiB()
     const QString path = write("minute.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,-2,0,-3,1\n30,2,0,-3,1\n60,-2,0.5,-3.5,1\n");
     const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", path, "--out", m_folder.filePath("t.csv"),
                                    "--record", m_folder.filePath("minute.cusprec"), "--json"});
+    QVERIFY2(ending.exitCode == 0, ending.error);
+    qInfo("peak memory %ld MiB", ending.peakMiB);
+    QVERIFY(ending.peakMiB < 80);
+}
+
+void TestSimulateCommand::aPathOfTenMinutesStaysUnder80MiB()
+{
+    QFile file(m_folder.filePath("ten-minutes.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("t_s,x_mm,y_mm,z_mm,drill\n");
+    for (int tick = 0; tick <= 600'000; ++tick)
+        file.write(QByteArray::number(tick * 0.001, 'f', 3) + ",0.123456,-0.234567,-2.345678,1\n");
+    file.close();
+    const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", file.fileName(), "--rate", "20", "--out",
+                                   m_folder.filePath("t.csv")});
+    file.remove();
     QVERIFY2(ending.exitCode == 0, ending.error);
     qInfo("peak memory %ld MiB", ending.peakMiB);
     QVERIFY(ending.peakMiB < 80);
