@@ -263,8 +263,8 @@ void TestSimulateCommand::aPathOfTenMinutesStaysUnder80MiB()
     for (int tick = 0; tick <= 600'000; ++tick)
         file.write(QByteArray::number(tick * 0.001, 'f', 3) + ",0.123456,-0.234567,-2.345678,1\n");
     file.close();
-    const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", file.fileName(), "--rate", "20", "--out",
-                                   m_folder.filePath("t.csv")});
+    const Ending ending = runCusp(
+        {"simulate", "--tooth", "36", "--path", file.fileName(), "--rate", "20", "--out", m_folder.filePath("t.csv")});
     file.remove();
     QVERIFY2(ending.exitCode == 0, ending.error);
     qInfo("peak memory %ld MiB", ending.peakMiB);
