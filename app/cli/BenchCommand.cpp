@@ -58,7 +58,7 @@ core::Status writeFiles(const QDir& folder, const QString& suite, const Figures&
                           {QStringLiteral("figures"), rows}};
     for (const auto& [ending, bytes] : {std::pair("csv", csv), std::pair("json", QJsonDocument(all).toJson())}) {
         const QString name = QStringLiteral("bench-%1.%2").arg(suite, QLatin1String(ending));
-        if (const core::Status written =
+        if (core::Status written =
                 core::writeWhole(folder.filePath(name).toStdString(), bytes.toStdString(), "The figures");
             !written)
             return written;
