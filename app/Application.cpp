@@ -302,8 +302,18 @@ void Application::drawPicture()
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
         return;
     }
-    const bool saved = m_window->view().isUsable() && m_window->view().picture().save(m_options.picture);
-    QCoreApplication::exit(saved ? EXIT_SUCCESS : EXIT_FAILURE);
+    // The view may not yet have found out itself that it cannot draw here.
+    const auto& view = m_window->view();
+    if (!view.isUsable() || !view.isValid())
+        QCoreApplication::exit(cli::failed({core::ErrorCode::FileUnwritable,
+                                            "the picture could not be drawn, because this display has no OpenGL 3.3; "
+                                            "use another display or xvfb-run"}));
+    else if (!m_window->view().picture().save(m_options.picture))
+        QCoreApplication::exit(cli::failed(
+            {core::ErrorCode::FileUnwritable, "the picture could not be written to " + m_options.picture.toStdString() +
+                                                  "; check the folder and that the name ends in .png"}));
+    else
+        QCoreApplication::exit(EXIT_SUCCESS);
 }
 
 void Application::endReplay()

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Window.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string_view>
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -22,10 +25,64 @@ constexpr int kSamples = 4;
 constexpr int kFirstTooth = 36;
 
 /// Without a display Qt would abort with a message of its own.
-bool hasDisplay()
+bool hasDisplay(std::span<char*> arguments)
 {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM") ||
+           std::any_of(arguments.begin(), arguments.end(),
+                       [](const char* argument) { return std::string_view(argument).ends_with("-platform"); });
+}
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(QStringLiteral("Opens the window."));
+    const auto option = [&](const char* name, const char* help, const char* value) {
+        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
+    };
+    option("tooth", "The tooth to begin with: a mesh file or an FDI number.", "FILE|FDI");
+    option("recording", "Plays a recording.", "FILE");
+    option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
+    option("db", "Keeps grades in this file instead of the user's own.", "FILE");
+    option("theme", "light or dark; the desktop's own if not given.", "THEME");
+    option("language", "en or de; the system's own if not given.", "CODE");
+    cli::addToothOptions(parser);
+}
+
+/// Understands what the window was asked for, or explains what is wrong with it and gives the exit code.
+std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& arguments, WindowOptions& options)
+{
+    addOptions(parser);
+    if (const auto code = cli::parse(parser, arguments, QStringLiteral("cusp [OPTIONS]")))
+        return code;
+    if (!parser.positionalArguments().isEmpty())
+        return cli::wrongUsage(QStringLiteral("\"%1\" belongs to no option; a scan is opened with --tooth FILE")
+                                   .arg(parser.positionalArguments().front()));
+    const auto build = cli::toothOptions(parser);
+    if (!build)
+        return cli::wrongUsage(QString::fromStdString(build.error().detail));
+    const QString theme = parser.value(QStringLiteral("theme"));
+    if (!theme.isEmpty() && theme != u"light" && theme != u"dark")
+        return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
+    options.build = *build;
+    options.source = parser.isSet(QStringLiteral("tooth"))
+                         ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
+                         : core::teeth::ToothSource{kFirstTooth};
+    options.recording = parser.value(QStringLiteral("recording"));
+    options.picture = parser.value(QStringLiteral("picture"));
+    options.databaseFile = parser.value(QStringLiteral("db"));
+    return std::nullopt;
+}
+
+/// What can be said without a display: that the usage is wrong, or that there is none.
+int sayThereIsNoDisplay(int& argc, char** argv)
+{
+    const QCoreApplication application(argc, argv);
+    QCommandLineParser parser;
+    WindowOptions options;
+    if (const auto code = takeOptions(parser, QCoreApplication::arguments().mid(1), options))
+        return *code;
+    return cli::failed({core::ErrorCode::FileUnreadable,
+                        "there is no display to open a window on; \"cusp help\" lists what works without one"});
 }
 
 void installLanguage(QApplication& application, const QString& language)
@@ -45,11 +102,8 @@ void installLanguage(QApplication& application, const QString& language)
 
 int runWindow(int& argc, char** argv)
 {
-    if (!hasDisplay()) {
-        std::fputs("cusp: there is no display to open a window on; \"cusp help\" lists what works without one.\n",
-                   stderr);
-        return cli::kFailed;
-    }
+    if (!hasDisplay({argv, static_cast<std::size_t>(argc)}))
+        return sayThereIsNoDisplay(argc, argv);
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -64,43 +118,16 @@ int runWindow(int& argc, char** argv)
     QApplication::setDesktopFileName(QStringLiteral("org.cusp.Cusp"));
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Opens the window."));
-    const auto option = [&](const char* name, const char* help, const char* value) {
-        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
-    };
-    option("tooth", "The tooth to begin with: a mesh file or an FDI number.", "FILE|FDI");
-    option("recording", "Plays a recording.", "FILE");
-    option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
-    option("db", "Keeps grades in this file instead of the user's own.", "FILE");
-    option("theme", "light or dark; the desktop's own if not given.", "THEME");
-    option("language", "en or de; the system's own if not given.", "CODE");
-    cli::addToothOptions(parser);
-    const QString usage = QStringLiteral("cusp [OPTIONS]");
-    if (const auto code = cli::parse(parser, QApplication::arguments().mid(1), usage))
+    WindowOptions options;
+    if (const auto code = takeOptions(parser, QApplication::arguments().mid(1), options))
         return *code;
-    if (!parser.positionalArguments().isEmpty())
-        return cli::wrongUsage(QStringLiteral("\"%1\" belongs to no option; a scan is opened with --tooth FILE")
-                                   .arg(parser.positionalArguments().front()));
-    const auto build = cli::toothOptions(parser);
-    if (!build)
-        return cli::wrongUsage(QString::fromStdString(build.error().detail));
     const QString theme = parser.value(QStringLiteral("theme"));
-    if (!theme.isEmpty() && theme != u"light" && theme != u"dark")
-        return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
 
     installLanguage(application, parser.value(QStringLiteral("language")));
     using ui::shell::ThemeChoice;
     ui::shell::applyTheme(application, theme == u"light"  ? ThemeChoice::Light
                                        : theme == u"dark" ? ThemeChoice::Dark
                                                           : ThemeChoice::System);
-    WindowOptions options;
-    options.build = *build;
-    options.source = parser.isSet(QStringLiteral("tooth"))
-                         ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
-                         : core::teeth::ToothSource{kFirstTooth};
-    options.recording = parser.value(QStringLiteral("recording"));
-    options.picture = parser.value(QStringLiteral("picture"));
-    options.databaseFile = parser.value(QStringLiteral("db"));
     const auto program = Application::make(options);
     if (!program)
         return cli::failed(program.error());

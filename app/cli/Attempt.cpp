@@ -21,7 +21,9 @@ constexpr qint64 kMostPresetBytes = 1024 * 1024;
 tl::unexpected<core::Error> inPreset(const QString& file, const QString& what)
 {
     return core::unexpected(core::ErrorCode::BadStructure,
-                            QStringLiteral("Hardness preset %1: %2").arg(file, what).toStdString());
+                            QStringLiteral("Hardness preset %1: %2; \"cusp simulate --help\" shows what it may hold.")
+                                .arg(file, what)
+                                .toStdString());
 }
 
 /// Sets `target` from object[key] if it is there; false if it is there and no number.
@@ -44,21 +46,22 @@ core::Result<core::settings::HardnessPreset> presetFromJson(const QString& file,
         if (!object.contains(key))
             continue;
         if (!object.value(key).isObject())
-            return inPreset(file, QStringLiteral("\"%1\" must be an object.").arg(key));
+            return inPreset(file, QStringLiteral("\"%1\" must be an object").arg(key));
         QJsonObject material = object.take(key).toObject();
         if (!takeNumber(material, QStringLiteral("rate_mm3_per_ns"), preset.material[m].rateMm3PerNs) ||
             !takeNumber(material, QStringLiteral("threshold_n"), preset.material[m].thresholdN))
-            return inPreset(file, QStringLiteral("the figures of \"%1\" must be numbers.").arg(key));
+            return inPreset(file, QStringLiteral("the figures of \"%1\" must be numbers").arg(key));
         if (!material.isEmpty())
-            return inPreset(file, QStringLiteral("\"%1\" has no figure \"%2\".").arg(key, material.keys().front()));
+            return inPreset(file, QStringLiteral("\"%1\" has no figure \"%2\"").arg(key, material.keys().front()));
     }
     if (!takeNumber(object, QStringLiteral("axial_share"), preset.axialShare) ||
         !takeNumber(object, QStringLiteral("full_force_n"), preset.fullForceN))
-        return inPreset(file, QStringLiteral("axial_share and full_force_n must be numbers."));
+        return inPreset(file, QStringLiteral("axial_share and full_force_n must be numbers"));
     if (!object.isEmpty())
-        return inPreset(file, QStringLiteral("unknown key \"%1\".").arg(object.keys().front()));
+        return inPreset(file, QStringLiteral("unknown key \"%1\"").arg(object.keys().front()));
     if (const core::Status sound = core::settings::check(preset); !sound)
-        return tl::unexpected(sound.error());
+        return core::unexpected(sound.error().code, sound.error().detail.substr(0, sound.error().detail.rfind('.')) +
+                                                        "; change it in " + file.toStdString() + ".");
     return preset;
 }
 
@@ -72,16 +75,19 @@ core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameO
     QFile file(nameOrFile);
     if (QFileInfo(nameOrFile).isDir() || !file.open(QIODevice::ReadOnly))
         return core::unexpected(core::ErrorCode::FileUnreadable,
-                                "The hardness preset " + nameOrFile.toStdString() + " cannot be read.");
+                                "The hardness preset " + nameOrFile.toStdString() +
+                                    " cannot be read; name natural, typodont or a JSON file that you may read.");
     if (file.size() > kMostPresetBytes)
         return core::unexpected(core::ErrorCode::FileTooLarge,
-                                "The hardness preset " + nameOrFile.toStdString() + " is larger than a megabyte.");
+                                "The hardness preset " + nameOrFile.toStdString() +
+                                    " is larger than a megabyte; name a JSON file with figures of "
+                                    "hardness.");
     QJsonParseError failure;
     const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &failure);
     if (!document.isObject())
         return inPreset(
             nameOrFile,
-            QStringLiteral("it is not a JSON object (%1 at byte %2).").arg(failure.errorString()).arg(failure.offset));
+            QStringLiteral("it is not a JSON object (%1 at byte %2)").arg(failure.errorString()).arg(failure.offset));
     return presetFromJson(nameOrFile, document.object());
 }
 
@@ -153,11 +159,11 @@ QString toText(const lessons::ScoreSheet& sheet)
                         .arg(criterion.maxPoints);
         else
             rule += QStringLiteral(", beyond it %1 points at once").arg(criterion.maxPoints);
-        text += QStringLiteral("  %1 %2 %3 (%4): -%5\n")
+        text += QStringLiteral("  %1 %2 %3 (%4): %5\n")
                     .arg(QString::fromStdString(criterion.id), -14)
                     .arg(criterion.measured, 0, 'f', 3)
                     .arg(QString::fromStdString(criterion.unit), rule)
-                    .arg(criterion.pointsLost);
+                    .arg(-criterion.pointsLost);
     }
     return text + QStringLiteral("not measured   undercuts and walls past 90 degrees: the model is a height field\n");
 }

@@ -9,6 +9,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
+#include "core/base/WholeFile.h"
 #include "core/recording/Recording.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/DemoHand.h"
@@ -44,15 +45,6 @@ core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::Bui
                              {});
 }
 
-core::Status writeText(const QString& path, const QByteArray& text)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate) || file.write(text) != text.size() || !file.flush())
-        return core::unexpected(core::ErrorCode::FileUnwritable,
-                                path.toStdString() + " could not be written; check the folder and the space left.");
-    return {};
-}
-
 /// The window draws the picture: with the display there is, or one of its own from xvfb-run. False if neither works.
 bool drawPicture(const QString& recording, const QString& picture)
 {
@@ -68,8 +60,14 @@ bool drawPicture(const QString& recording, const QString& picture)
         program = xvfb;
     }
     QProcess window;
-    window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    window.start(program, arguments);
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    // Asked for by scripts that want no window; neither can draw with OpenGL.
+    if (const QString platform = environment.value(QStringLiteral("QT_QPA_PLATFORM"));
+        platform == u"offscreen" || platform == u"minimal")
+        environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    window.setProcessEnvironment(environment);
+    window.start(program,
+                 arguments);  // what Qt and the display say on stderr is kept from the user: we say one sentence
     return window.waitForFinished(kPictureMs) && window.exitStatus() == QProcess::NormalExit && window.exitCode() == 0;
 }
 
@@ -114,12 +112,13 @@ int demoCommand(const QStringList& arguments)
                             {QStringLiteral("measures"), toJson(measures)},
                             {QStringLiteral("state_hash"), hashText(core::terrain::stateHash(outcome->tooth))}};
     if (const core::Status written =
-            writeText(folder.absoluteFilePath(QStringLiteral("score.json")), QJsonDocument(score).toJson());
+            core::writeWhole(folder.absoluteFilePath(QStringLiteral("score.json")).toStdString(),
+                             QJsonDocument(score).toJson().toStdString(), "The score");
         !written)
         return failed(written.error());
     const QString scoreText = toText(sheet);
-    if (const core::Status written =
-            writeText(folder.absoluteFilePath(QStringLiteral("score.txt")), scoreText.toUtf8());
+    if (const core::Status written = core::writeWhole(
+            folder.absoluteFilePath(QStringLiteral("score.txt")).toStdString(), scoreText.toStdString(), "The score");
         !written)
         return failed(written.error());
 
@@ -135,8 +134,8 @@ int demoCommand(const QStringList& arguments)
               (drawn ? QStringLiteral("  picture.png\n") : QString()));
     if (!drawn)
         return failed({core::ErrorCode::FileUnwritable,
-                       "The picture could not be drawn: it needs a display or xvfb-run (Debian package xvfb); the "
-                       "recording and the score are complete."});
+                       "The picture could not be drawn: it needs a display with OpenGL 3.3 or xvfb-run (Debian "
+                       "package xvfb); the recording and the score are complete."});
     return kDone;
 }
 

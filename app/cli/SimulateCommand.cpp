@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <memory>
+#include <filesystem>
 
-#include <QFile>
 #include <QFileInfo>
+#include <QSaveFile>
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
+#include "core/base/WholeFile.h"
 #include "haptics/simulated/PathDevice.h"
 #include "haptics/simulated/Simulation.h"
 
@@ -20,25 +20,17 @@ constexpr double kLeastRateHz = 20.0;
 constexpr double kMostRateHz = 20000.0;
 constexpr std::uint64_t kMostTicks = 100'000'000;
 
-/// Writes the trace row by row: beside its place first, renamed when it is whole, so that a failure leaves no half
-/// file.
+/// Writes the trace row by row: into a new file beside its place, renamed when it is whole, so that a failure leaves
+/// the older trace.
 class TraceWriter
 {
 public:
-    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path + QStringLiteral(".part")) {}
-    ~TraceWriter()
-    {
-        if (m_file.isOpen())
-            m_file.remove();
-    }
-    TraceWriter(const TraceWriter&) = delete;
-    TraceWriter& operator=(const TraceWriter&) = delete;
+    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path) {}
 
     [[nodiscard]] core::Status open()
     {
         // Renaming over a device or a pipe would put a file in its place.
-        if ((QFileInfo::exists(m_path) && !QFileInfo(m_path).isFile()) ||
-            !m_file.open(QIODevice::WriteOnly | QIODevice::Truncate))
+        if ((QFileInfo::exists(m_path) && !QFileInfo(m_path).isFile()) || !m_file.open(QIODevice::WriteOnly))
             return unwritable();
         m_line =
             "t_s,x_mm,y_mm,z_mm,ax_mm,ay_mm,az_mm,fx_n,fy_n,fz_n,contact,caries_mm3,enamel_mm3,dentin_mm3,pulp_mm3\n";
@@ -62,11 +54,7 @@ public:
     [[nodiscard]] core::Status finish()
     {
         flush();
-        if (!m_written || !m_file.flush())
-            return unwritable();
-        m_file.close();
-        QFile::remove(m_path);
-        if (!m_file.rename(m_path))
+        if (!m_written || !m_file.commit())
             return unwritable();
         return {};
     }
@@ -94,7 +82,7 @@ private:
     }
 
     QString m_path;
-    QFile m_file;
+    QSaveFile m_file;
     std::string m_line;
     bool m_written = true;
 };
@@ -111,7 +99,12 @@ void addOptions(QCommandLineParser& parser)
     option("bur", "2, 330 (default), 245 or 57.", "NAME");
     option("method", "continuous (default), lattice or penalty.", "M");
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
-    option("preset", "Hardness: natural (default), typodont, or a JSON file.", "NAME|FILE");
+    option("preset",
+           "Hardness: natural (default), typodont, or a JSON file such as {\"name\": \"soft\", \"enamel\": "
+           "{\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65, \"full_force_n\": 4}; caries, "
+           "dentin "
+           "and pulp as enamel; what is left out is natural.",
+           "NAME|FILE");
     option("record", "Saves a recording for cusp replay.", "FILE");
     parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
 }
@@ -136,6 +129,25 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
             return core::unexpected(core::ErrorCode::OutOfRange, "--rate wants a number from 20 to 20000");
     }
     return options;
+}
+
+/// A sentence about the first file to be written that would overwrite another one of the command line, or nothing.
+QString clashingFiles(const QCommandLineParser& parser)
+{
+    const auto file = [&](const char* option) {
+        return std::filesystem::path(parser.value(QLatin1String(option)).toStdString());
+    };
+    for (const auto& [written, other] : {std::pair("out", "path"),
+                                         {"out", "tooth"},
+                                         {"out", "preset"},
+                                         {"out", "record"},
+                                         {"record", "path"},
+                                         {"record", "tooth"},
+                                         {"record", "preset"}})
+        if (!file(written).empty() && !file(other).empty() && core::isSameFile(file(written), file(other)))
+            return QStringLiteral("--%1 would overwrite the file given with --%2; name another")
+                .arg(QLatin1String(written), QLatin1String(other));
+    return {};
 }
 
 }  // namespace
@@ -163,6 +175,8 @@ int simulateCommand(const QStringList& arguments)
     auto options = simulationOptions(parser);
     if (!options)
         return wrongUsage(QString::fromStdString(options.error().detail));
+    if (const QString clash = clashingFiles(parser); !clash.isEmpty())
+        return wrongUsage(clash);
     if (parser.isSet(QStringLiteral("preset"))) {
         const auto preset = hardnessPreset(parser.value(QStringLiteral("preset")));
         if (!preset)
@@ -182,16 +196,11 @@ int simulateCommand(const QStringList& arguments)
             {core::ErrorCode::OutOfRange, "The device path is too long for this rate: " + std::to_string(ticks) +
                                               " ticks, at most 100 million are run."});
     const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
-    const auto tooth = core::teeth::buildTooth(source, *build);
+    auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
+    tooth->mesh = {};  // only its maps are drilled
 
-    for (const char* input : {"path", "tooth"})
-        if (const QFileInfo out(parser.value(QStringLiteral("out")));
-            out.exists() &&
-            out.canonicalFilePath() == QFileInfo(parser.value(QLatin1String(input))).canonicalFilePath())
-            return wrongUsage(QStringLiteral("--out would overwrite the file given with --%1; name another")
-                                  .arg(QLatin1String(input)));
     TraceWriter trace(parser.value(QStringLiteral("out")));
     if (const core::Status opened = trace.open(); !opened)
         return failed(opened.error());

@@ -4,6 +4,7 @@
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "core/base/WholeFile.h"
 #include "core/mesh/ObjWriter.h"
 #include "core/teeth/ToothBuilder.h"
 
@@ -94,7 +95,10 @@ QString kindOf(const ToothReport& report)
 
 QString toText(const ToothReport& report)
 {
-    const auto number = [](double value, int decimals) { return QString::number(value, 'f', decimals); };
+    const auto number = [](double value, int decimals) {
+        const QString digits = QString::number(value, 'f', decimals);
+        return digits.toDouble() == 0.0 ? QString::number(0.0, 'f', decimals) : digits;  // no "-0.000"
+    };
     const auto& placement = report.placement;
     const glm::dvec3 size = report.highMm - report.lowMm;
     QString text = QString::fromStdString(report.source) + u'\n';
@@ -153,18 +157,25 @@ int toothCommand(const QStringList& arguments)
     const QString usage = QStringLiteral("cusp tooth FILE|FDI [OPTIONS]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;
-    if (parser.positionalArguments().size() != 1)
+    const QString named = parser.positionalArguments().value(0);
+    if (parser.positionalArguments().size() != 1 || named.trimmed().isEmpty())
         return wrongUsage(QStringLiteral("one mesh file or tooth number is wanted; usage: ") + usage);
     const auto options = toothOptions(parser);
     if (!options)
         return wrongUsage(QString::fromStdString(options.error().detail));
 
-    const auto source = core::teeth::parseSource(parser.positionalArguments().front().toLocal8Bit().toStdString());
+    const QString exported = parser.value(QStringLiteral("export"));
+    if (parser.isSet(QStringLiteral("export")) && !exported.endsWith(QStringLiteral(".obj"), Qt::CaseInsensitive))
+        return wrongUsage(QStringLiteral("--export writes an OBJ file; give it a name that ends in .obj"));
+    if (!exported.isEmpty() && core::isSameFile(exported.toStdString(), named.toStdString()))
+        return wrongUsage(QStringLiteral("--export would overwrite the mesh that is read; name another file"));
+
+    const auto source = core::teeth::parseSource(named.toStdString());
     const auto tooth = core::teeth::buildTooth(source, *options);
     if (!tooth)
         return failed(tooth.error());
-    if (const QString path = parser.value(QStringLiteral("export")); !path.isEmpty())
-        if (const core::Status written = exportObj(*tooth, path); !written)
+    if (!exported.isEmpty())
+        if (const core::Status written = exportObj(*tooth, exported); !written)
             return failed(written.error());
     if (parser.isSet(QStringLiteral("json")))
         printJson(toJson(tooth->report));

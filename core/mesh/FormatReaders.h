@@ -23,4 +23,7 @@ namespace core::mesh {
 /// "scan.obj has more than 5000000 triangles, ..."
 [[nodiscard]] tl::unexpected<Error> tooManyTriangles(std::string_view name);
 
+/// The warning "2 faces with fewer than three corners were passed over".
+[[nodiscard]] std::string thinFaces(std::size_t count);
+
 }  // namespace core::mesh

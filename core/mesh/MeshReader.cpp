@@ -52,6 +52,12 @@ tl::unexpected<Error> tooManyTriangles(std::string_view name)
                                                    "(decimate) the mesh and try again");
 }
 
+std::string thinFaces(std::size_t count)
+{
+    return std::to_string(count) + (count == 1 ? " face with fewer than three corners was passed over"
+                                               : " faces with fewer than three corners were passed over");
+}
+
 Result<MeshFile> readMesh(std::string_view bytes, MeshFormat format, std::string_view name)
 {
     Result<MeshFile> file = format == MeshFormat::Obj   ? readObj(bytes, name)

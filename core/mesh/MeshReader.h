@@ -22,7 +22,7 @@ inline constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30U;
 enum class MeshFormat { Obj, Stl, Ply };
 
 /// A mesh as its file states it: file units, file axes, every coordinate finite, every index valid. Polygons are
-/// cut into fans from their first corner. Nothing is welded or repaired yet.
+/// cut into triangles (cutPolygons). Nothing is welded or repaired yet.
 struct MeshFile
 {
     TriangleMesh mesh;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/mesh/FormatReaders.h"
+#include "core/mesh/Polygons.h"
 #include "core/mesh/TextScanner.h"
 
 namespace core::mesh {
@@ -15,7 +16,7 @@ public:
 
     Result<MeshFile> parse(std::string_view text)
     {
-        Lines lines(text);
+        Lines lines(withoutMark(text));
         std::string joined;
         for (std::string_view line; lines.next(line);) {
             m_line = lines.number();
@@ -85,6 +86,9 @@ private:
         }
         if (corners < 3)
             ++m_thinFaces;
+        if (corners > 3)
+            m_polygons.push_back({static_cast<std::uint32_t>(m_file.mesh.triangles.size() - (corners - 2)),
+                                  static_cast<std::uint32_t>(corners)});
         return {};
     }
 
@@ -122,8 +126,10 @@ private:
             return failure(ErrorCode::BadStructure, "a face names vertex " + std::to_string(m_highest + 1ULL) +
                                                         " of only " + std::to_string(mesh.vertices.size()));
         }
+        if (Status status = cutPolygons(m_file, m_polygons, m_name); !status)
+            return tl::unexpected(std::move(status).error());
         if (m_thinFaces > 0)
-            m_file.warnings.push_back(std::to_string(m_thinFaces) + " faces with fewer than three corners passed over");
+            m_file.warnings.push_back(thinFaces(m_thinFaces));
         return std::move(m_file);
     }
 
@@ -134,6 +140,7 @@ private:
 
     std::string m_name;
     MeshFile m_file;
+    std::vector<Polygon> m_polygons;  ///< cut when all vertices are known
     std::size_t m_line = 0;
     std::size_t m_thinFaces = 0;
     std::uint32_t m_highest = 0;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/ObjWriter.h"
 
+#include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <string>
-#include <system_error>
+
+#include "core/base/WholeFile.h"
 
 namespace core::mesh {
 namespace {
@@ -55,29 +56,7 @@ std::string objText(const TriangleMesh& mesh, std::string_view comment)
 
 Status writeObj(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view comment)
 {
-    const std::string text = objText(mesh, comment);
-    std::filesystem::path beside = path;
-    beside += ".part";
-    const auto failed = [&](const std::string& why) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        return unexpected(ErrorCode::FileUnwritable,
-                          "The mesh could not be written to '" + path.string() + "': " + why + ".");
-    };
-    {
-        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-        if (!file)
-            return failed("the folder is missing or does not allow it");
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        file.close();
-        if (!file)
-            return failed("the disk is full or the connection to it broke");
-    }
-    std::error_code error;
-    std::filesystem::rename(beside, path, error);
-    if (error)
-        return failed(error.message());
-    return {};
+    return writeWhole(path, objText(mesh, comment), "The mesh");
 }
 
 }  // namespace core::mesh

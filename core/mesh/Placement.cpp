@@ -25,7 +25,8 @@ constexpr std::array<std::pair<std::string_view, Axis>, 6> kAxisNames{{{"+x", Ax
 // around that, so that mm, cm and m leave no gap between them and do not overlap.
 constexpr double kLeastSizeMm = 4.0;
 constexpr double kMostSizeMm = 40.0;
-// With a unit that a person gave, what a height map may still hold: the sentinels of empty columns lie at 1e6.
+// With a unit that a person gave, what a height map may still hold; beyond the above it is only warned: the sentinels
+// of empty columns lie at 1e6.
 constexpr double kLeastGivenMm = 0.5;
 constexpr double kMostGivenMm = 100.0;
 constexpr double kMostCoordinateMm = 1.0e4;
@@ -225,6 +226,11 @@ Result<Placement> findPlacement(const TriangleMesh& mesh, const MeshFacts& facts
         return unexpected(ErrorCode::OutOfRange, "its longest side is " + inWords(sizeMm) + " mm (" + inWords(size) +
                                                      " units of " + inWords(placement.unit.mmPerUnit) +
                                                      " mm), which is no tooth; give another --unit");
+    if ((options.keepFrame || options.unit) && (sizeMm < kLeastSizeMm || sizeMm >= kMostSizeMm))
+        placement.warnings.push_back(
+            "its longest side is " + inWords(sizeMm) + " mm, " + (sizeMm < kLeastSizeMm ? "less" : "more") +
+            " than a tooth has; " +
+            (options.keepFrame ? "leave out --frame file if it is not in mm" : "check the --unit that was given"));
     if (!options.keepFrame)
         placement.originMm = crownOrigin(mesh, placement);
     else if (largest(glm::max(facts.high, -facts.low)) > kMostCoordinateMm)

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/mesh/FormatReaders.h"
+#include "core/mesh/Polygons.h"
 #include "core/mesh/TextScanner.h"
 
 namespace core::mesh {
@@ -139,6 +140,7 @@ public:
 
     Result<MeshFile> parse(std::string_view bytes)
     {
+        bytes = withoutMark(bytes);
         const std::optional<std::size_t> bodyAt = readHeader(bytes);
         if (!bodyAt)
             return unexpected(ErrorCode::WrongKind, m_name + " is not a PLY file that Cusp reads: its header " +
@@ -233,10 +235,14 @@ private:
             return {};
         const bool vertices = element.name == "vertex";
         const bool faces = element.name == "face";
+        if (element.count > body.bytesLeft() / rowBytes)
+            return unexpected(ErrorCode::FileTruncated,
+                              m_name + " is cut short: its header states " + std::to_string(element.count) + " of " +
+                                  quoted(std::string_view(element.name)) + ", more than the " +
+                                  std::to_string(body.bytesLeft()) +
+                                  " bytes left can hold; copy the file again or export it anew");
         if ((vertices && element.count > kMaxVertices) || (faces && element.count > kMaxTriangles))
             return tooManyTriangles(m_name);
-        if (element.count > body.bytesLeft() / rowBytes)
-            return cutShort(element.name + " count of " + std::to_string(element.count));
         if (vertices)
             m_file.mesh.vertices.reserve(static_cast<std::size_t>(element.count));
         for (std::uint64_t row = 0; row < element.count; ++row) {
@@ -307,6 +313,9 @@ private:
             previous = index;
         }
         m_thinFaces += corners && count < 3 ? 1 : 0;
+        if (corners && count > 3)
+            m_polygons.push_back({static_cast<std::uint32_t>(m_file.mesh.triangles.size() - (count - 2)),
+                                  static_cast<std::uint32_t>(count)});
         return {};
     }
 
@@ -324,15 +333,18 @@ private:
                                                                    std::to_string(index) + " of only " +
                                                                    std::to_string(mesh.vertices.size()) +
                                                                    " (counted from 0); export the mesh again");
+        if (Status status = cutPolygons(m_file, m_polygons, m_name); !status)
+            return tl::unexpected(std::move(status).error());
         if (m_thinFaces > 0)
-            m_file.warnings.push_back(std::to_string(m_thinFaces) + " faces with fewer than three corners passed over");
+            m_file.warnings.push_back(thinFaces(m_thinFaces));
         return std::move(m_file);
     }
 
     tl::unexpected<Error> cutShort(const std::string& where) const
     {
-        return unexpected(ErrorCode::FileTruncated, m_name + " is cut short or not what its header says, at " + where +
-                                                        "; copy the file again or export it anew");
+        return unexpected(ErrorCode::FileTruncated,
+                          m_name + " is cut short, or holds something else than its header says, at " + where +
+                              "; copy the file again or export it anew");
     }
 
     std::string m_name;
@@ -340,6 +352,7 @@ private:
     Encoding m_encoding = Encoding::Ascii;
     std::vector<Element> m_elements;
     MeshFile m_file;
+    std::vector<Polygon> m_polygons;  ///< cut when all vertices are known
     std::size_t m_thinFaces = 0;
 };
 

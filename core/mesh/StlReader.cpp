@@ -113,13 +113,13 @@ Result<MeshFile> readStl(std::string_view bytes, std::string_view name)
     const bool hasHeader = bytes.size() >= kHeaderBytes;
     const std::uint32_t count = hasHeader ? littleEndian(bytes, kHeaderBytes - 4) : 0;
     const std::uint64_t stated = kHeaderBytes + kRecordBytes * static_cast<std::uint64_t>(count);
-    std::string_view start = bytes.substr(0, 512);
+    std::string_view start = withoutMark(bytes).substr(0, 512);
     const bool solid = equalsIgnoringCase(takeWord(start).substr(0, 5), "solid");
     const bool text = bytes.substr(0, 4096).find('\0') == std::string_view::npos;
     if (hasHeader && bytes.size() == stated)
         return readBinary(bytes, count, file);
     if (solid && text)
-        return readAscii(bytes, file);
+        return readAscii(withoutMark(bytes), file);
     if (text)
         return unexpected(ErrorCode::WrongKind, file + " is not an STL file: neither binary of its stated length nor "
                                                        "text that begins with \"solid\"; check that it is the mesh "

@@ -92,6 +92,12 @@ private:
     std::size_t m_number = 0;
 };
 
+/// The text behind the byte order mark that some editors put before UTF-8.
+[[nodiscard]] inline std::string_view withoutMark(std::string_view text)
+{
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
 /// A word of the file as it may stand in a message: short, printable ASCII.
 [[nodiscard]] inline std::string quoted(std::string_view word)
 {

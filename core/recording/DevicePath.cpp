@@ -15,6 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 5> kColumns{"t_s", "x_mm", "y_mm", "z_mm", "drill"};
 constexpr std::size_t kDrillColumn = 4;
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} * 1024 * 1024;
+constexpr std::size_t kMaxLineBytes = 1024 * 1024;
 
 std::string_view trimmed(std::string_view text)
 {
@@ -71,6 +72,134 @@ std::string shown(std::string_view cell)
     return "'" + text + "'";
 }
 
+/// Takes the text piece by piece, however it is cut.
+class PathParser
+{
+public:
+    explicit PathParser(bool needDrill) : m_needDrill(needDrill) { m_place.fill(-1); }
+
+    Status take(std::string_view text)
+    {
+        while (!text.empty()) {
+            const std::size_t end = text.find_first_of("\r\n");
+            m_line.append(text.substr(0, end));
+            if (m_line.size() > kMaxLineBytes)
+                return wrong(ErrorCode::WrongKind, m_number + 1, "it is longer than a megabyte; save the path as CSV.");
+            if (end == std::string_view::npos)
+                break;
+            const bool secondOfPair = text[end] == '\n' && m_lastWasReturn && m_line.empty();
+            m_lastWasReturn = text[end] == '\r' && end + 1 >= text.size();
+            if (text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n')
+                text.remove_prefix(1);
+            text.remove_prefix(end + 1);
+            if (secondOfPair)
+                continue;
+            if (Status status = endLine(); !status)
+                return status;
+        }
+        return {};
+    }
+
+    Result<DevicePath> finish()
+    {
+        if (Status status = endLine(); !status)
+            return tl::unexpected(std::move(status).error());
+        if (m_columns == 0)
+            return unexpected(ErrorCode::FileEmpty,
+                              "The device path is empty; it needs a header line t_s,x_mm,y_mm,z_mm,drill and rows.");
+        if (m_path.points.empty())
+            return unexpected(ErrorCode::BadStructure, "The device path has a header but no rows; add at least one.");
+        if (m_path.durationS() > 86400.0)
+            return unexpected(ErrorCode::OutOfRange,
+                              "The device path lasts more than a day; check the unit of t_s (seconds).");
+        return std::move(m_path);
+    }
+
+private:
+    Status endLine()
+    {
+        std::string_view line = m_line;
+        ++m_number;
+        if (m_number == 1 && line.starts_with("\xEF\xBB\xBF"))
+            line.remove_prefix(3);
+        if (line.find('\0') != std::string_view::npos)
+            return unexpected(ErrorCode::WrongKind, "The device path is not text (UTF-8 or ASCII); save it as CSV.");
+        Status status;
+        if (!trimmed(line).empty())
+            status = m_columns == 0 ? takeHeader(line) : takeRow(line);
+        m_line.clear();
+        return status;
+    }
+
+    Status takeHeader(std::string_view header)
+    {
+        for (; !header.empty(); ++m_columns) {
+            const std::string_view name = takeCell(header);
+            for (std::size_t c = 0; c < kColumns.size(); ++c) {
+                if (name != kColumns[c])
+                    continue;
+                if (m_place[c] >= 0)
+                    return unexpected(ErrorCode::BadStructure, "The device path has two columns " +
+                                                                   std::string(kColumns[c]) + "; keep one of them.");
+                m_place[c] = m_columns;
+            }
+        }
+        for (std::size_t c = 0; c < kColumns.size(); ++c)
+            if (m_place[c] < 0 && (c != kDrillColumn || m_needDrill))
+                return unexpected(ErrorCode::BadStructure, "The device path has no column " + std::string(kColumns[c]) +
+                                                               "; its first line must name t_s,x_mm,y_mm,z_mm,drill.");
+        return {};
+    }
+
+    Status takeRow(std::string_view row)
+    {
+        std::array<double, kColumns.size()> value{};
+        unsigned found = 0;
+        for (int column = 0; !row.empty(); ++column) {
+            const std::string_view cell = takeCell(row);
+            if (column >= m_columns && !cell.empty())
+                return wrong(ErrorCode::BadStructure, m_number,
+                             "it has more cells than the header; write decimals with a point.");
+            for (std::size_t c = 0; c < kColumns.size(); ++c) {
+                if (m_place[c] != column)
+                    continue;
+                const auto number = numberIn(cell);
+                if (!number)
+                    return wrong(ErrorCode::BadNumber, m_number,
+                                 shown(cell) + " in column " + std::string(kColumns[c]) + " is not a number.");
+                value[c] = *number;
+                found |= 1U << c;
+            }
+        }
+        for (std::size_t c = 0; c < kColumns.size(); ++c)
+            if (m_place[c] >= 0 && (found & (1U << c)) == 0)
+                return wrong(ErrorCode::BadStructure, m_number, "column " + std::string(kColumns[c]) + " is missing.");
+        for (std::size_t c = 1; c < kDrillColumn; ++c)
+            if (std::abs(value[c]) > kMaxPathMm)
+                return wrong(ErrorCode::OutOfRange, m_number,
+                             std::string(kColumns[c]) + " is more than a metre from the tooth.");
+        if (value[kDrillColumn] != 0.0 && value[kDrillColumn] != 1.0)
+            return wrong(ErrorCode::OutOfRange, m_number, "drill must be 0 or 1.");
+        std::deque<PathPoint>& points = m_path.points;
+        if (!points.empty() && value[0] <= points.back().timeS)
+            return wrong(ErrorCode::BadStructure, m_number,
+                         value[0] == points.back().timeS ? "t_s stands still; each row needs a later time."
+                                                         : "t_s goes backwards; each row needs a later time.");
+        if (points.size() == kMaxPathPoints)
+            return wrong(ErrorCode::FileTooLarge, m_number, "the path has more than 5 million points; split it.");
+        points.push_back({value[0], {value[1], value[2], value[3]}, value[kDrillColumn] == 1.0});
+        return {};
+    }
+
+    bool m_needDrill;
+    std::array<int, kColumns.size()> m_place{};  ///< which column of the file each of ours is, -1 none
+    int m_columns = 0;                           ///< of the header; 0 until it was seen
+    std::string m_line;                          ///< begun, but not ended yet
+    std::size_t m_number = 0;                    ///< of lines that ended
+    bool m_lastWasReturn = false;                ///< the piece before ended with CR: an LF may still belong to it
+    DevicePath m_path;
+};
+
 }  // namespace
 
 std::uint64_t DevicePath::ticks(double rateHz) const
@@ -81,7 +210,7 @@ std::uint64_t DevicePath::ticks(double rateHz) const
 
 PathPoint PathCursor::at(double timeS) noexcept
 {
-    const std::vector<PathPoint>& points = m_path.points;
+    const std::deque<PathPoint>& points = m_path.points;
     const double time = points.front().timeS + timeS;
     while (m_segment + 1 < points.size() && points[m_segment + 1].timeS <= time)
         ++m_segment;
@@ -95,75 +224,9 @@ PathPoint PathCursor::at(double timeS) noexcept
 
 Result<DevicePath> parseDevicePath(std::string_view text, bool needDrill)
 {
-    if (text.substr(0, 3) == "\xEF\xBB\xBF")
-        text.remove_prefix(3);
-    if (trimmed(text).empty())
-        return unexpected(ErrorCode::FileEmpty,
-                          "The device path is empty; it needs a header line t_s,x_mm,y_mm,z_mm,drill and rows.");
-    if (text.find('\0') != std::string_view::npos)
-        return unexpected(ErrorCode::WrongKind, "The device path is not text (UTF-8 or ASCII); save it as CSV.");
-
-    std::array<int, kColumns.size()> place{};
-    place.fill(-1);
-    std::string_view header = takeUntil(text, '\n');
-    int columns = 0;
-    for (; !header.empty(); ++columns) {
-        const std::string_view name = takeCell(header);
-        for (std::size_t c = 0; c < kColumns.size(); ++c)
-            if (name == kColumns[c])
-                place[c] = columns;
-    }
-    for (std::size_t c = 0; c < kColumns.size(); ++c)
-        if (place[c] < 0 && (c != kDrillColumn || needDrill))
-            return unexpected(ErrorCode::BadStructure, "The device path has no column " + std::string(kColumns[c]) +
-                                                           "; its first line must name t_s,x_mm,y_mm,z_mm,drill.");
-
-    DevicePath path;
-    for (std::size_t line = 2; !text.empty(); ++line) {
-        std::string_view row = takeUntil(text, '\n');
-        if (trimmed(row).empty())
-            continue;
-        std::array<double, kColumns.size()> value{};
-        unsigned found = 0;
-        for (int column = 0; !row.empty(); ++column) {
-            const std::string_view cell = takeCell(row);
-            if (column >= columns && !cell.empty())
-                return wrong(ErrorCode::BadStructure, line,
-                             "it has more cells than the header; write decimals with a point.");
-            for (std::size_t c = 0; c < kColumns.size(); ++c) {
-                if (place[c] != column)
-                    continue;
-                const auto number = numberIn(cell);
-                if (!number)
-                    return wrong(ErrorCode::BadNumber, line,
-                                 shown(cell) + " in column " + std::string(kColumns[c]) + " is not a number.");
-                value[c] = *number;
-                found |= 1U << c;
-            }
-        }
-        for (std::size_t c = 0; c < kColumns.size(); ++c)
-            if (place[c] >= 0 && (found & (1U << c)) == 0)
-                return wrong(ErrorCode::BadStructure, line, "column " + std::string(kColumns[c]) + " is missing.");
-        for (std::size_t c = 1; c < kDrillColumn; ++c)
-            if (std::abs(value[c]) > kMaxPathMm)
-                return wrong(ErrorCode::OutOfRange, line,
-                             std::string(kColumns[c]) + " is more than a metre from the tooth.");
-        if (value[kDrillColumn] != 0.0 && value[kDrillColumn] != 1.0)
-            return wrong(ErrorCode::OutOfRange, line, "drill must be 0 or 1.");
-        if (!path.points.empty() && value[0] <= path.points.back().timeS)
-            return wrong(ErrorCode::BadStructure, line,
-                         value[0] == path.points.back().timeS ? "t_s stands still; each row needs a later time."
-                                                              : "t_s goes backwards; each row needs a later time.");
-        if (path.points.size() == kMaxPathPoints)
-            return wrong(ErrorCode::FileTooLarge, line, "the path has more than 5 million points; split it.");
-        path.points.push_back({value[0], {value[1], value[2], value[3]}, value[kDrillColumn] == 1.0});
-    }
-    if (path.points.empty())
-        return unexpected(ErrorCode::BadStructure, "The device path has a header but no rows; add at least one.");
-    if (path.durationS() > 86400.0)
-        return unexpected(ErrorCode::OutOfRange,
-                          "The device path lasts more than a day; check the unit of t_s (seconds).");
-    return path;
+    PathParser parser(needDrill);
+    Status status = parser.take(text);
+    return status ? parser.finish() : tl::unexpected(std::move(status).error());
 }
 
 Result<DevicePath> readDevicePath(const std::filesystem::path& path, bool needDrill)
@@ -176,19 +239,17 @@ Result<DevicePath> readDevicePath(const std::filesystem::path& path, bool needDr
         return unexpected(ErrorCode::FileUnreadable, path.string() + " is a folder; name a CSV file in it.");
     if (!std::filesystem::is_regular_file(status))
         return unexpected(ErrorCode::FileUnreadable, path.string() + " is not a file; name a CSV file.");
-    if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, failure) > kMaxFileBytes)
+    if (std::filesystem::file_size(path, failure) > kMaxFileBytes)
         return unexpected(ErrorCode::FileTooLarge, path.string() + " is larger than any device path; split it.");
     std::ifstream file(path, std::ios::binary);
-    std::string text;
+    PathParser parser(needDrill);
+    Status taken;
     std::array<char, 65536> block{};
-    while (file.read(block.data(), block.size()), file.gcount() > 0) {
-        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-        if (text.size() > kMaxFileBytes)
-            return unexpected(ErrorCode::FileTooLarge, path.string() + " is larger than any device path; split it.");
-    }
-    if (!file.eof())
+    while (taken && (file.read(block.data(), block.size()), file.gcount() > 0))
+        taken = parser.take({block.data(), static_cast<std::size_t>(file.gcount())});
+    if (taken && !file.eof())
         return unexpected(ErrorCode::FileUnreadable, path.string() + " cannot be read; check its rights.");
-    auto parsed = parseDevicePath(text, needDrill);
+    auto parsed = taken ? parser.finish() : tl::unexpected(std::move(taken).error());
     if (!parsed)
         return unexpected(parsed.error().code, path.string() + ": " + parsed.error().detail);
     return parsed;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -23,7 +23,7 @@ struct PathPoint
 /// A device path: points in time, straight lines between them.
 struct DevicePath
 {
-    std::vector<PathPoint> points;  ///< at least one, times rising
+    std::deque<PathPoint> points;  ///< at least one, times rising; never two copies in memory while it grows
 
     [[nodiscard]] double durationS() const { return points.back().timeS - points.front().timeS; }
     /// Number of ticks at `rateHz`, both ends included.
@@ -47,9 +47,10 @@ inline constexpr std::size_t kMaxPathPoints = 5'000'000;
 inline constexpr double kMaxPathMm = 1000.0;
 
 /// Reads CSV text with a header naming t_s, x_mm, y_mm, z_mm and drill (0 or 1) in any order; further columns are
-/// ignored. Times must not go backwards. The error names line and column.
+/// ignored. Lines end with LF, CR LF or CR. Times must not go backwards. The error names line and column.
 /// @param needDrill  false: the drill column may be missing
 [[nodiscard]] Result<DevicePath> parseDevicePath(std::string_view text, bool needDrill);
+/// The same from a file, of which no more than some lines are in memory at a time.
 [[nodiscard]] Result<DevicePath> readDevicePath(const std::filesystem::path& path, bool needDrill);
 
 }  // namespace core::recording

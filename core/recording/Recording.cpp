@@ -9,6 +9,7 @@
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
+#include "core/base/WholeFile.h"
 
 namespace core::recording {
 namespace {
@@ -396,29 +397,7 @@ Result<Recording> readRecording(const std::filesystem::path& path)
 
 Status writeRecording(const std::filesystem::path& path, const Recording& recording)
 {
-    const std::string bytes = recording.toBytes();
-    std::filesystem::path beside = path;
-    beside += ".part";
-    std::error_code failure;
-    {
-        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.flush();
-        if (!file) {
-            if (file.is_open())  // else it is not ours
-                std::filesystem::remove(beside, failure);
-            return unexpected(ErrorCode::FileUnwritable, "The recording could not be written to " + path.string() +
-                                                             "; check the folder, its rights and the space left.");
-        }
-    }
-    std::filesystem::rename(beside, path, failure);
-    if (failure) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        return unexpected(ErrorCode::FileUnwritable,
-                          "The recording could not be written to " + path.string() + ": " + failure.message() + ".");
-    }
-    return {};
+    return writeWhole(path, recording.toBytes(), "The recording");
 }
 
 }  // namespace core::recording

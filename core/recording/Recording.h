@@ -69,7 +69,7 @@ private:
 /// Reads a whole file, with a sentence for each thing that can be wrong with it.
 [[nodiscard]] Result<Recording> readRecording(const std::filesystem::path& path);
 
-/// Writes beside the target and renames: an older file survives any failure.
+/// An older file survives any failure (writeWhole).
 [[nodiscard]] Status writeRecording(const std::filesystem::path& path, const Recording& recording);
 
 }  // namespace core::recording

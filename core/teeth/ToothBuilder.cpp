@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "core/mesh/Holes.h"
 #include "core/mesh/MeshAnalysis.h"
@@ -34,6 +35,12 @@ double threadCpuMs()
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) * 1.0e3 + static_cast<double>(time.tv_nsec) * 1.0e-6;
+}
+
+/// "1 hole", "3 holes"
+std::string counted(std::size_t count, const char* one, const char* many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// A tooth narrower than this has no grid worth the name.
@@ -125,8 +132,8 @@ private:
         mesh::weldByPosition(m_mesh);
         m_facts = mesh::analyse(m_mesh);
         if (m_facts.shells.empty() || m_facts.area == 0.0)
-            return failure(ErrorCode::NoTriangles, "every one of its " + std::to_string(m_facts.triangles) +
-                                                       " faces has zero area; export the mesh again");
+            return failure(ErrorCode::NoTriangles, "every one of its faces has zero area (" +
+                                                       std::to_string(m_facts.triangles) + "); export the mesh again");
         if (m_facts.triangles < 4)
             return failure(ErrorCode::NoTriangles, "its surface has " + std::to_string(m_facts.triangles) +
                                                        (m_facts.triangles == 1 ? " triangle" : " triangles") +
@@ -156,26 +163,29 @@ private:
 
     void warnAboutMesh()
     {
-        const auto warn = [&](std::size_t count, const std::string& sentence) {
+        const auto warn = [&](std::size_t count, const char* one, const char* many, const char* rest) {
             if (count > 0)
-                m_report.warnings.push_back(sentence);
+                m_report.warnings.push_back(counted(count, one, many) + rest);
         };
-        const auto n = [](std::size_t count) { return std::to_string(count); };
-        warn(m_report.zeroAreaFaces, n(m_report.zeroAreaFaces) + " faces have zero area and were passed over");
-        warn(m_report.duplicateFaces, n(m_report.duplicateFaces) + " faces are there twice");
-        warn(m_report.nonManifoldEdges, "the mesh is not a manifold: " + n(m_report.nonManifoldEdges) +
-                                            " edges belong to three or more faces, so its volume means little");
-        warn(m_report.flippedEdges, n(m_report.flippedEdges) +
-                                        " edges have faces that disagree which side is outside, so the mesh volume "
-                                        "means little; the height maps do not mind");
-        warn(m_report.shellsInsideOut,
-             m_report.shells == 1
-                 ? "the mesh was inside out and has been turned"
-                 : n(m_report.shellsInsideOut) + " of the shells were inside out and have been turned");
+        warn(m_report.zeroAreaFaces, "face has zero area and was", "faces have zero area and were", " passed over");
+        warn(m_report.duplicateFaces, "face is", "faces are", " there twice");
+        warn(m_report.nonManifoldEdges, "edge belongs", "edges belong",
+             " to three or more faces: the mesh is not a manifold, so its volume means little");
+        warn(
+            m_report.flippedEdges, "edge has", "edges have",
+            " faces that disagree which side is outside, so the mesh volume means little; the height maps do not mind");
+        if (m_report.shells == 1 && m_report.shellsInsideOut == 1)
+            m_report.warnings.emplace_back("the mesh was inside out and has been turned");
+        else
+            warn(m_report.shellsInsideOut, "of the shells was inside out and has",
+                 "of the shells were inside out and have", " been turned");
         if (m_report.shells > 1)
-            m_report.warnings.push_back("the mesh has " + n(m_report.shells) + " separate shells, " +
-                                        n(m_report.shellsInside) +
+            m_report.warnings.push_back("the mesh has " + std::to_string(m_report.shells) + " separate shells, " +
+                                        std::to_string(m_report.shellsInside) +
                                         " of them inside another; the model keeps the outermost surface and is solid");
+        if (m_report.oriented && !enclosedVolume())
+            m_report.warnings.emplace_back("the shells may overlap, so the mesh volume may count places twice and what "
+                                           "the undercuts hold is unknown");
     }
 
     Status keepFrame()
@@ -236,16 +246,50 @@ private:
                 ++patched;
             }
         }
-        m_report.warnings.push_back("the mesh is open (" + std::to_string(m_facts.boundaryEdges) + " edges in " +
-                                    std::to_string(holes.size()) + " holes), so its volume means little");
+        m_report.warnings.push_back("the mesh is open (" + counted(m_facts.boundaryEdges, "edge", "edges") + " in " +
+                                    counted(holes.size(), "hole", "holes") + "), so its volume means little");
         if (m_closeAtMm)
             m_report.warnings.push_back(
                 "the scan is open below and was closed with a flat bottom at its lowest rim, z = " +
                 millimetres(*m_closeAtMm));
         if (patched > 0)
-            m_report.warnings.push_back(std::to_string(patched) + " holes were closed with flat patches");
+            m_report.warnings.push_back(
+                counted(patched, "hole was closed with a flat patch", "holes were closed with flat patches"));
         endStage("close");
         return {};
+    }
+
+    /// What the surface encloses, no place counted twice, in file units; nothing where the shells do not tell.
+    [[nodiscard]] std::optional<double> enclosedVolume() const
+    {
+        if (!m_facts.oriented)
+            return std::nullopt;
+        double sum = 0.0;
+        bool hollow = false;
+        bool filledTwice = false;
+        for (const mesh::Shell& shell : m_facts.shells) {
+            const bool inFull = shell.inside && shell.volume > 0.0;  // material in material
+            filledTwice = filledTwice || inFull;
+            hollow = hollow || (shell.inside && !inFull);
+            sum += inFull ? 0.0 : shell.volume;
+        }
+        if ((hollow && filledTwice) || shellsMayOverlap())
+            return std::nullopt;
+        return sum;
+    }
+
+    /// Do the boxes of two shells meet that are not one inside the other?
+    [[nodiscard]] bool shellsMayOverlap() const
+    {
+        constexpr std::size_t kMostShells = 32;  // of more, nobody knows which lies inside which (findNested)
+        const std::vector<mesh::Shell>& shells = m_facts.shells;
+        for (std::size_t a = 0; a < shells.size() && shells.size() <= kMostShells; ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                if (!shells[a].inside && !shells[b].inside &&
+                    glm::all(glm::lessThan(glm::max(shells[a].low, shells[b].low),
+                                           glm::min(shells[a].high, shells[b].high))))
+                    return true;
+        return shells.size() > kMostShells;
     }
 
     /// Rasterising takes time in proportion to the boxes around the faces. A surface covers its outline a few times
@@ -287,8 +331,8 @@ private:
         if (m_report.modelVolumeMm3 == 0.0)
             return failure(ErrorCode::BadStructure, "its surface encloses nothing seen from above the crown; check "
                                                     "--up or close the mesh");
-        if (m_report.oriented)
-            m_report.undercutMm3 = m_report.modelVolumeMm3 - m_report.meshVolumeMm3;
+        if (const auto enclosed = enclosedVolume())
+            m_report.undercutMm3 = m_report.modelVolumeMm3 - *enclosed * std::pow(m_report.placement.unit.mmPerUnit, 3);
         std::vector<float> sewn;
         m_report.sewnCells = terrain::sewRim(grid, maps.top, maps.bottom, terrain::wholeOf(grid), sewn);
         m_anatomy.grid = grid;

@@ -63,7 +63,8 @@ struct ToothReport
     double meshAreaMm2 = 0.0;
     double meshVolumeMm3 = 0.0;         ///< signed sum over the faces; means something where oriented
     double modelVolumeMm3 = 0.0;        ///< of the columns
-    std::optional<double> undercutMm3;  ///< what the columns fill that the mesh does not; unknown unless oriented
+    std::optional<double> undercutMm3;  ///< what the columns fill that the mesh does not; unknown unless oriented, or
+                                        ///< where shells may overlap
     int gridSide = 0;
     double cellMm = 0.0;
     std::size_t sewnCells = 0;

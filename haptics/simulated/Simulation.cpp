@@ -46,10 +46,12 @@ core::Result<SimulationOutcome> simulate(
 
     std::vector<float> tickUs;
     tickUs.reserve(ticks);
-    const core::terrain::Tooth uncut(anatomy);
+    // Until the servo has taken the tooth, in the first tick.
+    std::optional<core::terrain::Tooth> uncut(anatomy);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-        const std::optional<bool> wanted =
-            before(tick, servo.state(), servo.tooth() != nullptr ? servo.tooth()->tooth() : uncut);
+        if (servo.tooth() != nullptr)
+            uncut.reset();
+        const std::optional<bool> wanted = before(tick, servo.state(), uncut ? *uncut : servo.tooth()->tooth());
         if (!wanted)
             break;
         if (*wanted != drill) {
@@ -71,7 +73,7 @@ core::Result<SimulationOutcome> simulate(
     session.tick(period);
     core::recording::Recording recording =
         session.recordingSoFar().value_or(core::recording::Recording(options.settings, anatomy));
-    core::terrain::Tooth tooth = servo.tooth() != nullptr ? servo.tooth()->tooth() : uncut;
+    core::terrain::Tooth tooth = servo.tooth() != nullptr ? servo.tooth()->tooth() : core::terrain::Tooth(anatomy);
     recording.setWitness({recording.ticks(), core::terrain::stateHash(tooth)});
     return SimulationOutcome{std::move(tooth), servo.state(), std::move(recording), std::move(tickUs)};
 }

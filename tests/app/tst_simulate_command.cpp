@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <cmath>
 
+#include <QDir>
 #include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace {
+#include "tests/support/FullDisk.h"
+#include "tests/support/Program.h"
+#include "tests/support/Solids.h"
 
-/// How the real program ended.
-struct Ending
-{
-    int exitCode = -1;  ///< -1: killed by a signal
-    QByteArray out;
-    QByteArray error;
-    long peakMiB = 0;
-};
+using support::Ending;
+using support::runCusp;
+
+namespace {
 
 const QByteArray kPath = "t_s,x_mm,y_mm,z_mm,drill\n0,0,0,3,0\n0.5,0,0,-4,1\n1,0.5,0,-4,1\n1.2,0.5,0,3,0\n";
 
@@ -35,16 +29,19 @@ private slots:
     void replayComesToTheSameHash();
     void otherRatesAndGrids_data();
     void otherRatesAndGrids();
+    void frameOfTheFileIsKept();
+    void badPresetsSayWhatToDo_data();
+    void badPresetsSayWhatToDo();
+    void aFailureLeavesTheOlderTrace();
     void badInputIsOneSentence_data();
     void badInputIsOneSentence();
     void wrongUsage_data();
     void wrongUsage();
     void aMinuteStaysUnder80MiB();
+    void aPathOfTenMinutesStaysUnder80MiB();
 
 private:
-    Ending run(const QStringList& arguments);
     QString write(const QString& name, const QByteArray& bytes);
-    static QJsonObject json(const Ending& ending) { return QJsonDocument::fromJson(ending.out).object(); }
 
     QTemporaryDir m_folder;
     QString m_path;
@@ -63,41 +60,12 @@ QString TestSimulateCommand::write(const QString& name, const QByteArray& bytes)
     return file.fileName();
 }
 
-Ending TestSimulateCommand::run(const QStringList& arguments)
-{
-    // Not QProcess: wait4 tells the peak memory of this very process.
-    const QByteArray outFile = m_folder.filePath("out").toLocal8Bit();
-    const QByteArray errorFile = m_folder.filePath("error").toLocal8Bit();
-    std::vector<QByteArray> words{QByteArray(CUSP_BINARY_DIR "/bin/cusp")};
-    for (const QString& argument : arguments)
-        words.push_back(argument.toLocal8Bit());
-    std::vector<char*> argv;
-    for (QByteArray& word : words)
-        argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        dup2(open(outFile.constData(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
-        dup2(open(errorFile.constData(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
-        execv(argv[0], argv.data());
-        _exit(127);
-    }
-    int status = 0;
-    rusage usage{};
-    wait4(child, &status, 0, &usage);
-    const auto read = [](const QByteArray& name) {
-        QFile file(name);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    };
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(outFile), read(errorFile), usage.ru_maxrss / 1024};
-}
-
 void TestSimulateCommand::traceHasARowATick()
 {
     const QString trace = m_folder.filePath("trace.csv");
-    const Ending ending = run({"simulate", "--tooth", "36", "--path", m_path, "--out", trace, "--json"});
+    const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", m_path, "--out", trace, "--json"});
     QVERIFY2(ending.exitCode == 0, ending.error);
-    const QJsonObject figures = json(ending);
+    const QJsonObject figures = ending.json();
     for (const char* key : {"ticks", "tick_us", "removed_mm3", "state_hash"})
         QVERIFY2(figures.contains(QLatin1String(key)), key);
     for (const char* key : {"p50", "p99", "p999", "max"})
@@ -117,13 +85,13 @@ void TestSimulateCommand::traceHasARowATick()
 void TestSimulateCommand::replayComesToTheSameHash()
 {
     const QString recording = m_folder.filePath("attempt.cusprec");
-    const Ending made = run({"simulate", "--tooth", "36", "--path", m_path, "--out", m_folder.filePath("t.csv"),
-                             "--record", recording, "--json"});
+    const Ending made = runCusp({"simulate", "--tooth", "36", "--path", m_path, "--out", m_folder.filePath("t.csv"),
+                                 "--record", recording, "--json"});
     QVERIFY2(made.exitCode == 0, made.error);
-    const Ending replayed = run({"replay", recording, "--json"});
+    const Ending replayed = runCusp({"replay", recording, "--json"});
     QVERIFY2(replayed.exitCode == 0, replayed.error);
-    const QJsonObject figures = json(replayed);
-    QCOMPARE(figures["state_hash"].toString(), json(made)["state_hash"].toString());
+    const QJsonObject figures = replayed.json();
+    QCOMPARE(figures["state_hash"].toString(), made.json()["state_hash"].toString());
     QVERIFY(figures["verified"].toBool());
     QVERIFY(figures.contains("score") && figures.contains("measures") && figures.contains("removed_mm3"));
     QCOMPARE(figures["ticks"].toInt(), 1201);
@@ -144,11 +112,84 @@ void TestSimulateCommand::otherRatesAndGrids()
 {
     QFETCH(QStringList, options);
     QFETCH(int, ticks);
-    const Ending ending =
-        run(QStringList{"simulate", "--tooth", "36", "--path", m_path, "--out", m_folder.filePath("t.csv"), "--json"} +
-            options);
+    const Ending ending = runCusp(
+        QStringList{"simulate", "--tooth", "36", "--path", m_path, "--out", m_folder.filePath("t.csv"), "--json"} +
+        options);
     QVERIFY2(ending.exitCode == 0, ending.error);
-    QCOMPARE(json(ending)["ticks"].toInt(), ticks);
+    QCOMPARE(ending.json()["ticks"].toInt(), ticks);
+}
+
+void TestSimulateCommand::frameOfTheFileIsKept()
+{
+    // A block whose top lies at z = 9 of the file; the path comes down onto its middle in the file's coordinates.
+    const QString block =
+        write("block.obj", QByteArray::fromStdString(
+                               support::asObj(support::moved(support::box(8.0F, 9.0F, 7.0F), {30.0F, -4.0F, 2.0F}))));
+    const QString path = write("down.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,34,0.5,12,0\n1,34,0.5,8.5,0\n");
+    const QString trace = m_folder.filePath("down-trace.csv");
+    const auto lastRow = [&](const QStringList& options) {
+        const Ending ending =
+            runCusp(QStringList{"simulate", "--tooth", block, "--path", path, "--out", trace} + options);
+        QFile file(trace);
+        if (ending.exitCode != 0 || !file.open(QIODevice::ReadOnly))
+            return QList<QByteArray>{};
+        return file.readAll().trimmed().split('\n').back().split(',');
+    };
+    const QList<QByteArray> kept = lastRow({"--frame", "file"});
+    QCOMPARE(kept.size(), 15);
+    QCOMPARE(kept[1].toDouble(), 34.0);  // the device
+    QCOMPARE(kept[3].toDouble(), 8.5);
+    QVERIFY(std::abs(kept[4].toDouble() - 34.0) < 0.01);  // the anchor rests on the block
+    QVERIFY2(std::abs(kept[6].toDouble() - 9.0) < 0.01, kept[6]);
+    QVERIFY(kept[9].toDouble() > 0.1);
+    QCOMPARE(kept[10], QByteArray("1"));
+    // In the tooth's frame the same path passes far beside the block.
+    const QList<QByteArray> moved = lastRow({"--up", "+z"});
+    QCOMPARE(moved.size(), 15);
+    QCOMPARE(moved[10], QByteArray("0"));
+}
+
+void TestSimulateCommand::badPresetsSayWhatToDo_data()
+{
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<QByteArray>("says");
+    QTest::newRow("a folder") << m_folder.path() << QByteArray("name natural, typodont or a JSON file");
+    QTest::newRow("out of range") << write("hard.json", R"({"enamel": {"rate_mm3_per_ns": 1e9}})")
+                                  << QByteArray("between 0 and 100 mm3/(N s); change it in ");
+    QTest::newRow("unknown figure") << write("odd.json", R"({"enamel": {"rate": 1}})") << QByteArray("--help");
+    QTest::newRow("no JSON") << write("no.json", "rate: 1") << QByteArray("--help");
+}
+
+void TestSimulateCommand::badPresetsSayWhatToDo()
+{
+    QFETCH(QString, preset);
+    QFETCH(QByteArray, says);
+    const Ending ending = runCusp(
+        {"simulate", "--tooth", "36", "--path", m_path, "--out", m_folder.filePath("t.csv"), "--preset", preset});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.isOneSentence() && ending.error.contains(says), ending.error);
+}
+
+void TestSimulateCommand::aFailureLeavesTheOlderTrace()
+{
+    const QString trace = write("older.csv", "older");
+    const QString users = write("older.csv.part", "mine");
+    const QStringList arguments{"simulate", "--tooth", "36", "--path", m_path, "--out", trace};
+    {
+        const support::FullDisk full(10'000);  // inherited by the program
+        const Ending ending = runCusp(arguments);
+        QCOMPARE(ending.exitCode, 1);
+        QVERIFY2(ending.isOneSentence(), ending.error);
+    }
+    const auto contents = [](const QString& name) {
+        QFile file(name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QCOMPARE(contents(trace), QByteArray("older"));
+    QCOMPARE(runCusp(arguments).exitCode, 0);
+    QVERIFY(contents(trace).startsWith("t_s,"));
+    QCOMPARE(contents(users), QByteArray("mine"));
+    QCOMPARE(QDir(m_folder.path()).entryList({"older*"}).size(), 2);
 }
 
 void TestSimulateCommand::badInputIsOneSentence_data()
@@ -174,17 +215,19 @@ void TestSimulateCommand::badInputIsOneSentence()
 {
     QFETCH(QString, path);
     QFETCH(QString, out);
-    const Ending ending = run({"simulate", "--tooth", "36", "--path", path, "--out", out, "--json"});
+    const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", path, "--out", out, "--json"});
     QCOMPARE(ending.exitCode, 1);
-    QVERIFY(ending.out.isEmpty());
-    QVERIFY2(ending.error.startsWith("cusp: ") && ending.error.endsWith(".\n"), ending.error);
-    QCOMPARE(ending.error.count('\n'), 1);
+    QVERIFY2(ending.isOneSentence(), ending.error);
 }
 
 void TestSimulateCommand::wrongUsage_data()
 {
     QTest::addColumn<QStringList>("options");
     QTest::newRow("no path") << QStringList{"--out", "t.csv"};
+    QTest::newRow("one file for trace and recording")
+        << QStringList{"--path", m_path, "--out", m_folder.filePath("t.csv"), "--record", m_folder.filePath("./t.csv")};
+    QTest::newRow("trace over the path") << QStringList{"--path", m_path, "--out", m_path};
+    QTest::newRow("recording over the path") << QStringList{"--path", m_path, "--out", "t.csv", "--record", m_path};
     QTest::newRow("unknown option") << QStringList{"--path", m_path, "--out", "t.csv", "--fast"};
     QTest::newRow("unknown bur") << QStringList{"--path", m_path, "--out", "t.csv", "--bur", "9"};
     QTest::newRow("unknown method") << QStringList{"--path", m_path, "--out", "t.csv", "--method", "magic"};
@@ -197,7 +240,7 @@ void TestSimulateCommand::wrongUsage_data()
 void TestSimulateCommand::wrongUsage()
 {
     QFETCH(QStringList, options);
-    const Ending ending = run(QStringList{"simulate", "--tooth", "36"} + options);
+    const Ending ending = runCusp(QStringList{"simulate", "--tooth", "36"} + options);
     QCOMPARE(ending.exitCode, 2);
     QCOMPARE(ending.error.count('\n'), 1);
 }
@@ -205,8 +248,24 @@ void TestSimulateCommand::wrongUsage()
 void TestSimulateCommand::aMinuteStaysUnder80MiB()
 {
     const QString path = write("minute.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,-2,0,-3,1\n30,2,0,-3,1\n60,-2,0.5,-3.5,1\n");
-    const Ending ending = run({"simulate", "--tooth", "36", "--path", path, "--out", m_folder.filePath("t.csv"),
-                               "--record", m_folder.filePath("minute.cusprec"), "--json"});
+    const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", path, "--out", m_folder.filePath("t.csv"),
+                                   "--record", m_folder.filePath("minute.cusprec"), "--json"});
+    QVERIFY2(ending.exitCode == 0, ending.error);
+    qInfo("peak memory %ld MiB", ending.peakMiB);
+    QVERIFY(ending.peakMiB < 80);
+}
+
+void TestSimulateCommand::aPathOfTenMinutesStaysUnder80MiB()
+{
+    QFile file(m_folder.filePath("ten-minutes.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("t_s,x_mm,y_mm,z_mm,drill\n");
+    for (int tick = 0; tick <= 600'000; ++tick)
+        file.write(QByteArray::number(tick * 0.001, 'f', 3) + ",0.123456,-0.234567,-2.345678,1\n");
+    file.close();
+    const Ending ending = runCusp(
+        {"simulate", "--tooth", "36", "--path", file.fileName(), "--rate", "20", "--out", m_folder.filePath("t.csv")});
+    file.remove();
     QVERIFY2(ending.exitCode == 0, ending.error);
     qInfo("peak memory %ld MiB", ending.peakMiB);
     QVERIFY(ending.peakMiB < 80);

@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/Program.h"
 #include "tests/support/Solids.h"
 #include "tests/support/ToothMaps.h"
 
-namespace {
-
-/// How the real program ended.
-struct Ending
-{
-    int exitCode = -1;  ///< -1: killed by a signal
-    QByteArray out;
-    QByteArray error;
-    long peakMiB = 0;
-};
-
-}  // namespace
+using support::Ending;
+using support::runCusp;
 
 /// Runs the program as a user does: its own process, no display, stdout and stderr apart.
 class TestToothCommand : public QObject
@@ -42,6 +25,10 @@ private slots:
     void frameOfTheFileIsKept();
     void exportedToothComesBackTheSame();
     void helpAndVersion();
+    void aToothWithoutANameIsWrongUsage();
+    void windowWithoutADisplaySaysSo();
+    void exportKeepsItsInput();
+    void nothingIsMinusZero();
     void wrongUsage_data();
     void wrongUsage();
     void badFiles_data();
@@ -53,48 +40,10 @@ private slots:
     void scanNumbers();
 
 private:
-    Ending run(const QStringList& arguments);
     QString write(const QString& name, const std::string& bytes);
-    static QJsonObject json(const Ending& ending) { return QJsonDocument::fromJson(ending.out).object(); }
 
     QTemporaryDir m_folder;
 };
-
-Ending TestToothCommand::run(const QStringList& arguments)
-{
-    // Not QProcess: wait4 tells the peak memory of this very process.
-    const QByteArray outFile = m_folder.filePath(QStringLiteral("out")).toLocal8Bit();
-    const QByteArray errorFile = m_folder.filePath(QStringLiteral("error")).toLocal8Bit();
-    std::vector<QByteArray> words{QByteArray(CUSP_BINARY_DIR "/bin/cusp")};
-    for (const QString& argument : arguments)
-        words.push_back(argument.toLocal8Bit());
-    std::vector<char*> argv;
-    for (QByteArray& word : words)
-        argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        dup2(open(outFile.constData(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
-        dup2(open(errorFile.constData(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
-        unsetenv("DISPLAY");
-        unsetenv("WAYLAND_DISPLAY");
-        unsetenv("QT_QPA_PLATFORM");
-        execv(argv[0], argv.data());
-        _exit(127);
-    }
-    int status = 0;
-    rusage usage{};
-    wait4(child, &status, 0, &usage);
-    Ending ending;
-    ending.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    ending.peakMiB = usage.ru_maxrss / 1024;
-    for (auto& [name, bytes] : {std::pair<QByteArray, QByteArray&>{outFile, ending.out}, {errorFile, ending.error}}) {
-        QFile file(QString::fromLocal8Bit(name));
-        if (file.open(QIODevice::ReadOnly))
-            bytes = file.readAll();
-    }
-    return ending;
-}
 
 QString TestToothCommand::write(const QString& name, const std::string& bytes)
 {
@@ -107,10 +56,10 @@ QString TestToothCommand::write(const QString& name, const std::string& bytes)
 
 void TestToothCommand::jsonHasTheKeysOfTheDesign()
 {
-    const Ending ending = run({QStringLiteral("tooth"), QStringLiteral("36"), QStringLiteral("--json")});
+    const Ending ending = runCusp({QStringLiteral("tooth"), QStringLiteral("36"), QStringLiteral("--json")});
     QCOMPARE(ending.exitCode, 0);
     QCOMPARE(ending.error, QByteArray());
-    const QJsonObject report = json(ending);
+    const QJsonObject report = ending.json();
     for (const char* key : {"triangles", "closed", "mesh_volume_mm3", "model_volume_mm3", "undercut_mm3", "bounds_mm",
                             "unit", "up", "grid", "cell_mm", "layers_mm3", "warnings", "load_ms"})
         QVERIFY2(report.contains(QLatin1String(key)), key);
@@ -123,7 +72,7 @@ void TestToothCommand::jsonHasTheKeysOfTheDesign()
 void TestToothCommand::textReportSaysWhatWasGuessed()
 {
     const QString file = write(QStringLiteral("cap.stl"), support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10)));
-    const Ending ending = run({QStringLiteral("tooth"), file});
+    const Ending ending = runCusp({QStringLiteral("tooth"), file});
     QCOMPARE(ending.exitCode, 0);
     QVERIFY(ending.out.contains("cm (guessed"));
     QVERIFY(ending.out.contains("cut off flat"));
@@ -135,10 +84,11 @@ void TestToothCommand::overridesAreObeyed()
     const QString file = write(QStringLiteral("box.obj"), support::asObj(support::box(1.0F, 0.9F, 0.8F)));
     const QStringList common{QStringLiteral("tooth"), file, QStringLiteral("--json")};
     const QJsonObject report =
-        json(run(common + QStringList{QStringLiteral("--unit"), QStringLiteral("12.5"), QStringLiteral("--up"),
-                                      QStringLiteral("-y"), QStringLiteral("--fdi"), QStringLiteral("24"),
-                                      QStringLiteral("--grid"), QStringLiteral("64"), QStringLiteral("--caries"),
-                                      QStringLiteral("none"), QStringLiteral("--layers"), QStringLiteral("2011")}));
+        runCusp(common + QStringList{QStringLiteral("--unit"), QStringLiteral("12.5"), QStringLiteral("--up"),
+                                     QStringLiteral("-y"), QStringLiteral("--fdi"), QStringLiteral("24"),
+                                     QStringLiteral("--grid"), QStringLiteral("64"), QStringLiteral("--caries"),
+                                     QStringLiteral("none"), QStringLiteral("--layers"), QStringLiteral("2011")})
+            .json();
     QCOMPARE(report[QStringLiteral("unit")].toString(), QStringLiteral("12.5"));
     QCOMPARE(report[QStringLiteral("up")].toString(), QStringLiteral("-y"));
     QCOMPARE(report[QStringLiteral("fdi")].toInt(), 24);
@@ -153,8 +103,9 @@ void TestToothCommand::frameOfTheFileIsKept()
 {
     const QString file = write(QStringLiteral("box.obj"),
                                support::asObj(support::moved(support::box(8.0F, 9.0F, 7.0F), {30.0F, -4.0F, 2.0F})));
-    const QJsonObject report = json(run(
-        {QStringLiteral("tooth"), file, QStringLiteral("--frame"), QStringLiteral("file"), QStringLiteral("--json")}));
+    const QJsonObject report = runCusp({QStringLiteral("tooth"), file, QStringLiteral("--frame"),
+                                        QStringLiteral("file"), QStringLiteral("--json")})
+                                   .json();
     const QJsonObject bounds = report[QStringLiteral("bounds_mm")].toObject();
     QCOMPARE(bounds[QStringLiteral("min")].toArray(), (QJsonArray{30.0, -4.0, 2.0}));
     QCOMPARE(bounds[QStringLiteral("max")].toArray(), (QJsonArray{38.0, 5.0, 9.0}));
@@ -164,14 +115,16 @@ void TestToothCommand::frameOfTheFileIsKept()
 void TestToothCommand::exportedToothComesBackTheSame()
 {
     const QString file = m_folder.filePath(QStringLiteral("36.obj"));
-    const QJsonObject made = json(run(
-        {QStringLiteral("tooth"), QStringLiteral("36"), QStringLiteral("--export"), file, QStringLiteral("--json")}));
-    const QJsonObject read = json(run({QStringLiteral("tooth"), file, QStringLiteral("--frame"), QStringLiteral("file"),
-                                       QStringLiteral("--fdi"), QStringLiteral("36"), QStringLiteral("--json")}));
+    const QJsonObject made = runCusp({QStringLiteral("tooth"), QStringLiteral("36"), QStringLiteral("--export"), file,
+                                      QStringLiteral("--json")})
+                                 .json();
+    const QJsonObject read = runCusp({QStringLiteral("tooth"), file, QStringLiteral("--frame"), QStringLiteral("file"),
+                                      QStringLiteral("--fdi"), QStringLiteral("36"), QStringLiteral("--json")})
+                                 .json();
     QCOMPARE(read[QStringLiteral("triangles")], made[QStringLiteral("triangles")]);
     for (const char* key : {"mesh_volume_mm3", "model_volume_mm3"})
         QVERIFY(std::abs(read[QLatin1String(key)].toDouble() / made[QLatin1String(key)].toDouble() - 1.0) < 1e-5);
-    const Ending refused = run(
+    const Ending refused = runCusp(
         {QStringLiteral("tooth"), QStringLiteral("36"), QStringLiteral("--export"), QStringLiteral("/nowhere/36.obj")});
     QCOMPARE(refused.exitCode, 1);
     QCOMPARE(refused.error.count('\n'), 1);
@@ -184,7 +137,7 @@ void TestToothCommand::helpAndVersion()
                                          {QStringLiteral("--version")},
                                          {QStringLiteral("tooth"), QStringLiteral("--help")},
                                          {QStringLiteral("help"), QStringLiteral("tooth")}}) {
-        const Ending ending = run(arguments);
+        const Ending ending = runCusp(arguments);
         QCOMPARE(ending.exitCode, 0);
         QVERIFY(ending.out.size() > 5);
         QCOMPARE(ending.error, QByteArray());
@@ -195,6 +148,12 @@ void TestToothCommand::wrongUsage_data()
 {
     QTest::addColumn<QString>("line");
     for (const char* line : {"nonsense",
+                             "--bogus",
+                             "--tooth",
+                             "--theme blue",
+                             "tooth 36 --export 36.stl",
+                             "tooth 36 --export /dev/null",
+                             "tooth box.obj --export ./box.obj",
                              "help nonsense",
                              "tooth",
                              "tooth 36 37",
@@ -217,10 +176,53 @@ void TestToothCommand::wrongUsage_data()
         QTest::newRow(line) << QString::fromLatin1(line);
 }
 
+void TestToothCommand::aToothWithoutANameIsWrongUsage()
+{
+    for (const char* name : {"", "  "}) {
+        const Ending ending = runCusp({QStringLiteral("tooth"), QLatin1String(name)});
+        QCOMPARE(ending.exitCode, 2);
+        QVERIFY2(ending.isOneSentence() && ending.error.contains("usage"), ending.error);
+    }
+}
+
+void TestToothCommand::windowWithoutADisplaySaysSo()
+{
+    const Ending ending = runCusp({QStringLiteral("--tooth"), QStringLiteral("36")});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.isOneSentence() && ending.error.contains("no display"), ending.error);
+}
+
+void TestToothCommand::exportKeepsItsInput()
+{
+    // A name that leads to the input by another way.
+    const std::string bytes = support::asObj(support::box(8.0F, 9.0F, 7.0F));
+    const QString file = write(QStringLiteral("input.obj"), bytes);
+    QVERIFY(QFile::link(file, m_folder.filePath(QStringLiteral("link.obj"))));
+    const Ending ending = runCusp(
+        {QStringLiteral("tooth"), file, QStringLiteral("--export"), m_folder.filePath(QStringLiteral("link.obj"))});
+    QCOMPARE(ending.exitCode, 2);
+    QVERIFY2(ending.isOneSentence() && ending.error.contains("overwrite"), ending.error);
+    QFile kept(file);
+    QVERIFY(kept.open(QIODevice::ReadOnly));
+    QCOMPARE(kept.readAll().toStdString(), bytes);
+}
+
+void TestToothCommand::nothingIsMinusZero()
+{
+    // A solid box in another: model and mesh differ by rounding alone.
+    const QString file =
+        write(QStringLiteral("two.obj"),
+              support::asObj(support::joined(support::box(10.0F, 10.0F, 10.0F),
+                                             support::moved(support::box(6.0F, 6.0F, 6.0F), {2.0F, 2.0F, 2.0F}))));
+    const Ending ending = runCusp({QStringLiteral("tooth"), file, QStringLiteral("--up"), QStringLiteral("+z")});
+    QCOMPARE(ending.exitCode, 0);
+    QVERIFY2(ending.out.contains("undercut lost 0.000 mm3"), ending.out);
+}
+
 void TestToothCommand::wrongUsage()
 {
     QFETCH(QString, line);
-    const Ending ending = run(line.split(u' '));
+    const Ending ending = runCusp(line.split(u' '));
     QCOMPARE(ending.exitCode, 2);
     QCOMPARE(ending.error.count('\n'), 1);
     QCOMPARE(ending.out, QByteArray());
@@ -266,8 +268,8 @@ void TestToothCommand::badFiles()
     QFETCH(QString, name);
     QFETCH(QByteArray, bytes);
     QFETCH(QString, says);
-    const Ending ending = run({QStringLiteral("tooth"), write(name, bytes.toStdString()), QStringLiteral("--up"),
-                               QStringLiteral("+z"), QStringLiteral("--json")});
+    const Ending ending = runCusp({QStringLiteral("tooth"), write(name, bytes.toStdString()), QStringLiteral("--up"),
+                                   QStringLiteral("+z"), QStringLiteral("--json")});
     QCOMPARE(ending.exitCode, 1);
     QCOMPARE(ending.out, QByteArray());
     QVERIFY2(ending.error.contains(says.toLatin1()), ending.error.constData());
@@ -275,7 +277,7 @@ void TestToothCommand::badFiles()
     QVERIFY(ending.error.endsWith(".\n"));
     QVERIFY(ending.peakMiB < 200);
     for (const QString& path : {QStringLiteral("/nowhere/a.obj"), m_folder.path(), QStringLiteral("/dev/null")})
-        QCOMPARE(run({QStringLiteral("tooth"), path}).exitCode, 1);
+        QCOMPARE(runCusp({QStringLiteral("tooth"), path}).exitCode, 1);
 }
 
 void TestToothCommand::tenMillionTriangles_data()
@@ -318,7 +320,7 @@ void TestToothCommand::tenMillionTriangles()
             file.write(block);
     }
     file.close();
-    const Ending ending = run({QStringLiteral("tooth"), file.fileName()});
+    const Ending ending = runCusp({QStringLiteral("tooth"), file.fileName()});
     file.remove();
     qInfo("%s: peak %ld MiB", qPrintable(name), ending.peakMiB);
     QCOMPARE(ending.exitCode, 1);
@@ -332,11 +334,11 @@ void TestToothCommand::largestMeshFitsInMemory()
     // 4.5 million triangles, nothing shared in the file: what an honest large scan would be.
     const core::mesh::TriangleMesh cap = support::sphereCap(6.0F, 6.0F, 3000, 750);
     const QString path = write(QStringLiteral("large.stl"), support::asBinaryStl(cap));
-    const Ending ending = run({QStringLiteral("tooth"), path, QStringLiteral("--json")});
+    const Ending ending = runCusp({QStringLiteral("tooth"), path, QStringLiteral("--json")});
     QFile::remove(path);
     QCOMPARE(ending.exitCode, 0);
     qInfo("%zu triangles: %.0f ms, peak %ld MiB", cap.triangles.size(),
-          json(ending)[QStringLiteral("load_ms")].toDouble(), ending.peakMiB);
+          ending.json()[QStringLiteral("load_ms")].toDouble(), ending.peakMiB);
     QVERIFY(ending.peakMiB < 2048);
 }
 
@@ -361,9 +363,9 @@ void TestToothCommand::scanNumbers()
     const std::string path = support::sharedData(file.toStdString());
     if (path.empty())
         QSKIP("shared/data is absent");
-    const Ending ending = run({QStringLiteral("tooth"), QString::fromStdString(path), QStringLiteral("--json")});
+    const Ending ending = runCusp({QStringLiteral("tooth"), QString::fromStdString(path), QStringLiteral("--json")});
     QCOMPARE(ending.exitCode, 0);
-    const QJsonObject report = json(ending);
+    const QJsonObject report = ending.json();
     QCOMPARE(report[QStringLiteral("triangles")].toInt(), triangles);
     QCOMPARE(report[QStringLiteral("closed")].toBool(), true);
     QCOMPARE(report[QStringLiteral("unit")].toString(), QStringLiteral("cm"));

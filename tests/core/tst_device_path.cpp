@@ -43,6 +43,7 @@ private slots:
     void drillColumnMayBeMissingWhenNotNeeded();
     void refusesWhatIsNoFile();
     void readsAFile();
+    void blocksOfAFileMayEndAnywhere();
     void dayIsTheLimit();
     void interpolatesAtAnyRate_data();
     void interpolatesAtAnyRate();
@@ -70,6 +71,8 @@ void TestDevicePath::readsOtherWritings_data()
 {
     QTest::addColumn<QByteArray>("text");
     QTest::newRow("CRLF") << QByteArray("t_s,x_mm,y_mm,z_mm,drill\r\n0,1,2,3,0\r\n1,4,5,6,1\r\n");
+    QTest::newRow("CR alone") << QByteArray("t_s,x_mm,y_mm,z_mm,drill\r0,1,2,3,0\r1,4,5,6,1\r");
+    QTest::newRow("line ends of all kinds") << QByteArray("\r\nt_s,x_mm,y_mm,z_mm,drill\r0,1,2,3,0\r\n1,4,5,6,1\n\r");
     QTest::newRow("byte order mark") << QByteArray("\xEF\xBB\xBFt_s,x_mm,y_mm,z_mm,drill\n0,1,2,3,0\n1,4,5,6,1\n");
     QTest::newRow("no newline at the end") << QByteArray("t_s,x_mm,y_mm,z_mm,drill\n0,1,2,3,0\n1,4,5,6,1");
     QTest::newRow("blank lines") << QByteArray("t_s,x_mm,y_mm,z_mm,drill\n\n0,1,2,3,0\n  \n1,4,5,6,1\n\n\n");
@@ -109,6 +112,10 @@ void TestDevicePath::refuses_data()
         without.replace(column, "other");
         QTest::addRow("no column %s", column) << without << ErrorCode::BadStructure;
     }
+    for (const char* column : {"t_s", "x_mm", "y_mm", "z_mm", "drill"})
+        QTest::addRow("two columns %s", column) << QByteArray("t_s,x_mm,y_mm,z_mm,drill,") + column + "\n0,1,2,3,0,0\n"
+                                                << ErrorCode::BadStructure;
+    QTest::newRow("a line without end") << header + QByteArray(2 * 1024 * 1024, '1') << ErrorCode::WrongKind;
     QTest::newRow("row too short") << header + "0,1,2,3\n" << ErrorCode::BadStructure;
     QTest::newRow("word") << header + "0,1,two,3,0\n" << ErrorCode::BadNumber;
     QTest::newRow("empty cell") << header + "0,1,,3,0\n" << ErrorCode::BadNumber;
@@ -155,6 +162,12 @@ void TestDevicePath::namesTheLine()
     const auto path = parseDevicePath(kHeader + "0,1,2,3,0\n\n1,1,2,3,0\n2,1,bad,3,0\n", true);
     QVERIFY(!path);
     QCOMPARE(path.error().detail, std::string("Line 5 of the device path: 'bad' in column y_mm is not a number."));
+    for (const char* lineEnd : {"\r", "\r\n", "\n"}) {
+        QByteArray text = QByteArray::fromStdString(kHeader) + "0,1,2,3,0\n\n1,1,2,3,0\n2,1,bad,3,0\n";
+        const auto again = parseDevicePath(text.replace("\n", lineEnd).toStdString(), true);
+        QVERIFY(!again);
+        QCOMPARE(again.error().detail, path.error().detail);
+    }
 }
 
 void TestDevicePath::strangeBytesAreNotEchoed()
@@ -208,6 +221,28 @@ void TestDevicePath::readsAFile()
     QVERIFY(path);
     QCOMPARE(path->points.size(), 20000U);
     QCOMPARE(path->ticks(1000.0), 20000U);
+}
+
+void TestDevicePath::blocksOfAFileMayEndAnywhere()
+{
+    // Read in blocks: longer and longer first cells move every place of a line across their borders.
+    const QTemporaryDir folder;
+    for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
+        for (int shift = 0; shift < 30; ++shift) {
+            QByteArray text = "note,t_s,x_mm,y_mm,z_mm,drill\n" + QByteArray(shift, 'n') + ",-1,1,2,3,0\n";
+            for (int n = 0; n < 6000; ++n)
+                text += "," + QByteArray::number(n * 0.001, 'f', 3) + ",1,2,3,0\n";
+            text += "last,bad,1,2,3,0\n";
+            QFile file(folder.filePath("path.csv"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(text.replace("\n", lineEnd));
+            file.close();
+            const auto path = recording::readDevicePath(file.fileName().toStdString(), true);
+            QVERIFY(!path);
+            QVERIFY2(path.error().detail.find("Line 6003 of the device path: 'bad' in column t_s") != std::string::npos,
+                     path.error().detail.c_str());
+        }
+    }
 }
 
 void TestDevicePath::dayIsTheLimit()

@@ -67,6 +67,7 @@ private slots:
     void frameIsRightHandedAndPutsTheCrownAtTheOrigin();
     void frameOfTheFileIsKept();
     void refusesWhatCannotBeATooth();
+    void warnsOfASizeThatNoToothHas();
     void unitsAndAxesAreParsed();
 };
 
@@ -364,6 +365,30 @@ void TestMeshAnalysis::refusesWhatCannotBeATooth()
     facts = factsOf(mesh);
     QCOMPARE(findPlacement(mesh, facts, {{}, {}, true}).error().code, core::ErrorCode::OutOfRange);
     QVERIFY(findPlacement(mesh, facts, {}));
+}
+
+void TestMeshAnalysis::warnsOfASizeThatNoToothHas()
+{
+    // A scan in cm that someone calls mm, one in mm that he calls cm, and sizes that a tooth has.
+    for (const auto& [sizeUnits, mmPerUnit, says] :
+         {std::tuple(2.1F, 1.0, "less than"), {8.5F, 10.0, "more than"}, {21.0F, 1.0, ""}, {2.1F, 10.0, ""}})
+        for (const bool keepFrame : {false, true}) {
+            PlacementOptions options;
+            options.keepFrame = keepFrame;
+            if (!keepFrame)
+                options.unit = LengthUnit{"given", mmPerUnit};
+            else if (mmPerUnit != 1.0)
+                continue;
+            TriangleMesh mesh = support::box(sizeUnits, 0.9F * sizeUnits, 0.8F * sizeUnits);
+            options.up = keepFrame ? std::nullopt : std::optional(Axis::PlusZ);
+            const auto placement = findPlacement(mesh, factsOf(mesh), options);
+            QVERIFY(placement);
+            QCOMPARE(placement->warnings.size(), std::size_t(*says == '\0' ? 0 : 1));
+            if (*says != '\0') {
+                QVERIFY2(placement->warnings[0].find(says) != std::string::npos, placement->warnings[0].c_str());
+                QVERIFY(placement->warnings[0].find(keepFrame ? "--frame file" : "--unit") != std::string::npos);
+            }
+        }
 }
 
 void TestMeshAnalysis::unitsAndAxesAreParsed()

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/base/Rng.h"
 #include "core/mesh/MeshReader.h"
 #include "tests/fuzz/ExerciseMesh.h"
 #include "tests/support/Solids.h"
@@ -45,6 +51,49 @@ std::string stlRecord(float x)
     return support::asBinaryStl(mesh).substr(84);
 }
 
+using Outline = std::vector<glm::dvec2>;
+
+/// One polygon as an OBJ whose single face lies in the x-y, y-z or z-x plane.
+std::string asObj(const Outline& outline, int axis = 2)
+{
+    std::string text;
+    std::string face = "f";
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        double p[3] = {};
+        p[(axis + 1) % 3] = outline[k].x;
+        p[(axis + 2) % 3] = outline[k].y;
+        text += QStringLiteral("v %1 %2 %3\n").arg(p[0]).arg(p[1]).arg(p[2]).toStdString();
+        face.append(" ").append(std::to_string(k + 1));
+    }
+    return text + face + "\n";
+}
+
+bool isInside(const Outline& outline, const glm::dvec2& p)
+{
+    bool odd = false;
+    for (std::size_t a = 0, b = outline.size() - 1; a < outline.size(); b = a++)
+        if ((outline[a].y > p.y) != (outline[b].y > p.y) &&
+            p.x < (outline[b].x - outline[a].x) * (p.y - outline[a].y) / (outline[b].y - outline[a].y) + outline[a].x)
+            odd = !odd;
+    return odd;
+}
+
+/// A ring with a gap: two arms that wind around each other the number of times given.
+Outline spiral(int turns)
+{
+    Outline outline;
+    const int corners = 40 * turns;
+    for (int k = 0; k <= corners; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / 40.0;
+        outline.emplace_back((1.0 + k / 40.0) * std::cos(angle), (1.0 + k / 40.0) * std::sin(angle));
+    }
+    for (int k = corners; k >= 0; --k) {
+        const double angle = 2.0 * std::numbers::pi * k / 40.0;
+        outline.emplace_back((1.5 + k / 40.0) * std::cos(angle), (1.5 + k / 40.0) * std::sin(angle));
+    }
+    return outline;
+}
+
 }  // namespace
 
 class TestMeshReader : public QObject
@@ -56,6 +105,11 @@ private slots:
     void objSpellings_data();
     void objSpellings();
     void plyWithOtherElementsAndPolygons();
+    void polygonsAreCoveredOnce_data();
+    void polygonsAreCoveredOnce();
+    void polygonsOfManyCorners();
+    void polygonsThatCrossThemselvesWarn();
+    void aByteOrderMarkIsPassedOver();
     void binaryStlThatBeginsWithSolid();
     void oddButUsableFilesWarn();
     void badBytes_data();
@@ -138,6 +192,130 @@ void TestMeshReader::plyWithOtherElementsAndPolygons()
     QVERIFY2(file, file ? "" : file.error().detail.c_str());
     QCOMPARE(file->mesh.triangles.size(), std::size_t(4));
     QVERIFY(file->mesh.vertices[1] == glm::vec3(1, 0, 0));
+}
+
+void TestMeshReader::polygonsAreCoveredOnce_data()
+{
+    QTest::addColumn<Outline>("outline");
+    QTest::newRow("dart") << Outline{{0, 0}, {4, 1}, {0, 2}, {1, 1}};
+    QTest::newRow("L") << Outline{{3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}, {0, 0}};
+    QTest::newRow("corners on straight lines")
+        << Outline{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {1, 2}, {0, 2}};
+    QTest::newRow("notch with corners on straight lines")
+        << Outline{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    QTest::newRow("a bridge to a hole") << Outline{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0},
+                                                   {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
+    Outline comb;
+    for (int k = 0; k < 40; ++k)
+        comb.insert(comb.end(), {{k + 0.0, 5.0}, {k + 0.2, 1.0}, {k + 0.5, 1.0}, {k + 0.6, 5.0}});
+    comb.insert(comb.end(), {{39.6, 0.0}, {0.0, 0.0}});
+    QTest::newRow("comb") << comb;
+    QTest::newRow("spiral") << spiral(5);
+    Outline round;
+    for (int k = 0; k < 300; ++k)
+        round.emplace_back(5.0 * std::cos(2.0 * std::numbers::pi * k / 300.0),
+                           4.0 * std::sin(2.0 * std::numbers::pi * k / 300.0));
+    QTest::newRow("round") << round;
+}
+
+/// A fan covers some places of a concave polygon twice or leaves it; against the even-odd rule at random points.
+void TestMeshReader::polygonsAreCoveredOnce()
+{
+    QFETCH(Outline, outline);
+    for (const bool backwards : {false, true}) {
+        if (backwards)
+            std::reverse(outline.begin(), outline.end());
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto file = readMesh(asObj(outline, axis), MeshFormat::Obj, "polygon.obj");
+            QVERIFY2(file, file ? "" : file.error().detail.c_str());
+            QVERIFY2(file->warnings.empty(), file->warnings.empty() ? "" : file->warnings[0].c_str());
+            QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
+            glm::dvec2 low = outline[0];
+            glm::dvec2 high = outline[0];
+            for (const glm::dvec2& p : outline) {
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+            core::Rng rng(1);
+            for (int sample = 0; sample < 1000; ++sample) {
+                const glm::dvec2 p(rng.uniform(low.x, high.x), rng.uniform(low.y, high.y));
+                int covers = 0;
+                for (const auto& t : file->mesh.triangles) {
+                    Outline corners;
+                    for (const std::uint32_t v : t)
+                        corners.emplace_back(file->mesh.vertices[v][(axis + 1) % 3],
+                                             file->mesh.vertices[v][(axis + 2) % 3]);
+                    covers += isInside(corners, p) ? 1 : 0;
+                }
+                QCOMPARE(covers, isInside(outline, p) ? 1 : 0);
+            }
+        }
+    }
+}
+
+void TestMeshReader::polygonsOfManyCorners()
+{
+    // A wavy outline: half its corners are notches in one file, none in the other.
+    const auto wavy = [](int count, double wave) {
+        Outline outline;
+        for (int k = 0; k < count; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / count;
+            const double radius = 100.0 * (k % 2 == 0 ? 1.0 : 1.0 - wave);
+            outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        }
+        return outline;
+    };
+    for (const auto& [count, wave] : {std::pair(2000, 0.0), {2000, 0.01}, {20'000, 0.001}}) {
+        const auto file = readMesh(asObj(wavy(count, wave)), MeshFormat::Obj, "base.obj");
+        QVERIFY2(file, file ? "" : file.error().detail.c_str());
+        QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(count - 2));
+        double boxes = 0.0;  // what the rasteriser will have to look at; a fan: half the outline for every corner
+        for (const auto& t : file->mesh.triangles) {
+            const glm::vec2 a(file->mesh.vertices[t[0]]);
+            const glm::vec2 b(file->mesh.vertices[t[1]]);
+            const glm::vec2 c(file->mesh.vertices[t[2]]);
+            const glm::vec2 size = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
+            boxes += static_cast<double>(size.x) * static_cast<double>(size.y);
+        }
+        QVERIFY2(boxes < 50.0 * 200.0 * 200.0, qPrintable(QString::number(boxes)));
+    }
+    const auto refused = readMesh(asObj(wavy(200'000, 0.0002)), MeshFormat::Obj, "base.obj");
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().detail.find("200000 corners") != std::string::npos, refused.error().detail.c_str());
+    QVERIFY2(refused.error().detail.find("triangles only") != std::string::npos, refused.error().detail.c_str());
+}
+
+void TestMeshReader::polygonsThatCrossThemselvesWarn()
+{
+    Outline star;
+    for (int k = 0; k < 5; ++k)
+        star.emplace_back(std::cos(0.8 * std::numbers::pi * k), std::sin(0.8 * std::numbers::pi * k));
+    const Outline bowTie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+    const Outline eight{{0, 0}, {6, 6}, {6, 0}, {0, 5}};
+    const Outline line{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+    for (const Outline& outline : {star, bowTie, eight, line}) {
+        const auto file = readMesh(asObj(outline), MeshFormat::Obj, "polygon.obj");
+        QVERIFY(file);
+        QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
+        QCOMPARE(file->warnings.size(), std::size_t(1));
+        QVERIFY2(file->warnings[0].starts_with("1 face crosses itself"), file->warnings[0].c_str());
+    }
+}
+
+void TestMeshReader::aByteOrderMarkIsPassedOver()
+{
+    const TriangleMesh mesh = support::box(1, 2, 3);
+    const std::array<std::pair<MeshFormat, std::string>, 4> files{
+        {{MeshFormat::Obj, support::asObj(mesh)},
+         {MeshFormat::Stl, support::asAsciiStl(mesh)},
+         {MeshFormat::Ply, support::asAsciiPly(mesh)},
+         {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
+    for (const auto& [format, bytes] : files) {
+        const auto file = readMesh(std::string("\xEF\xBB\xBF").append(bytes), format, "marked");
+        QVERIFY2(file, file ? "" : file.error().detail.c_str());
+        QVERIFY(corners(file->mesh) == corners(mesh));
+        QVERIFY(file->warnings.empty());
+    }
 }
 
 void TestMeshReader::binaryStlThatBeginsWithSolid()
@@ -239,7 +417,7 @@ void TestMeshReader::badBytes_data()
         "face 1");
     add("ply: vertices of 4 billion", MeshFormat::Ply,
         "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nend_header\nxxxx",
-        ErrorCode::FileTooLarge, "5000000");
+        ErrorCode::FileTruncated, "states 4000000000 of \"vertex\", more than the 4 bytes left");
     add("ply: faces cut in binary", MeshFormat::Ply, support::asBinaryPly(support::box(1, 1, 1), true).substr(0, 320),
         ErrorCode::FileTruncated, "cut short");
 }

@@ -14,6 +14,7 @@
 #include "core/base/Bytes.h"
 #include "core/recording/Replay.h"
 #include "tests/fuzz/ExerciseRecording.h"
+#include "tests/support/FullDisk.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
@@ -425,13 +426,15 @@ void TestRecording::failedWriteKeepsTheOlderFile()
     QVERIFY(recording::writeRecording(target, older));
     const Recording newer = shortAttempt();
 
-    // The way is blocked: where the new bytes would go first there is a folder.
-    QVERIFY(QDir(folder.path()).mkdir("attempt.cusprec.part"));
-    const auto blocked = recording::writeRecording(target, newer);
-    QVERIFY(!blocked);
-    QCOMPARE(blocked.error().code, ErrorCode::FileUnwritable);
+    // The disk is full after 100 bytes.
+    {
+        const support::FullDisk full(100);
+        const auto blocked = recording::writeRecording(target, newer);
+        QVERIFY(!blocked);
+        QCOMPARE(blocked.error().code, ErrorCode::FileUnwritable);
+    }
     QCOMPARE(recording::readRecording(target)->ticks(), older.ticks());
-    QVERIFY(QDir(folder.path()).rmdir("attempt.cusprec.part"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{"attempt.cusprec"});
 
     // No such folder; a target that is a folder.
     QVERIFY(!recording::writeRecording(folder.filePath("none/attempt.cusprec").toStdString(), newer));

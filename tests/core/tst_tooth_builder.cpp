@@ -26,6 +26,8 @@ private slots:
     void openScanIsClosedBelow();
     void scanOpenAboveIsRefused();
     void smallHolesArePatched();
+    void undercutOfSeveralShells_data();
+    void undercutOfSeveralShells();
     void usableMeshesWarn_data();
     void usableMeshesWarn();
     void uselessMeshesAreRefused_data();
@@ -154,6 +156,41 @@ void TestToothBuilder::smallHolesArePatched()
     QVERIFY(tooth);
     QVERIFY(!tooth->report.closed);
     QVERIFY(std::abs(tooth->report.modelVolumeMm3 / whole - 1.0) < 1e-4);
+}
+
+void TestToothBuilder::undercutOfSeveralShells_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<double>("undercut");  // negative: unknown
+    const TriangleMesh box = support::box(10.0F, 10.0F, 10.0F);
+    const auto at = [](const TriangleMesh& mesh, float x, float y, float z) { return support::moved(mesh, {x, y, z}); };
+    const TriangleMesh small = support::box(6.0F, 6.0F, 6.0F);
+    QTest::newRow("a hollow") << support::joined(box, at(support::insideOut(small), 2, 2, 2)) << 216.0;
+    QTest::newRow("solid in solid") << support::joined(box, at(small, 2, 2, 2)) << 0.0;
+    QTest::newRow("one above the other") << support::joined(support::box(10.0F, 10.0F, 4.0F),
+                                                            at(support::box(10.0F, 10.0F, 4.0F), 0, 0, 6))
+                                         << 200.0;
+    QTest::newRow("beside each other") << support::joined(small, at(small, 7, 0, 0)) << 0.0;
+    QTest::newRow("one sunk into the other") << support::joined(box, at(small, 2, 2, 7)) << -1.0;
+    QTest::newRow("solid in solid beside a hollow")
+        << support::joined(support::joined(box, at(support::box(2.0F, 2.0F, 2.0F), 1, 1, 1)),
+                           at(support::insideOut(support::box(2.0F, 2.0F, 2.0F)), 6, 6, 6))
+        << -1.0;
+}
+
+void TestToothBuilder::undercutOfSeveralShells()
+{
+    QFETCH(TriangleMesh, mesh);
+    QFETCH(double, undercut);
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY2(tooth, tooth ? "" : tooth.error().detail.c_str());
+    QCOMPARE(tooth->report.undercutMm3.has_value(), undercut >= 0.0);
+    if (undercut >= 0.0)
+        QVERIFY2(std::abs(*tooth->report.undercutMm3 - undercut) < 0.005 * tooth->report.modelVolumeMm3,
+                 qPrintable(QString::number(*tooth->report.undercutMm3)));
+    const bool warned = std::any_of(tooth->report.warnings.begin(), tooth->report.warnings.end(),
+                                    [](const std::string& w) { return w.find("may overlap") != std::string::npos; });
+    QCOMPARE(warned, undercut < 0.0);
 }
 
 void TestToothBuilder::usableMeshesWarn_data()

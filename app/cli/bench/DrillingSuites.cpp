@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include <QFile>
+#include <QJsonObject>
+
+#include "app/cli/Attempt.h"
+#include "app/cli/bench/Suites.h"
+#include "core/teeth/ToothBuilder.h"
+#include "haptics/pointer/PointerDevice.h"
+#include "haptics/simulated/Simulation.h"
+
+namespace app::cli::bench {
+namespace {
+
+/// Resident memory of this process, MiB; 0 where the system does not say.
+double residentMiB()
+{
+    QFile status(QStringLiteral("/proc/self/status"));
+    if (!status.open(QIODevice::ReadOnly))
+        return 0.0;
+    for (const QByteArray& line : status.readAll().split('\n'))
+        if (line.startsWith("VmRSS:"))
+            return line.mid(6).trimmed().split(' ').front().toDouble() / 1024.0;
+    return 0.0;
+}
+
+/// Strokes that wander over the whole crown: slow figure of eight in a slowly turning direction.
+core::session::PointerInput wander(double seconds, double radiusMm)
+{
+    core::session::PointerInput want;
+    const double stroke = radiusMm * std::sin(2.0 * std::numbers::pi * 0.8 * seconds);
+    const double drift = 0.5 * radiusMm * std::sin(2.0 * std::numbers::pi * 0.031 * seconds);
+    const double turn = 2.0 * std::numbers::pi * 0.013 * seconds;
+    want.targetMm = {stroke * std::cos(turn) - drift * std::sin(turn),
+                     stroke * std::sin(turn) + drift * std::cos(turn)};
+    want.pushing = true;
+    want.pushForceN = 1.0;
+    return want;
+}
+
+struct DrillingRun
+{
+    std::vector<float> tickUs;
+    double cuttingShare = 0.0;
+    double firstMiB = 0.0;  ///< after a tenth of the time
+    double lastMiB = 0.0;
+    double recordedMiB = 0.0;
+};
+
+core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* method, bool drill, const Context& context)
+{
+    core::teeth::BuildOptions build;
+    build.gridSide = gridSide;
+    const auto tooth = core::teeth::buildTooth({36}, build);
+    if (!tooth)
+        return tl::unexpected(tooth.error());
+    haptics::SimulationOptions options;
+    options.settings.method = method;
+    core::rt::TripleBuffer<core::session::PointerInput> pointer;
+    haptics::PointerDevice device(pointer, options.settings.force.stiffnessNPerMm, 1.0 / options.rateHz);
+    const auto ticks = static_cast<std::uint64_t>(seconds * options.rateHz);
+    DrillingRun run;
+    std::uint64_t cutting = 0;
+    const auto outcome = haptics::simulate(
+        tooth->anatomy, device, ticks, options,
+        [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) -> std::optional<bool> {
+            if (tick % 16 == 0)
+                pointer.publish(wander(static_cast<double>(tick) / options.rateHz, 4.0));
+            if (tick % 60000 == 0 && ticks > 60000)
+                context.progress(QStringLiteral("minute %1 of %2").arg(tick / 60000 + 1).arg((ticks + 59999) / 60000));
+            if (tick == ticks / 10)
+                run.firstMiB = residentMiB();
+            return drill;
+        },
+        [&](std::uint64_t, const core::session::ServoState& state) { cutting += state.cutting ? 1 : 0; });
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    run.lastMiB = residentMiB();
+    run.tickUs = outcome->tickUs;
+    run.cuttingShare = static_cast<double>(cutting) / static_cast<double>(ticks);
+    run.recordedMiB = static_cast<double>(outcome->recording.packedBytes()) / 1048576.0;
+    return run;
+}
+
+void addPercentiles(Figures& figures, const QString& key, const QString& what, const std::vector<float>& tickUs,
+                    const QString& reach)
+{
+    const QJsonObject at = percentiles(tickUs);
+    for (const char* name : {"p50", "p99", "p999"})
+        figures << Figure{QStringLiteral("%1_%2_us").arg(key, QLatin1String(name)),
+                          what + QStringLiteral(", ") + QLatin1String(name), at[QLatin1String(name)].toDouble(),
+                          QStringLiteral("us"), QLatin1String(name) == QLatin1String("p99") ? reach : QString()};
+}
+
+}  // namespace
+
+core::Result<Figures> tickSuite(const Context& context)
+{
+    constexpr double kSeconds = 30.0;
+    Figures figures;
+    for (const char* method : {"continuous", "lattice", "penalty"}) {
+        context.progress(QStringLiteral("contact, %1").arg(QLatin1String(method)));
+        const auto run = drillFor(kSeconds, 150, method, false, context);
+        if (!run)
+            return tl::unexpected(run.error());
+        addPercentiles(figures, QStringLiteral("tick_contact_%1_150").arg(QLatin1String(method)),
+                       QStringLiteral("contact, %1, grid 150").arg(QLatin1String(method)), run->tickUs, {});
+    }
+    for (const int side : {150, 300, 600}) {
+        context.progress(QStringLiteral("cutting, grid %1").arg(side));
+        const auto run = drillFor(kSeconds, side, "continuous", true, context);
+        if (!run)
+            return tl::unexpected(run.error());
+        addPercentiles(figures, QStringLiteral("tick_cutting_%1").arg(side),
+                       QStringLiteral("contact and cutting, bur 330, grid %1").arg(side), run->tickUs,
+                       side == 150 ? QStringLiteral("under 20") : QString());
+    }
+    return figures;
+}
+
+core::Result<Figures> drillingSuite(const Context& context)
+{
+    const auto run = drillFor(60.0 * context.minutes, 150, "continuous", true, context);
+    if (!run)
+        return tl::unexpected(run.error());
+    Figures figures;
+    addPercentiles(figures, QStringLiteral("drilling_tick"), QStringLiteral("tick"), run->tickUs,
+                   QStringLiteral("under 20"));
+    const auto add = [&](const char* key, const char* what, double value, const char* unit, const char* reach = "") {
+        figures << Figure{QLatin1String(key), QLatin1String(what), value, QLatin1String(unit), QLatin1String(reach)};
+    };
+    add("drilling_tick_max_us", "tick, longest", percentiles(run->tickUs)[QStringLiteral("max")].toDouble(), "us",
+        "under 1000");
+    add("drilling_cutting_percent", "ticks that cut", 100.0 * run->cuttingShare, "%");
+    add("drilling_memory_early_mib", "memory after a tenth", run->firstMiB, "MiB");
+    add("drilling_memory_end_mib", "memory at the end", run->lastMiB, "MiB", "flat but for the recording");
+    add("drilling_recording_mib", "of it, the recording", run->recordedMiB, "MiB");
+    return figures;
+}
+
+}  // namespace app::cli::bench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+
+#include "core/base/Result.h"
+
+/// What `cusp bench` measures: one function a suite.
+namespace app::cli::bench {
+
+/// One measured figure.
+struct Figure
+{
+    QString key;  ///< for tools, the same in every version: suite, what and unit in snake_case
+    QString what;
+    double value = 0.0;
+    QString unit;
+    QString reach;  ///< what was to be reached, empty if nothing was set
+};
+using Figures = QList<Figure>;
+
+/// What a suite needs from the command line, and where it tells how far it is.
+struct Context
+{
+    double minutes = 10.0;  ///< of drilling
+    QStringList meshes;     ///< files to load
+    std::function<void(const QString&)> progress;
+};
+
+/// Volume of solids at the standard grid against closed form.
+[[nodiscard]] core::Result<Figures> volumeSuite(const Context& context);
+/// Time from a number or a mesh file to a tooth that can be drilled.
+[[nodiscard]] core::Result<Figures> loadSuite(const Context& context);
+/// Thread CPU time of a servo tick, by method and grid.
+[[nodiscard]] core::Result<Figures> tickSuite(const Context& context);
+/// Minutes of continuous drilling: ticks and memory.
+[[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
+
+}  // namespace app::cli::bench

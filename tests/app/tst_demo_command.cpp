@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/Program.h"
+
+using support::Ending;
+using support::runCusp;
+
+/// Runs the demonstration where no window can be drawn, or only on a display of its own.
+class TestDemoCommand : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void drawsOnADisplayOfItsOwn();
+    void withoutAPictureAllElseIsThere();
+    void picturesWithoutOpenGlAreRefused();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// The one attempt that all look at; offscreen, as scripts set it, is no reason to draw nothing.
+void TestDemoCommand::initTestCase()
+{
+    const Ending ending =
+        runCusp({"demo", "--out", m_folder.path()}, {"QT_QPA_PLATFORM=offscreen", "XDG_RUNTIME_DIR="});
+    QVERIFY2(ending.exitCode == 0, ending.error);
+    QCOMPARE(ending.error, QByteArray());
+}
+
+void TestDemoCommand::drawsOnADisplayOfItsOwn()
+{
+    for (const char* name : {"attempt.cusprec", "score.txt", "score.json"})
+        QVERIFY2(QFile::exists(m_folder.filePath(name)), name);
+    QVERIFY(!QImage(m_folder.filePath("picture.png")).isNull());
+}
+
+void TestDemoCommand::withoutAPictureAllElseIsThere()
+{
+    const QTemporaryDir folder;
+    const Ending ending = runCusp({"demo", "--out", folder.path()}, {"PATH=/nowhere"});  // no xvfb-run
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.error.startsWith("cusp: The picture could not be drawn") && ending.error.count('\n') == 1,
+             ending.error);
+    for (const char* name : {"attempt.cusprec", "score.txt", "score.json"})
+        QVERIFY2(QFile::exists(folder.filePath(name)), name);
+}
+
+void TestDemoCommand::picturesWithoutOpenGlAreRefused()
+{
+    const Ending ending =
+        runCusp({"--recording", m_folder.filePath("attempt.cusprec"), "--picture", m_folder.filePath("none.png")},
+                {"QT_QPA_PLATFORM=offscreen"});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.error.contains("cusp: the picture could not be drawn"), ending.error);
+    QVERIFY(!QFile::exists(m_folder.filePath("none.png")));
+}
+
+QTEST_GUILESS_MAIN(TestDemoCommand)
+#include "tst_demo_command.moc"

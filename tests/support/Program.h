@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QStringList>
+
+/// The built program, run as a user runs it: its own process, stdout and stderr apart.
+namespace support {
+
+/// How it ended.
+struct Ending
+{
+    int exitCode = -1;  ///< -1: killed by a signal
+    QByteArray out;
+    QByteArray error;
+    long peakMiB = 0;
+
+    /// stdout as a JSON object; empty if it is none.
+    [[nodiscard]] QJsonObject json() const;
+    /// One line of stderr, "cusp: " and a sentence with its full stop, and nothing on stdout.
+    [[nodiscard]] bool isOneSentence() const;
+};
+
+/// Runs cusp to its end without a display.
+/// @param environment  "NAME=value" each, on top of this process's own
+[[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {});
+
+}  // namespace support
