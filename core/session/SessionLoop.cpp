@@ -191,7 +191,9 @@ void SessionLoop::forward()
 void SessionLoop::publish()
 {
     if (m_volumesStale && m_anatomy) {
-        m_removedMm3 = terrain::removedVolumes(terrain::restored(m_anatomy, m_mirror.flat()));
+        const terrain::Tooth tooth = terrain::restored(m_anatomy, m_mirror.flat());
+        m_removedMm3 = terrain::removedVolumes(tooth);
+        m_perforated = terrain::isPerforated(tooth);
         m_volumesStale = false;
     }
     SessionState& out = m_ui.session.back();
@@ -202,6 +204,7 @@ void SessionLoop::publish()
     out.strokes = m_strokes;
     out.wholeMm3 = m_wholeMm3;
     out.removedMm3 = m_removedMm3;
+    out.perforated = m_perforated;
     out.recordedS = m_recording ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
     m_ui.session.publish();
 }

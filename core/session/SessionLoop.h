@@ -75,6 +75,7 @@ private:
     std::uint64_t m_generation = 0;
     terrain::PerMaterial m_wholeMm3{};
     terrain::PerMaterial m_removedMm3{};
+    bool m_perforated = false;
     bool m_volumesStale = true;
     std::vector<TilePatch> m_group;  ///< patches of a group that is not complete yet
     std::deque<TilePatch> m_toUi;

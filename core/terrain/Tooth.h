@@ -84,6 +84,9 @@ struct Tooth
 /// Volume of each material removed since the anatomy, mm3.
 [[nodiscard]] PerMaterial removedVolumes(const Tooth& tooth);
 
+/// True if the tooth has a hole through it that has tooth all around. What is ground off its outside is none.
+[[nodiscard]] bool isPerforated(const Tooth& tooth);
+
 /// 64-bit FNV-1a over grid and both maps, bit for bit. Two teeth are the same if and only if (short of a collision)
 /// their hashes are: what `cusp replay` prints.
 [[nodiscard]] std::uint64_t stateHash(const Tooth& tooth);
