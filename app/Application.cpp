@@ -76,6 +76,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
+    connect(m_window.get(), &MainWindow::replayPauseRequested, this, [this](bool paused) {
+        if (m_replay)
+            m_replay->setPaused(paused);
+    });
     m_replayWatch.setInterval(kReplayWatchMs);
     connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
@@ -170,7 +174,7 @@ void Application::refuse(const core::Error& error)
         return;
     }
     m_window->showError(error);
-    if (!m_anatomy)
+    if (!m_anatomy && !m_replay)
         openTooth({kSpareTooth});
 }
 
@@ -184,21 +188,20 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 
 void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes)
 {
-    endReplay();
+    if (m_replay) {
+        putReplayAway();
+        startLoops();
+    }
     m_anatomy = std::move(anatomy);
-    ++m_generation;
-    m_window->showTooth(m_anatomy, m_generation, notes);
+    m_ownGeneration = ++m_generation;
+    m_window->showTooth(m_anatomy, m_ownGeneration, notes);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_anatomy);
-    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_generation}))
+    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration}))
         static_cast<void>(tooth.release());  // the session owns it now
 }
 
 void Application::grade()
 {
-    if (m_replay) {
-        m_window->showMessage(tr("This is a replay. Stop it to be graded on your own work."));
-        return;
-    }
     const auto tooth = m_session.toothSoFar();
     const auto recording = m_session.recordingSoFar();
     if (!tooth || !recording)
@@ -228,10 +231,6 @@ void Application::grade()
 
 void Application::saveRecording(const QString& path)
 {
-    if (m_replay) {
-        m_window->showMessage(tr("This is a replay; it is saved already. Stop it to record your own work."));
-        return;
-    }
     const auto recording = m_session.recordingSoFar();
     if (!recording)
         return;
@@ -242,7 +241,7 @@ void Application::saveRecording(const QString& path)
         },
         [this, path](const core::Status& written) {
             if (written)
-                m_window->showMessage(tr("The recording was saved as %1.").arg(QDir::toNativeSeparators(path)));
+                m_window->showSaved(path);
             else
                 m_window->showError(written.error());
         });
@@ -264,20 +263,25 @@ void Application::openRecording(const QString& path)
         });
 }
 
+/// The student's own attempt stays in the two loops, which rest meanwhile.
 void Application::play(const core::recording::Recording& recording)
 {
-    endReplay();
     auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
     if (!replay) {
-        m_window->showError(replay.error());
+        refuse(replay.error());
         return;
     }
-    stopLoops();
-    m_anatomy = recording.anatomy();
+    if (m_replay) {
+        putReplayAway();
+    } else {
+        stopLoops();
+        m_handAtRest = m_links.servo.latest();
+    }
     ++m_generation;
     m_replay = std::move(*replay);
-    m_window->showTooth(m_anatomy, m_generation, {});
-    m_window->setReplaying(true);
+    m_replayed = recording.anatomy();
+    m_window->setReplaying(true, std::chrono::duration<double>(recording.duration()).count());
+    m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
         m_replay->tick(recording.duration());  // straight to its end
     m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
@@ -290,13 +294,13 @@ void Application::watchReplay()
     if (!m_replay || !m_replay->isFinished())
         return;
     m_replayWatch.stop();
-    m_window->showMessage(tr("The recording has come to its end. Stop the replay to begin this tooth anew yourself."));
+    m_window->showReplayEnd();
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
 void Application::drawPicture()
 {
-    if (m_anatomy)
+    if (m_anatomy || m_replay)
         ++m_pictureLooks;
     if (m_pictureLooks < kPictureFrames) {
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
@@ -306,22 +310,36 @@ void Application::drawPicture()
     QCoreApplication::exit(saved ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
-void Application::endReplay()
+/// Afterwards nobody writes what the window reads, until loops start again.
+void Application::putReplayAway()
 {
-    if (!m_replay)
-        return;
     m_replayWatch.stop();
     m_replayThread.reset();
     m_replay.reset();
     m_window->setReplaying(false);
-    startLoops();
 }
 
-/// Back to the student's own hand, on the same tooth, whole again.
+/// Back to the student's own work as it was left. Who has none gets the tooth of the recording, whole.
 void Application::stopReplay()
 {
-    if (m_replay)
-        begin(m_anatomy, {});
+    if (!m_replay)
+        return;
+    if (!m_anatomy) {
+        begin(m_replayed, {});
+        m_window->showMessage(tr("The tooth is whole, and yours to drill."));
+        return;
+    }
+    putReplayAway();
+    m_links.servo.back() = m_handAtRest;
+    m_links.servo.publish();
+    for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
+    }
+    m_window->showTooth(m_anatomy, m_ownGeneration, {});
+    // A tooth that was taken a moment before the replay may still be on its way to the session.
+    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_anatomy)
+        m_window->view().setHeights(own->top);
+    startLoops();
+    m_window->showMessage(tr("This is your own work again, as you left it."));
 }
 
 }  // namespace app

@@ -55,7 +55,7 @@ private:
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
     void play(const core::recording::Recording& recording);
-    void endReplay();
+    void putReplayAway();
     void stopReplay();
     void watchReplay();
     void drawPicture();
@@ -72,12 +72,15 @@ private:
     std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
 
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
-    std::uint64_t m_generation = 0;
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< the student's own tooth; null: none taken yet
+    std::uint64_t m_ownGeneration = 0;                             ///< of that tooth
+    std::uint64_t m_generation = 0;                                ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     QTimer m_replayWatch;
     std::unique_ptr<ReplayLoop> m_replay;
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
+    core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 
     // Threads last: they are joined before what they run on goes away.
     std::unique_ptr<LoopThread> m_servoThread;

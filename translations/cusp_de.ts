@@ -261,20 +261,12 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>The recording was saved as %1.</source>
-        <translation>Die Aufzeichnung liegt als %1 bereit.</translation>
+        <source>The tooth is whole, and yours to drill.</source>
+        <translation>Der Zahn ist unversehrt, Sie können jetzt selbst bohren.</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
-        <translation>Das ist eine Wiedergabe. Beende sie, um für deine eigene Arbeit benotet zu werden.</translation>
-    </message>
-    <message>
-        <source>This is a replay; it is saved already. Stop it to record your own work.</source>
-        <translation>Das ist eine Wiedergabe, sie ist schon gespeichert. Beende sie, um deine eigene Arbeit aufzuzeichnen.</translation>
-    </message>
-    <message>
-        <source>The recording has come to its end. Stop the replay to begin this tooth anew yourself.</source>
-        <translation>Die Aufzeichnung ist zu Ende. Beende die Wiedergabe, um diesen Zahn selbst neu zu beginnen.</translation>
+        <source>This is your own work again, as you left it.</source>
+        <translation>Hier ist wieder Ihre eigene Arbeit, so wie Sie sie verlassen haben.</translation>
     </message>
 </context>
 <context>
@@ -431,6 +423,14 @@
         <source>%1 (%2)</source>
         <extracomment>Tooltip: what it does, then its key</extracomment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation>Wiedergabe anhalten</translation>
+    </message>
+    <message>
+        <source>Hold the recording where it is, or let it go on</source>
+        <translation>Die Aufzeichnung anhalten oder weiterlaufen lassen</translation>
     </message>
 </context>
 <context>
@@ -631,6 +631,46 @@
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
         <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie so etwas herein.</translation>
     </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation>Das ist eine Wiedergabe. Beenden Sie sie, um Ihre eigene Arbeit bewerten zu lassen.</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>Die Aufzeichnung wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The recording has come to its end.</source>
+        <translation>Die Aufzeichnung ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>Wiedergabe beenden</translation>
+    </message>
+    <message>
+        <source>Your work would be lost</source>
+        <translation>Ihre Arbeit ginge verloren</translation>
+    </message>
+    <message>
+        <source>What you have cut would be lost.</source>
+        <translation>Was Sie präpariert haben, ginge verloren.</translation>
+    </message>
+    <message>
+        <source>It has not been saved as a recording since you last cut.</source>
+        <translation>Es wurde seit dem letzten Abtrag nicht als Aufzeichnung gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation>Aufzeichnung &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -667,11 +707,20 @@
     </message>
     <message>
         <source>Stop the recording</source>
-        <translation>Aufzeichnung anhalten</translation>
+        <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
-        <source>Stop watching and drill yourself (Esc)</source>
-        <translation>Nicht weiter zusehen, selbst bohren (Esc)</translation>
+        <source>Progress of the recording</source>
+        <translation>Fortschritt der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>Das Zusehen beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>

@@ -261,19 +261,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recording was saved as %1.</source>
+        <source>The tooth is whole, and yours to drill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is a replay; it is saved already. Stop it to record your own work.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording has come to its end. Stop the replay to begin this tooth anew yourself.</source>
+        <source>This is your own work again, as you left it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -430,6 +422,14 @@
     <message>
         <source>%1 (%2)</source>
         <extracomment>Tooltip: what it does, then its key</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the recording where it is, or let it go on</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -631,6 +631,46 @@
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording has come to its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your work would be lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you have cut would be lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has not been saved as a recording since you last cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -670,7 +710,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop watching and drill yourself (Esc)</source>
+        <source>Progress of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -9,6 +9,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
@@ -71,11 +72,20 @@ private slots:
     void pushForceGoesBothWays();
     void troubleStaysOutOfTheWayUntilItIsThere();
 
-    void errorsStayNewsWaits();
+    void errorsStayAndComeBackAfterNews();
     void theMessageButtonDoesWhatItSays();
     void notesOfTheImporterAreShown();
     void workIsShownAndHoldsBackTheRest();
     void aReplayRestsTheControls();
+    void aReplayTellsItsTimeAndPauses();
+    void escapeEndsAReplayAtOnce();
+    void gradingAReplayOffersToStopIt();
+
+    void wholeToothIsLeftWithoutAQuestion();
+    void unsavedWorkIsAskedAbout_data();
+    void unsavedWorkIsAskedAbout();
+    void savedWorkIsLeftWithoutAQuestion();
+    void workThatWaitsForAReplayIsAskedAbout();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -117,6 +127,9 @@ private:
         m_links->servo.publish(servo);
         m_links->session.publish(session);
     }
+    /// The session says so much enamel of the tooth shown is gone.
+    void cutSomething(double enamelMm3) const;
+    QMessageBox* question() const;
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
 
     std::unique_ptr<UiLinks> m_links;
@@ -481,7 +494,7 @@ void TestMainWindow::troubleStaysOutOfTheWayUntilItIsThere()
     QTRY_VERIFY(!told("handpiece is gone"));
 }
 
-void TestMainWindow::errorsStayNewsWaits()
+void TestMainWindow::errorsStayAndComeBackAfterNews()
 {
     m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."});
     QVERIFY(message().contains("ends too early"));
@@ -490,9 +503,9 @@ void TestMainWindow::errorsStayNewsWaits()
         detail = detail || (label->isVisible() && label->text() == "molar.stl: ends after 84 bytes.");
     QVERIFY(detail);
     m_window->showMessage("Saved.");
-    QVERIFY(message().contains("ends too early"));
-    press(Qt::Key_Escape);
     QCOMPARE(message(), QString("Saved."));
+    press(Qt::Key_Escape);
+    QVERIFY(message().contains("ends too early"));
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
 }
@@ -555,6 +568,182 @@ void TestMainWindow::aReplayRestsTheControls()
     QVERIFY(child<QLabel>("hint")->isVisible());
     press(Qt::Key_D);
     QCOMPARE(sent().size(), 1);
+}
+
+void TestMainWindow::aReplayTellsItsTimeAndPauses()
+{
+    QSignalSpy pause(m_window.get(), &MainWindow::replayPauseRequested);
+    m_window->setReplaying(true, 95.0);
+    QCOMPARE(figure("replayTime"), QString("0:00 of 1:35"));
+    SessionState session;
+    session.recordedS = 67.9;
+    publish({}, session);
+    QTRY_COMPARE(figure("replayTime"), QString("1:07 of 1:35"));
+    press(Qt::Key_Space);
+    press(Qt::Key_Space);
+    QCOMPARE(pause.size(), 2);
+    QCOMPARE(pause[0].front().toBool(), true);
+    QCOMPARE(pause[1].front().toBool(), false);
+    QVERIFY2(sent().isEmpty(), "the drill is not meant");
+    press(Qt::Key_Space);
+    m_window->setReplaying(false);
+    QVERIFY2(!actions().pauseReplay->isChecked(), "the next replay begins by running");
+    press(Qt::Key_Space);
+    QCOMPARE(sent().size(), 1);
+}
+
+void TestMainWindow::escapeEndsAReplayAtOnce()
+{
+    QSignalSpy stop(m_window.get(), &MainWindow::replayStopRequested);
+    m_window->setReplaying(true, 10.0);
+    m_window->showReplayEnd();
+    QVERIFY(!message().isEmpty());
+    press(Qt::Key_Escape);
+    QCOMPARE(stop.size(), 1);
+    m_window->setReplaying(false);
+    m_window->showTooth(support::syntheticMolar(), 1, {});
+    QVERIFY2(message().isEmpty(), "what was said about the replay went with it");
+}
+
+void TestMainWindow::gradingAReplayOffersToStopIt()
+{
+    QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
+    QSignalSpy stop(m_window.get(), &MainWindow::replayStopRequested);
+    m_window->showTooth(support::syntheticMolar(), 2, {"A note that has not been read."});
+    m_window->setReplaying(true, 10.0);
+    press(Qt::Key_G);
+    QCOMPARE(asked.size(), 0);
+    QVERIFY(message().contains("This is a replay"));
+    QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(stop.size(), 1);
+}
+
+void TestMainWindow::cutSomething(double enamelMm3) const
+{
+    SessionState session;
+    session.toothGeneration = 1;
+    session.removedMm3[1] = enamelMm3;
+    session.undoSteps = static_cast<int>(enamelMm3 * 100.0);
+    publish({}, session);
+    QTRY_COMPARE(figure("enamelRemoved"), QString::number(enamelMm3, 'f', 2));
+}
+
+QMessageBox* TestMainWindow::question() const
+{
+    return child<QMessageBox>("workQuestion");
+}
+
+void TestMainWindow::wholeToothIsLeftWithoutAQuestion()
+{
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    press(Qt::Key_T);
+    press(Qt::Key_Return);
+    QCOMPARE(chosen.size(), 1);
+    QVERIFY(question() == nullptr);
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+}
+
+void TestMainWindow::unsavedWorkIsAskedAbout_data()
+{
+    QTest::addColumn<QString>("leave");
+    QTest::addColumn<QString>("answer");
+    for (const QString leave : {"tooth", "scan", "window"})
+        for (const QString answer : {"save", "discard", "cancel"})
+            QTest::newRow(qPrintable(leave + ", " + answer)) << leave << answer;
+}
+
+void TestMainWindow::unsavedWorkIsAskedAbout()
+{
+    QFETCH(QString, leave);
+    QFETCH(QString, answer);
+    QSignalSpy tooth(m_window.get(), &MainWindow::toothChosen);
+    QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
+    QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+    const auto left = [&] { return tooth.size() + scan.size() + (m_window->isVisible() ? 0 : 1); };
+    cutSomething(0.5);
+    if (leave == "tooth") {
+        press(Qt::Key_T);
+        press(Qt::Key_Return);
+    } else if (leave == "window") {
+        m_window->close();
+    } else {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile("/tmp/molar.stl")});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &event);
+    }
+    QVERIFY(question() != nullptr);
+    QCOMPARE(left(), 0);
+    if (answer == "cancel") {
+        QTest::keyClick(question(), Qt::Key_Escape);
+        QTRY_VERIFY(question() == nullptr);
+        QCOMPARE(left(), 0);
+        QVERIFY(save.isEmpty());
+        return;
+    }
+    if (answer == "discard") {
+        for (QPushButton* button : question()->findChildren<QPushButton*>())
+            if (button->text() == "&Discard")
+                QTest::keyClick(button, Qt::Key_Space);
+        QCOMPARE(left(), 1);
+        QVERIFY(save.isEmpty());
+        return;
+    }
+    QTest::keyClick(question(), Qt::Key_Return);
+    auto* dialog = m_window->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    QTemporaryDir folder;
+    dialog->setDirectory(folder.path());
+    dialog->selectFile(folder.filePath("mine.cusprec"));
+    QMetaObject::invokeMethod(dialog, "accept");
+    QCOMPARE(save.size(), 1);
+    QCOMPARE(left(), 0);
+    m_window->showSaved(folder.filePath("mine.cusprec"));
+    QCOMPARE(left(), 1);
+}
+
+void TestMainWindow::savedWorkIsLeftWithoutAQuestion()
+{
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    const auto save = [this] {
+        press(Qt::Key_S, Qt::ControlModifier);
+        auto* dialog = m_window->findChild<QFileDialog*>();
+        QTemporaryDir folder;
+        dialog->setDirectory(folder.path());
+        dialog->selectFile(folder.filePath("mine.cusprec"));
+        QMetaObject::invokeMethod(dialog, "accept");
+        m_window->showSaved(folder.filePath("mine.cusprec"));
+    };
+    cutSomething(0.5);
+    save();
+    press(Qt::Key_T);
+    press(Qt::Key_Return);
+    QCOMPARE(chosen.size(), 1);
+    // What was cut since is in no recording.
+    cutSomething(0.75);
+    press(Qt::Key_T);
+    press(Qt::Key_Return);
+    QCOMPARE(chosen.size(), 1);
+    QVERIFY(question() != nullptr);
+}
+
+void TestMainWindow::workThatWaitsForAReplayIsAskedAbout()
+{
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    cutSomething(0.5);
+    m_window->setReplaying(true, 10.0);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    SessionState replayed;
+    replayed.toothGeneration = 2;
+    publish({}, replayed);
+    QTRY_COMPARE(figure("enamelRemoved"), QString("0.00"));
+    press(Qt::Key_T);
+    press(Qt::Key_Return);
+    QVERIFY(question() != nullptr);
+    QVERIFY(chosen.isEmpty());
 }
 
 void TestMainWindow::anotherToothIsChosenWithTheMouse()
@@ -664,6 +853,8 @@ void TestMainWindow::everyActionIsFitToBeRead()
             QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)),
                      qPrintable(action->toolTip()));
             QVERIFY2(!action->icon().isNull() || actions().burs.contains(action), qPrintable(action->text()));
+            if (action == actions().pauseReplay)
+                continue;  // rests while the drill, which has the same key, does not
             for (const QKeySequence& key : action->shortcuts()) {
                 QVERIFY2(!keys.contains(key.toString()), qPrintable(key.toString() + " is taken twice"));
                 keys << key.toString();
@@ -787,8 +978,8 @@ void TestMainWindow::coloursCanBeRead()
 void TestMainWindow::everyDrawingExists()
 {
     for (const char* name :
-         {"undo",  "redo",       "reload", "drill", "hand",  "tooth", "open",    "save",  "play",  "grade", "help",
-          "panel", "fullscreen", "view",   "back",  "close", "info",  "warning", "error", "check", "cross"}) {
+         {"undo", "redo",  "reload",     "drill", "hand", "tooth", "open", "save",    "play",  "pause", "grade",
+          "help", "panel", "fullscreen", "view",  "back", "close", "info", "warning", "error", "check", "cross"}) {
         const QIcon icon = lineIcon(name, roomPalette());
         QVERIFY2(!icon.isNull(), name);
         const QImage picture = icon.pixmap(32).toImage();

@@ -340,6 +340,14 @@ void ToothSurface::write(const core::session::TilePatch& patch)
     m_written = united(m_written, {first, firstRow, last + 1, lastRow + 1});
 }
 
+void ToothSurface::write(const std::vector<float>& top)
+{
+    for (int j = 0; j < m_lattice.side; ++j)
+        for (int i = 0; i < m_lattice.side; ++i)
+            m_top[m_lattice.index(i, j)] = top[m_anatomy->grid.index(i * m_stride, j * m_stride)];
+    m_written = wholeOf(m_lattice);
+}
+
 void ToothSurface::setLight(glm::vec3 towardsLight)
 {
     m_relit = m_relit || towardsLight != m_towardsLight;

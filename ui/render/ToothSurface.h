@@ -49,6 +49,8 @@ public:
 
     /// Takes over the heights of one tile. Nothing derived moves until refresh().
     void write(const core::session::TilePatch& patch);
+    /// The same for the whole top map, over the anatomy's grid.
+    void write(const std::vector<float>& top);
     /// Brings everything derived up to date and says what that was.
     Changes refresh();
     /// Moves the operating light; the next refresh() reports all shading as changed.

@@ -12,7 +12,9 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTimer>
@@ -21,6 +23,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
+#include "ui/shell/LineIcon.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
@@ -37,6 +40,7 @@ namespace {
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
+constexpr int kQuestionIconPx = 36;
 constexpr QSize kFirstSize{1280, 800};
 constexpr QSize kSmallest{960, 640};
 
@@ -85,7 +89,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectView();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
-        emit toothChosen(fdi);
+        leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
 
@@ -119,19 +123,26 @@ void MainWindow::connectActions()
                      send(core::session::Undo{});
                  }});
     });
-    on(m_actions->grade, [this] { emit gradeRequested(); });
+    on(m_actions->grade, [this] {
+        if (m_replaying)
+            offerToStop(tr("This is a replay. Stop it to be graded on your own work."));
+        else
+            emit gradeRequested();
+    });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
     on(m_actions->openScan, [this] {
         askForFile(m_actions->openScan->text(), tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes())),
-                   &MainWindow::scanChosen);
+                   [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
     on(m_actions->saveRecording, [this] {
-        askForFile(m_actions->saveRecording->text(), recordingFilter(), &MainWindow::recordingSaveRequested,
-                   newRecordingName());
+        m_afterSaving = {};
+        askToSave();
     });
     on(m_actions->openRecording, [this] {
-        askForFile(m_actions->openRecording->text(), recordingFilter(), &MainWindow::recordingOpenRequested);
+        askForFile(m_actions->openRecording->text(), recordingFilter(),
+                   [this](const QString& path) { emit recordingOpenRequested(path); });
     });
+    on(m_actions->pauseReplay, [this](bool paused) { emit replayPauseRequested(paused); });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -177,6 +188,8 @@ void MainWindow::takeSession()
     const core::session::SessionState& now = m_links.session.latest();
     const bool moved = now.undoSteps != m_session.undoSteps || now.redoSteps != m_session.redoSteps;
     m_session = now;
+    if (m_replaying)
+        m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
     if (moved)
         enableActions();
 }
@@ -229,10 +242,10 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
-    } else if (m_messages->dismiss()) {
-        return;
     } else if (m_replaying) {
         emit replayStopRequested();
+    } else if (m_messages->dismiss()) {
+        return;
     } else if (isFullScreen()) {
         m_actions->fullScreen->trigger();
     }
@@ -255,7 +268,8 @@ void MainWindow::enableActions()
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
-    m_actions->saveRecording->setEnabled(m_tooth != nullptr && !m_busy->isWorking());
+    m_actions->saveRecording->setEnabled(mine);
+    m_actions->pauseReplay->setEnabled(inRoom && m_replaying);
 }
 
 void MainWindow::placeOverlays()
@@ -272,7 +286,12 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
                            const QStringList& notes)
 {
     m_busy->done();
+    m_messages->withdraw(MessageBar::Topic::Tooth);
     m_tooth = std::move(tooth);
+    if (!m_replaying && generation != m_ownGeneration) {
+        m_ownGeneration = generation;
+        m_savedWork = {};
+    }
     m_view->setTooth(m_tooth, generation);
     const QString title = text::toothTitle(*m_tooth);
     const QString name = text::toothName(m_tooth->fdi);
@@ -320,15 +339,110 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
     goTo(m_scorePage);
 }
 
-void MainWindow::setReplaying(bool replaying)
+void MainWindow::showSaved(const QString& path)
 {
+    m_savedWork = m_workBeingSaved;
+    showMessage(tr("The recording was saved as %1.").arg(QDir::toNativeSeparators(path)));
+    if (const auto what = std::exchange(m_afterSaving, {}))
+        what();
+}
+
+void MainWindow::setReplaying(bool replaying, double lengthS)
+{
+    if (replaying && !m_replaying)
+        m_workAtRest = ownWork();
     m_replaying = replaying;
+    m_replayLengthS = lengthS;
+    m_room->setReplayTime(0.0, lengthS);
+    m_actions->pauseReplay->setChecked(false);
     m_room->setReplaying(replaying);
     enableActions();
 }
 
-void MainWindow::askForFile(const QString& title, const QString& filter, void (MainWindow::*chosen)(const QString&),
-                            const QString& newName)
+void MainWindow::showReplayEnd()
+{
+    offerToStop(tr("The recording has come to its end."));
+}
+
+void MainWindow::offerToStop(const QString& sentence)
+{
+    m_messages->say({MessageBar::Kind::News,
+                     sentence,
+                     {},
+                     tr("Stop the replay"),
+                     [this] { emit replayStopRequested(); },
+                     MessageBar::Topic::Tooth});
+}
+
+core::terrain::PerMaterial MainWindow::ownWork() const
+{
+    if (m_replaying)
+        return m_workAtRest;
+    // Until the session has taken a new tooth it speaks of the one before.
+    return m_session.toothGeneration == m_ownGeneration ? m_session.removedMm3 : core::terrain::PerMaterial{};
+}
+
+bool MainWindow::wouldLoseWork() const
+{
+    const core::terrain::PerMaterial work = ownWork();
+    return work != core::terrain::PerMaterial{} && work != m_savedWork;
+}
+
+void MainWindow::leaveWork(const std::function<void()>& what)
+{
+    if (!wouldLoseWork()) {
+        what();
+        return;
+    }
+    auto* question = new QMessageBox(this);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setObjectName(QStringLiteral("workQuestion"));
+    question->setIconPixmap(
+        linePixmap(QStringLiteral("warning"), tones(palette()).attention, kQuestionIconPx, devicePixelRatioF()));
+    question->setWindowTitle(tr("Your work would be lost"));
+    question->setText(tr("What you have cut would be lost."));
+    question->setInformativeText(tr("It has not been saved as a recording since you last cut."));
+    QPushButton* save = question->addButton(tr("&Save the recording …"), QMessageBox::AcceptRole);
+    QPushButton* discard = question->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    QPushButton* stay = question->addButton(tr("&Cancel"), QMessageBox::RejectRole);
+    question->setDefaultButton(save);
+    question->setEscapeButton(stay);
+    connect(question, &QMessageBox::buttonClicked, this, [this, what, save, discard](QAbstractButton* button) {
+        if (button == discard) {
+            what();
+        } else if (button == save) {
+            m_afterSaving = what;
+            askToSave();
+        }
+    });
+    connect(question, &QDialog::finished, this, &MainWindow::activateWindow);
+    question->open();
+}
+
+void MainWindow::askToSave()
+{
+    askForFile(
+        m_actions->saveRecording->text(), recordingFilter(),
+        [this](const QString& path) {
+            m_workBeingSaved = ownWork();
+            emit recordingSaveRequested(path);
+        },
+        newRecordingName());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose || !wouldLoseWork())
+        return;
+    event->ignore();
+    leaveWork([this] {
+        m_mayClose = true;
+        close();
+    });
+}
+
+void MainWindow::askForFile(const QString& title, const QString& filter,
+                            const std::function<void(const QString&)>& chosen, const QString& newName)
 {
     auto* dialog = new QFileDialog(this, title, m_folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -343,8 +457,10 @@ void MainWindow::askForFile(const QString& title, const QString& filter, void (M
     }
     connect(dialog, &QFileDialog::fileSelected, this, [this, chosen](const QString& path) {
         m_folder = QFileInfo(path).path();
-        emit(this->*chosen)(path);
+        chosen(path);
     });
+    // Without a window manager nobody else gives the keys back.
+    connect(dialog, &QDialog::finished, this, &MainWindow::activateWindow);
     dialog->open();  // beside the window's own events: nothing stops meanwhile
 }
 
@@ -361,7 +477,7 @@ void MainWindow::openFile(const QString& path)
     if (suffix == recordingSuffix())
         emit recordingOpenRequested(path);
     else if (scanSuffixes().contains(suffix))
-        emit scanChosen(path);
+        leaveWork([this, path] { emit scanChosen(path); });
     else
         m_messages->say({MessageBar::Kind::Error,
                          tr("This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those."),

@@ -69,11 +69,14 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::say(const Message& message)
 {
-    const bool mustWait = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
-    if (mustWait)
+    const bool stays = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
+    if (stays && message.kind != Kind::News) {
         m_waiting.push_back(message);
-    else
-        present(message);
+        return;
+    }
+    if (stays)
+        m_waiting.push_front(m_now);
+    present(message);
 }
 
 bool MessageBar::dismiss()
@@ -86,6 +89,13 @@ bool MessageBar::dismiss()
     if (!m_waiting.isEmpty())
         present(m_waiting.takeFirst());
     return true;
+}
+
+void MessageBar::withdraw(Topic topic)
+{
+    m_waiting.removeIf([topic](const Message& message) { return message.topic == topic; });
+    if (m_now.topic == topic)
+        dismiss();
 }
 
 QString MessageBar::sentence() const

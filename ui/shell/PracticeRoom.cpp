@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -13,12 +14,16 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/SidePanel.h"
+#include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
 
 namespace ui::shell {
 namespace {
 
 constexpr int kBarHeightPx = 52;
+constexpr int kReplayBarPx = 140;
+constexpr int kReplaySteps = 1000;
 
 QFrame* bar(QWidget* parent)
 {
@@ -60,6 +65,11 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_hint->setObjectName(QStringLiteral("hint"));
 
+    makeReplayCard(actions);
+}
+
+void PracticeRoom::makeReplayCard(const Actions& actions)
+{
     m_replay = new QFrame(this);
     m_replay->setProperty("kind", "card");
     auto* row = new QHBoxLayout(m_replay);
@@ -69,10 +79,21 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     icon->setPixmap(linePixmap(QStringLiteral("play"), tones(palette()).attention, 20, devicePixelRatioF()));
     row->addWidget(icon);
     row->addWidget(new QLabel(tr("You are watching a recording"), m_replay));
+    row->addSpacing(kSpace2);
+    m_replayProgress = new QProgressBar(m_replay);
+    m_replayProgress->setTextVisible(false);
+    m_replayProgress->setFixedWidth(kReplayBarPx);
+    m_replayProgress->setAccessibleName(tr("Progress of the recording"));
+    row->addWidget(m_replayProgress);
+    m_replayTime = new TabularLabel(m_replay);
+    m_replayTime->setFont(typeface(kBody, QFont::Medium));
+    m_replayTime->setObjectName(QStringLiteral("replayTime"));
+    row->addWidget(m_replayTime);
+    row->addWidget(barButton(actions.pauseReplay, false, m_replay));
     auto* stop = new QPushButton(tr("Stop"), m_replay);
     stop->setProperty("kind", "quiet");
     stop->setAccessibleName(tr("Stop the recording"));
-    stop->setToolTip(tr("Stop watching and drill yourself (Esc)"));
+    stop->setToolTip(tr("Stop watching and go back to your own work (Esc)"));
     stop->setFocusPolicy(Qt::TabFocus);
     connect(stop, &QPushButton::clicked, this, &PracticeRoom::replayStopRequested);
     row->addWidget(stop);
@@ -146,6 +167,17 @@ void PracticeRoom::setReplaying(bool replaying)
 {
     m_replay->setVisible(replaying);
     setHintVisible(m_hintWanted);
+}
+
+void PracticeRoom::setReplayTime(double playedS, double lengthS)
+{
+    // Never past the end, and at the end the very end: both read the same there.
+    const double shownS = std::min(playedS, lengthS);
+    m_replayProgress->setRange(0, kReplaySteps);
+    m_replayProgress->setValue(lengthS > 0.0 ? static_cast<int>(kReplaySteps * shownS / lengthS) : kReplaySteps);
+    //: Progress of a recording: minutes and seconds played, and of the whole
+    m_replayTime->setText(tr("%1 of %2").arg(text::duration(shownS), text::duration(lengthS)));
+    placeOverlays();
 }
 
 void PracticeRoom::setPanelVisible(bool visible)

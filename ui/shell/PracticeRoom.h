@@ -4,12 +4,14 @@
 #include <QWidget>
 
 class QLabel;
+class QProgressBar;
 class QToolButton;
 
 namespace ui::shell {
 
 class Actions;
 class SidePanel;
+class TabularLabel;
 
 /// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
 /// buttons, the side panel the figures. Dark grey in either theme.
@@ -27,6 +29,7 @@ public:
     /// The line at the foot of the view that says how to begin.
     void setHintVisible(bool visible);
     void setReplaying(bool replaying);
+    void setReplayTime(double playedS, double lengthS);
     /// Puts the side panel away, or shows it.
     void setPanelVisible(bool visible);
     /// Where the tooth is, in this widget's coordinates.
@@ -41,6 +44,7 @@ protected:
 private:
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions);
+    void makeReplayCard(const Actions& actions);
     void placeOverlays();
 
     QWidget* m_view;
@@ -48,6 +52,8 @@ private:
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
     QWidget* m_replay = nullptr;
+    QProgressBar* m_replayProgress = nullptr;
+    TabularLabel* m_replayTime = nullptr;
     QLabel* m_hint = nullptr;
     bool m_hintWanted = true;
 };

@@ -233,4 +233,10 @@ QString number(double value, int decimals)
     return text.replace(u'-', QChar(0x2212));
 }
 
+QString duration(double seconds)
+{
+    const int whole = static_cast<int>(seconds);
+    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
 }  // namespace ui::text

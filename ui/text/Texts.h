@@ -45,5 +45,7 @@ namespace ui::text {
 [[nodiscard]] QString unitName(std::string_view unit);
 /// A number with fixed decimals as the user's language writes it, with a true minus sign.
 [[nodiscard]] QString number(double value, int decimals);
+/// Minutes and seconds: "1:07".
+[[nodiscard]] QString duration(double seconds);
 
 }  // namespace ui::text

@@ -128,6 +128,7 @@ QWidget* ToothView::pane()
 
 void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation)
 {
+    m_servo = m_links.servo.latest();
     m_control.setSurface(nullptr);
     m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), towardsLight());
     m_surfaceIsNew = true;
@@ -139,6 +140,12 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     takePatches();
     publishPointer();
     update();
+}
+
+void ToothView::setHeights(const std::vector<float>& top)
+{
+    m_surface->write(top);
+    takeChanges();
 }
 
 void ToothView::setPushForce(double newtons)
@@ -385,6 +392,11 @@ void ToothView::takePatches()
     for (const core::session::TilePatch& patch : m_inbox.complete())
         m_surface->write(patch);
     m_inbox.complete().clear();
+    takeChanges();
+}
+
+void ToothView::takeChanges()
+{
     const render::ToothSurface::Changes changes = m_surface->refresh();
     m_changes.heights = united(m_changes.heights, changes.heights);
     m_changes.shading = united(m_changes.shading, changes.shading);

@@ -46,6 +46,8 @@ public:
 
     /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
     void setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation);
+    /// The tooth shown as it has been cut so far: its whole top map.
+    void setHeights(const std::vector<float>& top);
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
@@ -94,6 +96,7 @@ protected:
 private:
     void advanceFrame();
     void takePatches();
+    void takeChanges();
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
     void publishPointer();
