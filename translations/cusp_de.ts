@@ -499,6 +499,10 @@
         <source>Force against the force that is set</source>
         <translation>Kraft im Verhältnis zur eingestellten</translation>
     </message>
+    <message>
+        <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
+        <translation>Die Marke ist die eingestellte Kraft. Eine Wand, die seitlich drückt, kommt hinzu.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HelpOverlay</name>
@@ -670,6 +674,18 @@
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Undo takes the stroke back.</source>
+        <translation>Rückgängig nimmt den Zug zurück.</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>Zahn perforiert</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa eröffnet</translation>
     </message>
 </context>
 <context>
@@ -843,6 +859,19 @@
     <message>
         <source>&lt; 1</source>
         <translation>&lt; 1</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
+        <translation>Wie tief die Spitze unter der ursprünglichen Oberfläche steht. Am Rand des Zahns, wo das Maß nach unten wenig sagt, wird nichts angezeigt.</translation>
+    </message>
+    <message>
+        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung betrachtet die freiliegende Fläche in mm².</translation>
+    </message>
+    <message>
+        <source>N, %1 sideways</source>
+        <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
+        <translation>N, %1 seitlich</translation>
     </message>
 </context>
 <context>

@@ -499,6 +499,10 @@
         <source>Force against the force that is set</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HelpOverlay</name>
@@ -669,6 +673,18 @@
     </message>
     <message>
         <source>&amp;Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo takes the stroke back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -842,6 +858,19 @@
     </message>
     <message>
         <source>&lt; 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N, %1 sideways</source>
+        <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

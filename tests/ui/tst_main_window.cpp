@@ -67,6 +67,9 @@ private slots:
     void spaceOnAFocusedButtonPressesIt();
 
     void figuresComeFromTheLoops();
+    void depthBesideTheToothShowsADash();
+    void aWallThatPressesIsTold();
+    void harmIsToldWhenItHappens();
     void noDecayShowsADash();
     void theHintGoesWithTheFirstCut();
     void pushForceGoesBothWays();
@@ -426,6 +429,7 @@ void TestMainWindow::figuresComeFromTheLoops()
     servo.materialUnderBur = Material::Dentin;
     servo.forceN = {0.0, 0.6, 0.8};
     servo.depthMm = 1.417;
+    servo.hasDepth = true;
     SessionState session;
     session.wholeMm3 = {20.0, 200.0, 250.0, 20.0};
     session.removedMm3 = {5.0, 12.314, 4.0, 0.25};
@@ -443,6 +447,61 @@ void TestMainWindow::figuresComeFromTheLoops()
     QTRY_COMPARE(figure("materialFigure"), QString("Air"));
     QTRY_COMPARE(figure("depthFigure"), QString("–"));
     QTRY_COMPARE(figure("decayFigure"), QString("< 1"));
+}
+
+void TestMainWindow::depthBesideTheToothShowsADash()
+{
+    ServoState servo;
+    servo.tick = 5;
+    servo.touching = true;
+    servo.depthMm = 10.56;
+    servo.forceN = {0.0, 0.0, 0.5};
+    publish(servo, {});
+    QTRY_COMPARE(figure("forceFigure"), QString("0.50"));
+    QCOMPARE(figure("depthFigure"), QString("–"));
+}
+
+void TestMainWindow::aWallThatPressesIsTold()
+{
+    ServoState servo;
+    servo.tick = 5;
+    servo.touching = true;
+    servo.forceN = {0.6, 0.0, 0.8};
+    publish(servo, {});
+    QTRY_COMPARE(figure("forceFigure"), QString("1.00"));
+    QCOMPARE(child<TabularLabel>("forceFigure")->unit(), QString("N, 0.6 sideways"));
+    servo.forceN = {0.0, 0.0, 0.8};
+    publish(servo, {});
+    QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString("N"));
+}
+
+void TestMainWindow::harmIsToldWhenItHappens()
+{
+    auto* notice = child<QLabel>("notice");
+    SessionState session;
+    session.toothGeneration = 1;
+    session.removedMm3[1] = 3.0;
+    publish({}, session);
+    QTRY_COMPARE(figure("enamelRemoved"), QString("3.00"));
+    QVERIFY(!notice->isVisible());
+    session.removedMm3[3] = 0.01;
+    publish({}, session);
+    QTRY_VERIFY(notice->isVisible());
+    QCOMPARE(notice->text(), QString("Pulp opened"));
+    session.perforated = true;
+    publish({}, session);
+    QTRY_COMPARE(notice->text(), QString("Tooth perforated"));
+    session.removedMm3[3] = 0.0;
+    session.perforated = false;
+    publish({}, session);
+    QTRY_VERIFY(!notice->isVisible());
+    // Another tooth that comes with its harm done: an attempt that waited for a replay.
+    session.toothGeneration = 2;
+    session.removedMm3[1] = 4.0;
+    session.perforated = true;
+    publish({}, session);
+    QTRY_COMPARE(figure("enamelRemoved"), QString("4.00"));
+    QVERIFY(!notice->isVisible());
 }
 
 void TestMainWindow::noDecayShowsADash()

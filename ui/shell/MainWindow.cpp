@@ -187,11 +187,29 @@ void MainWindow::takeSession()
 {
     const core::session::SessionState& now = m_links.session.latest();
     const bool moved = now.undoSteps != m_session.undoSteps || now.redoSteps != m_session.redoSteps;
+    tellHarm(now);
     m_session = now;
     if (m_replaying)
         m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
     if (moved)
         enableActions();
+}
+
+/// Told when it happens, not when a tooth is shown to which it has happened before.
+void MainWindow::tellHarm(const core::session::SessionState& now)
+{
+    if (now.toothGeneration != m_session.toothGeneration)
+        return;
+    const auto isOpen = [](const core::session::SessionState& state) {
+        return state.removedMm3.at(static_cast<std::size_t>(core::terrain::Material::Pulp)) > 0.0;
+    };
+    const QString toDo = m_replaying ? QString() : tr("Undo takes the stroke back.");
+    if (now.perforated && !m_session.perforated)
+        m_room->showNotice(tr("Tooth perforated"), toDo);
+    else if (isOpen(now) && !isOpen(m_session))
+        m_room->showNotice(tr("Pulp opened"), toDo);
+    else if (!now.perforated && !isOpen(now))
+        m_room->hideNotice();
 }
 
 bool MainWindow::send(const core::session::SessionCommand& command)
@@ -286,6 +304,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
                            const QStringList& notes)
 {
     m_busy->done();
+    m_room->hideNotice();
     m_messages->withdraw(MessageBar::Topic::Tooth);
     m_tooth = std::move(tooth);
     if (!m_replaying && generation != m_ownGeneration) {

@@ -97,6 +97,7 @@ private:
     void connectView();
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
+    void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
     void wishBur(int index);

@@ -22,6 +22,9 @@ namespace ui::shell {
 namespace {
 
 constexpr int kBarHeightPx = 52;
+constexpr int kNoticeMs = 8000;
+constexpr int kNoticeIconPx = 32;
+constexpr int kNoticeTopPx = 88;  ///< below the place of a message
 constexpr int kReplayBarPx = 140;
 constexpr int kReplaySteps = 1000;
 
@@ -65,7 +68,35 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_hint->setObjectName(QStringLiteral("hint"));
 
+    makeNotice();
     makeReplayCard(actions);
+}
+
+void PracticeRoom::makeNotice()
+{
+    m_notice = new QFrame(this);
+    m_notice->setProperty("kind", "notice");
+    m_notice->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto* row = new QHBoxLayout(m_notice);
+    row->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace2);
+    row->setSpacing(kSpace4);
+    auto* icon = new QLabel(m_notice);
+    icon->setPixmap(
+        linePixmap(QStringLiteral("warning"), tones(palette()).harmText, kNoticeIconPx, devicePixelRatioF()));
+    row->addWidget(icon);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    m_noticeWhat = new QLabel(m_notice);
+    m_noticeWhat->setFont(typeface(kTitle, QFont::DemiBold));
+    m_noticeWhat->setObjectName(QStringLiteral("notice"));
+    m_noticeToDo = new QLabel(m_notice);
+    words->addWidget(m_noticeWhat);
+    words->addWidget(m_noticeToDo);
+    row->addLayout(words);
+    m_noticeTimer.setSingleShot(true);
+    m_noticeTimer.setInterval(kNoticeMs);
+    connect(&m_noticeTimer, &QTimer::timeout, this, &PracticeRoom::hideNotice);
+    m_notice->hide();
 }
 
 void PracticeRoom::makeReplayCard(const Actions& actions)
@@ -163,6 +194,23 @@ void PracticeRoom::setHintVisible(bool visible)
     placeOverlays();
 }
 
+void PracticeRoom::showNotice(const QString& what, const QString& whatToDo)
+{
+    m_noticeWhat->setText(what);
+    m_noticeToDo->setText(whatToDo);
+    m_noticeToDo->setVisible(!whatToDo.isEmpty());
+    m_notice->setAccessibleName(what);
+    m_notice->show();
+    m_noticeTimer.start();
+    placeOverlays();
+}
+
+void PracticeRoom::hideNotice()
+{
+    m_noticeTimer.stop();
+    m_notice->hide();
+}
+
 void PracticeRoom::setReplaying(bool replaying)
 {
     m_replay->setVisible(replaying);
@@ -205,6 +253,9 @@ void PracticeRoom::placeOverlays()
     const int height = m_hint->heightForWidth(width);
     m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
     m_hint->raise();
+    m_notice->adjustSize();
+    m_notice->move(area.center().x() - m_notice->width() / 2, area.top() + kNoticeTopPx);
+    m_notice->raise();
     m_replay->adjustSize();
     m_replay->move(area.center().x() - m_replay->width() / 2, area.bottom() - kSpace4 - m_replay->height());
     m_replay->raise();

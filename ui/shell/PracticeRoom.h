@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
+class QFrame;
 class QLabel;
 class QProgressBar;
 class QToolButton;
@@ -28,6 +30,9 @@ public:
     void setTooth(const QString& title, const QString& name);
     /// The line at the foot of the view that says how to begin.
     void setHintVisible(bool visible);
+    /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
+    void showNotice(const QString& what, const QString& whatToDo);
+    void hideNotice();
     void setReplaying(bool replaying);
     void setReplayTime(double playedS, double lengthS);
     /// Puts the side panel away, or shows it.
@@ -44,6 +49,7 @@ protected:
 private:
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions);
+    void makeNotice();
     void makeReplayCard(const Actions& actions);
     void placeOverlays();
 
@@ -55,6 +61,10 @@ private:
     QProgressBar* m_replayProgress = nullptr;
     TabularLabel* m_replayTime = nullptr;
     QLabel* m_hint = nullptr;
+    QFrame* m_notice = nullptr;
+    QLabel* m_noticeWhat = nullptr;
+    QLabel* m_noticeToDo = nullptr;
+    QTimer m_noticeTimer;
     bool m_hintWanted = true;
 };
 
