@@ -21,6 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using core::session::UiLinks;
+using ui::text::Failed;
 
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
@@ -72,6 +73,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
             [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
+    connect(m_window.get(), &MainWindow::scanUnitChosen, this, [this](const QString& unit) {
+        if (const auto known = core::mesh::parseUnit(unit.toStdString()))
+            openTooth(m_source, *known);
+    });
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
@@ -135,58 +140,58 @@ void Application::openDatabase(const QString& file)
     }
     auto opened = database::sql::Database::open(path);
     if (!opened) {
-        m_window->showError(opened.error());
+        m_window->showError(opened.error(), Failed::KeepingGrades, path);
         return;
     }
     m_database = std::move(*opened);
     m_attempts = std::make_unique<database::sql::SqlAttemptRepository>(m_database->handle());
 }
 
-void Application::openTooth(const core::teeth::ToothSource& source)
+void Application::openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit)
 {
     const int load = ++m_loading;
     const auto* fdi = std::get_if<int>(&source.what);
+    const QString file =
+        fdi != nullptr ? QString() : QFileInfo(std::get<std::filesystem::path>(source.what)).filePath();
     m_window->showBusy(
-        fdi != nullptr
-            ? tr("Making tooth %1 …").arg(*fdi)
-            : tr("Reading %1 …")
-                  .arg(QFileInfo(std::filesystem::path(std::get<std::filesystem::path>(source.what))).fileName()),
-        -1);
-    const core::teeth::BuildOptions build = m_options.build;
+        fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi) : tr("Reading %1 …").arg(QFileInfo(file).fileName()), -1);
+    core::teeth::BuildOptions build = m_options.build;
+    if (unit)
+        build.placement.unit = unit;
     inBackground(
         this, [source, build] { return core::teeth::buildTooth(source, build); },
-        [this, load](const core::Result<core::teeth::BuiltTooth>& built) {
+        [this, load, source, file](const core::Result<core::teeth::BuiltTooth>& built) {
             if (load != m_loading)
                 return;
-            if (built)
-                takeTooth(*built);
-            else
-                refuse(built.error());
+            if (!built) {
+                refuse(built.error(), file.isEmpty() ? Failed::MakingTooth : Failed::OpeningScan, file);
+                return;
+            }
+            m_source = source;
+            takeTooth(*built);
         });
 }
 
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
 /// wanted, said on stderr, and that is the end.
-void Application::refuse(const core::Error& error)
+void Application::refuse(const core::Error& error, Failed failed, const QString& file)
 {
     if (!m_options.picture.isEmpty()) {
         QCoreApplication::exit(cli::failed(error));
         return;
     }
-    m_window->showError(error);
+    m_window->showError(error, failed, file);
     if (!m_anatomy && !m_replay)
         openTooth({kSpareTooth});
 }
 
 void Application::takeTooth(const core::teeth::BuiltTooth& built)
 {
-    QStringList notes;
-    for (const std::string& warning : built.report.warnings)
-        notes << QString::fromStdString(warning);
-    begin(built.anatomy, notes);
+    begin(built.anatomy, ui::text::scanNotes(built.report), built.report.placement.unitDoubtful);
 }
 
-void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes)
+void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes,
+                        bool unitInDoubt)
 {
     if (m_replay) {
         putReplayAway();
@@ -194,7 +199,7 @@ void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anato
     }
     m_anatomy = std::move(anatomy);
     m_ownGeneration = ++m_generation;
-    m_window->showTooth(m_anatomy, m_ownGeneration, notes);
+    m_window->showTooth(m_anatomy, m_ownGeneration, notes, unitInDoubt);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_anatomy);
     if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration}))
         static_cast<void>(tooth.release());  // the session owns it now
@@ -224,7 +229,7 @@ void Application::grade()
         if (last)
             history = QList<database::AttemptRecord>(last->begin(), last->end());
         else
-            m_window->showError(last.error());
+            m_window->showError(last.error(), Failed::KeepingGrades);
     }
     m_window->showScore(sheet, history);
 }
@@ -243,7 +248,7 @@ void Application::saveRecording(const QString& path)
             if (written)
                 m_window->showSaved(path);
             else
-                m_window->showError(written.error());
+                m_window->showError(written.error(), Failed::SavingRecording, path);
         });
 }
 
@@ -253,13 +258,13 @@ void Application::openRecording(const QString& path)
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()), -1);
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
-        [this, load](const core::Result<core::recording::Recording>& recording) {
+        [this, load, path](const core::Result<core::recording::Recording>& recording) {
             if (load != m_loading)
                 return;
             if (recording)
                 play(*recording);
             else
-                refuse(recording.error());
+                refuse(recording.error(), Failed::OpeningRecording, path);
         });
 }
 
@@ -268,7 +273,7 @@ void Application::play(const core::recording::Recording& recording)
 {
     auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
     if (!replay) {
-        refuse(replay.error());
+        refuse(replay.error(), Failed::OpeningRecording, {});
         return;
     }
     if (m_replay) {
@@ -325,7 +330,7 @@ void Application::stopReplay()
     if (!m_replay)
         return;
     if (!m_anatomy) {
-        begin(m_replayed, {});
+        begin(m_replayed, {}, false);
         m_window->showMessage(tr("The tooth is whole, and yours to drill."));
         return;
     }

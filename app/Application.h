@@ -47,10 +47,10 @@ private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
     void openDatabase(const QString& file);
-    void openTooth(const core::teeth::ToothSource& source);
-    void refuse(const core::Error& error);
+    void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {});
+    void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
-    void begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes);
+    void begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes, bool unitInDoubt);
     void grade();
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
@@ -63,6 +63,7 @@ private:
     void stopLoops();
 
     WindowOptions m_options;
+    core::teeth::ToothSource m_source;  ///< of the tooth taken last
     core::session::UiLinks m_links;
     core::session::ServoLinks m_servoLinks;
     haptics::PointerDevice m_pointer;

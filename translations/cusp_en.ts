@@ -93,31 +93,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file is empty. Export or copy it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file ends too early. Export or copy it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file is too large. Export the scan with fewer triangles.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file is of another kind than its name says. Scans are OBJ, STL or PLY.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file holds something that is not a number where one belongs. Export it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The content of the file does not fit together. Export it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -130,6 +106,83 @@
     </message>
     <message>
         <source>A value lies outside what Cusp can work with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it again, or choose another scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was made, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a copy of it back, or move it away: Cusp then begins a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no recording of Cusp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no database of Cusp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is not what its name says. Scans are OBJ, STL or PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is too large. Export it with fewer triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a number belongs, the file holds something else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan cannot be opened. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tooth cannot be made. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording cannot be played. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -189,6 +242,72 @@
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Scan</name>
+    <message>
+        <source>Taken as millimetres the scan is %1 mm long, more than a tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file names no unit. As centimetres it is %1 mm long, so centimetres were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan has openings; they were closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without an area were left out.</source>
+        <translation>
+            <numerusform>%n triangle without an area was left out.</numerusform>
+            <numerusform>%n triangles without an area were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>%n triangle is there twice.</numerusform>
+            <numerusform>%n triangles are there twice.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) more than two triangles meet.</source>
+        <translation>
+            <numerusform>At %n edge more than two triangles meet.</numerusform>
+            <numerusform>At %n edges more than two triangles meet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) neighbouring triangles disagree which side is outside.</source>
+        <translation>
+            <numerusform>At %n edge neighbouring triangles disagree which side is outside.</numerusform>
+            <numerusform>At %n edges neighbouring triangles disagree which side is outside.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan was inside out and has been turned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The scan has %n separate part(s); the outermost surface counts.</source>
+        <translation>
+            <numerusform>The scan has %n part; its outermost surface counts.</numerusform>
+            <numerusform>The scan has %n separate parts; the outermost surface counts.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -687,6 +806,26 @@
         <source>Pulp opened</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Another unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -801,6 +940,10 @@
     </message>
     <message>
         <source>This is the first grade of this tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -9,6 +9,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
@@ -41,6 +42,7 @@
 using namespace core::session;
 using namespace ui::shell;
 using core::terrain::Material;
+using ui::text::Failed;
 
 class TestMainWindow : public QObject
 {
@@ -76,8 +78,10 @@ private slots:
     void troubleStaysOutOfTheWayUntilItIsThere();
 
     void errorsStayAndComeBackAfterNews();
+    void anErrorGoesWithTheNextGoodTooth();
     void theMessageButtonDoesWhatItSays();
     void notesOfTheImporterAreShown();
+    void anotherUnitCanBeChosenBesideTheNote();
     void workIsShownAndHoldsBackTheRest();
     void aReplayRestsTheControls();
     void aReplayTellsItsTimeAndPauses();
@@ -389,7 +393,7 @@ void TestMainWindow::helpListsEveryAction()
 
 void TestMainWindow::escapeGoesBackStepByStep()
 {
-    m_window->showError({core::ErrorCode::FileEmpty, "x"});
+    m_window->showError({core::ErrorCode::FileEmpty, "x"}, Failed::OpeningScan);
     press(Qt::Key_T);
     QVERIFY(child<ToothChooser>()->isVisible());
     press(Qt::Key_F1);
@@ -555,18 +559,41 @@ void TestMainWindow::troubleStaysOutOfTheWayUntilItIsThere()
 
 void TestMainWindow::errorsStayAndComeBackAfterNews()
 {
-    m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."});
+    m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."}, Failed::OpeningScan,
+                        "/scans/molar.stl");
     QVERIFY(message().contains("ends too early"));
-    bool detail = false;
-    for (const QLabel* label : child<MessageBar>()->findChildren<QLabel*>())
-        detail = detail || (label->isVisible() && label->text() == "molar.stl: ends after 84 bytes.");
-    QVERIFY(detail);
+    bool named = false;
+    bool exact = false;
+    for (const QLabel* label : child<MessageBar>()->findChildren<QLabel*>()) {
+        named = named || (label->isVisible() && label->text() == "molar.stl");
+        exact = exact || label->toolTip() == "molar.stl: ends after 84 bytes.";
+    }
+    QVERIFY(named);
+    QVERIFY(exact);
     m_window->showMessage("Saved.");
     QCOMPARE(message(), QString("Saved."));
     press(Qt::Key_Escape);
     QVERIFY(message().contains("ends too early"));
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
+}
+
+void TestMainWindow::anErrorGoesWithTheNextGoodTooth()
+{
+    const core::Error error{core::ErrorCode::FileEmpty, "x"};
+    m_window->showError(error, Failed::KeepingGrades);
+    m_window->showError(error, Failed::OpeningScan);
+    m_window->showTooth(support::syntheticMolar(), 2, {"A note."});
+    QVERIFY(message().startsWith("Grades will not be kept"));
+    press(Qt::Key_Escape);
+    QCOMPARE(message(), QString("A note."));
+    m_window->showTooth(support::syntheticMolar(), 3, {});
+    QVERIFY(message().isEmpty());
+    // The tooth that stands in for the one refused at the start does not take the reason with it.
+    MainWindow fresh(*m_links);
+    fresh.showError(error, Failed::OpeningScan);
+    fresh.showTooth(support::syntheticMolar(), 1, {});
+    QVERIFY(fresh.findChild<MessageBar*>()->sentence().contains("is empty"));
 }
 
 void TestMainWindow::theMessageButtonDoesWhatItSays()
@@ -592,6 +619,26 @@ void TestMainWindow::notesOfTheImporterAreShown()
     QVERIFY(message().startsWith("2 note"));
 }
 
+void TestMainWindow::anotherUnitCanBeChosenBesideTheNote()
+{
+    QSignalSpy chosen(m_window.get(), &MainWindow::scanUnitChosen);
+    m_window->showTooth(support::syntheticMolar(), 2, {"Centimetres were taken."}, true);
+    const auto* button = child<MessageBar>()->findChild<QPushButton*>();
+    QVERIFY(button->isVisible());
+    QVERIFY(button->menu() != nullptr);
+    QCOMPARE(button->menu()->actions().size(), 4);
+    button->menu()->actions().front()->trigger();
+    QCOMPARE(chosen.size(), 1);
+    QCOMPARE(chosen.front().front().toString(), QString("mm"));
+    QVERIFY(message().isEmpty());
+    m_window->showTooth(support::syntheticMolar(), 3, {"Centimetres were taken."}, true);
+    button->menu()->actions().back()->trigger();
+    QCOMPARE(chosen.size(), 1);
+    QVERIFY(message().isEmpty());
+    m_window->showTooth(support::syntheticMolar(), 4, {"The scan has openings; they were closed."});
+    QVERIFY(!button->isVisible());
+}
+
 void TestMainWindow::workIsShownAndHoldsBackTheRest()
 {
     auto* card = child<BusyCard>();
@@ -603,7 +650,7 @@ void TestMainWindow::workIsShownAndHoldsBackTheRest()
     QCOMPARE(card->findChild<QProgressBar*>()->value(), 30);
     m_window->showBusy("Loading the scan", -1);
     QCOMPARE(card->findChild<QProgressBar*>()->maximum(), 0);
-    m_window->showError({core::ErrorCode::NoTriangles, "x"});
+    m_window->showError({core::ErrorCode::NoTriangles, "x"}, Failed::OpeningScan);
     QVERIFY(!card->isVisible());
     QVERIFY(actions().openScan->isEnabled());
     m_window->showBusy("Again", 1);
@@ -868,6 +915,11 @@ void TestMainWindow::theScoreAddsUp()
     QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
     QCOMPARE(child<QLabel>("sum")->text(), QString("100 − 60 − 40 − 0 = 0"));
     QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
+    QVERIFY(child<QLabel>("historyRemark")->text().contains("not being kept"));
+    m_window->showScore(s, {now});
+    QVERIFY(child<QLabel>("historyRemark")->text().contains("first grade"));
+    m_window->showScore(s, {now, before});
+    QVERIFY(!child<QLabel>("historyRemark")->isVisible());
     press(Qt::Key_Return);
     QVERIFY2(child<PracticeRoom>()->isVisible(), "the next step is one key away");
 }
@@ -980,8 +1032,8 @@ void TestMainWindow::nothingIsClipped()
     };
     auto* a = window.findChild<Actions*>();
     check("practice");
-    window.showError({core::ErrorCode::FileUnreadable, "A detail as long as details can be, for a file in a folder "
-                                                       "with a long name, which has to go to a second line."});
+    window.showError({core::ErrorCode::WrongKind, {}}, Failed::KeepingGrades,
+                     "a_file_with_a_name_as_long_as_names_can_be_which_has_to_go_to_a_second_line.sqlite");
     check("error");
     a->back->trigger();
     window.setReplaying(true);

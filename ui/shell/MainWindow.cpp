@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/MainWindow.h"
 
+#include <utility>
+
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QApplication>
@@ -30,7 +32,6 @@
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
-#include "ui/text/Texts.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -301,11 +302,13 @@ void MainWindow::placeOverlays()
 }
 
 void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
-                           const QStringList& notes)
+                           const QStringList& notes, bool unitInDoubt)
 {
     m_busy->done();
     m_room->hideNotice();
-    m_messages->withdraw(MessageBar::Topic::Tooth);
+    // Where a tooth was refused before there was any, another one stands in for it: that stays said.
+    if (!std::exchange(m_standsIn, false))
+        m_messages->withdraw(MessageBar::Topic::Tooth);
     m_tooth = std::move(tooth);
     if (!m_replaying && generation != m_ownGeneration) {
         m_ownGeneration = generation;
@@ -318,14 +321,23 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_chooser->setPresent(m_tooth->fdi);
     setWindowTitle(tr("%1 – Cusp").arg(title));
     goTo(m_room);
-    if (notes.size() == 1)
-        m_messages->say({MessageBar::Kind::Warning, notes.front(), {}, {}, {}});
-    else if (!notes.isEmpty())
-        m_messages->say({MessageBar::Kind::Warning,
-                         tr("%n note(s) about this scan", nullptr, static_cast<int>(notes.size())),
-                         notes.join(u'\n'),
-                         {},
-                         {}});
+    if (notes.isEmpty())
+        return;
+    MessageBar::Message message{MessageBar::Kind::Warning, notes.front(), {}, {}, {}, MessageBar::Topic::Tooth};
+    if (notes.size() > 1) {
+        message.sentence = tr("%n note(s) about this scan", nullptr, static_cast<int>(notes.size()));
+        message.detail = notes.join(u'\n');
+    }
+    if (unitInDoubt) {
+        const auto choice = [this](const QString& words, const QString& unit) {
+            return MessageBar::Choice{words, [this, unit] { leaveWork([this, unit] { emit scanUnitChosen(unit); }); }};
+        };
+        message.actionText = tr("Another unit");
+        message.choices = {choice(tr("Millimetres"), QStringLiteral("mm")),
+                           choice(tr("Centimetres"), QStringLiteral("cm")), choice(tr("Metres"), QStringLiteral("m")),
+                           MessageBar::Choice{tr("Leave it as it is"), {}}};
+    }
+    m_messages->say(message);
 }
 
 void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
@@ -338,11 +350,21 @@ void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
     placeOverlays();
 }
 
-void MainWindow::showError(const core::Error& error)
+void MainWindow::showError(const core::Error& error, text::Failed failed, const QString& file)
 {
     m_busy->done();
     enableActions();
-    m_messages->say({MessageBar::Kind::Error, text::errorText(error), QString::fromStdString(error.detail), {}, {}});
+    m_standsIn = m_tooth == nullptr;
+    const QString exact = QString::fromStdString(error.detail);
+    qWarning("%s", qPrintable(exact));
+    const bool ofTooth = failed != text::Failed::KeepingGrades && failed != text::Failed::SavingRecording;
+    m_messages->say({MessageBar::Kind::Error,
+                     text::errorText(error, failed),
+                     QFileInfo(file).fileName(),
+                     {},
+                     {},
+                     ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
+                     exact});
 }
 
 void MainWindow::showMessage(const QString& sentence)

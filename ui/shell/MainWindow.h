@@ -15,6 +15,7 @@
 #include "core/session/Links.h"
 #include "database/records.h"
 #include "lessons/ScoreSheet.h"
+#include "ui/text/Texts.h"
 
 class QStackedWidget;
 
@@ -53,15 +54,17 @@ public:
 public slots:
     /// The tooth that is now on the table.
     /// @param notes  what the importer guessed or warned, one sentence each
+    /// @param unitInDoubt  a unit can be chosen beside the notes
     void showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
-                   const QStringList& notes);
+                   const QStringList& notes, bool unitInDoubt = false);
     /// Work is going on. It ends with showTooth, showScore, showError, or with an empty `what`.
     void showBusy(const QString& what, int percentOrMinusOne);
-    void showError(const core::Error& error);
+    /// @param file  its path, where there is one
+    void showError(const core::Error& error, text::Failed failed, const QString& file = {});
     void showMessage(const QString& sentence);
     /// The recording that recordingSaveRequested() asked for is in this file.
     void showSaved(const QString& path);
-    /// @param history  grades of this tooth, newest first, this one included
+    /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
@@ -72,6 +75,8 @@ public slots:
 signals:
     void toothChosen(int fdi);
     void scanChosen(const QString& path);
+    /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
+    void scanUnitChosen(const QString& unit);
     void recordingSaveRequested(const QString& path);
     void recordingOpenRequested(const QString& path);
     void gradeRequested();
@@ -141,6 +146,7 @@ private:
     core::session::SessionState m_session;
     Wish m_drillWish;
     Wish m_burWish;
+    bool m_standsIn = false;  ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     double m_replayLengthS = 0.0;
     bool m_mayClose = false;

@@ -6,6 +6,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
@@ -121,6 +122,19 @@ void MessageBar::present(const Message& message)
     m_button->setText(message.actionText);
     m_button->setAccessibleName(message.actionText);
     m_button->setVisible(!message.actionText.isEmpty());
+    m_sentence->setToolTip(message.technical);
+    m_detail->setToolTip(message.technical);
+    delete m_button->menu();
+    if (!message.choices.isEmpty()) {
+        auto* menu = new QMenu(m_button);
+        for (const Choice& choice : message.choices)
+            connect(menu->addAction(choice.text), &QAction::triggered, this, [this, action = choice.action] {
+                dismiss();
+                if (action)
+                    action();
+            });
+        m_button->setMenu(menu);
+    }
     setAccessibleDescription(message.sentence);
     QFrame::show();
     raise();

@@ -14,7 +14,8 @@ class QToolButton;
 
 namespace ui::shell {
 
-/// One message inside the window: what happened, what to do, and at most one button for doing it.
+/// One message inside the window: what happened, what to do, and at most one button for doing it; where there are
+/// several things to choose from, the button opens a menu of them.
 ///
 /// News is the answer to what was just done: it comes at once, goes away by itself, and what it covered comes back.
 /// Warnings and errors stay until they are closed; the next one waits its turn.
@@ -25,6 +26,11 @@ public:
     enum class Kind { News, Warning, Error };
     /// What a message is about: one about a tooth that is no longer on the table is taken back.
     enum class Topic { General, Tooth };
+    struct Choice
+    {
+        QString text;
+        std::function<void()> action;
+    };
     struct Message
     {
         Kind kind = Kind::News;
@@ -33,6 +39,8 @@ public:
         QString actionText;  ///< empty: no button
         std::function<void()> action;
         Topic topic = Topic::General;
+        QString technical = {};      ///< exact and English, for whoever points at the message
+        QList<Choice> choices = {};  ///< of the button's menu, in place of `action`
     };
 
     /// How long news stays.
