@@ -44,6 +44,7 @@ private slots:
     void heldArrowGathersSpeedAndShiftIsFine();
     void pageKeysPushAndLift();
     void losingTheFocusLetsGo();
+    void theToothAloneIsDrawnWithoutTheInstrument();
     void otherHandTurnsTheSceneAndTheArrows();
     void isAnEmptyRoomWithoutATooth();
 
@@ -338,6 +339,18 @@ void TestToothView::losingTheFocusLetsGo()
     const glm::dvec2 rest = pointer().targetMm;
     QTest::qWait(400);
     QCOMPARE(pointer().targetMm.x, rest.x);
+}
+
+void TestToothView::theToothAloneIsDrawnWithoutTheInstrument()
+{
+    const QImage alone = picture();
+    ServoState servo;
+    servo.tick = 1;
+    servo.anchorMm = {0.0, 0.0, -1.0};
+    m_links->servo.publish(servo);
+    QVERIFY(pictures::difference(alone, picture(), 20).pixels > 300);
+    QCOMPARE(pictures::difference(alone, m_view->toothPicture(), 2).pixels, 0);
+    QVERIFY(pictures::difference(alone, picture(), 20).pixels > 300);
 }
 
 void TestToothView::otherHandTurnsTheSceneAndTheArrows()

@@ -764,7 +764,8 @@ double ToothSurface::crownRadiusMm() const
 
 bool ToothSurface::meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm)
 {
-    if (ray.direction.z > -1.0e-3)
+    // A ray that grazes would be followed for metres.
+    if (ray.direction.z > -0.02)
         return false;
     pointMm = ray.originMm + ray.direction * ((heightMm - ray.originMm.z) / ray.direction.z);
     return true;

@@ -376,7 +376,7 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
 {
     m_busy->done();
     const QString title = m_tooth != nullptr ? text::toothTitle(*m_tooth) : QString();
-    m_scorePage->setScore(title, sheet, history, m_view->isUsable() ? m_view->picture() : QImage());
+    m_scorePage->setScore(title, sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage());
     goTo(m_scorePage);
 }
 

@@ -33,6 +33,9 @@ constexpr double kForceStepN = 0.1;
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr int kForceToldMs = 1200;
+constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shank must clear
+constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
+constexpr double kLiftFollowS = 0.05;
 
 // Keys: one step at once, then a pace that grows while the key is held.
 constexpr double kKeyStepMm = 0.1;
@@ -208,6 +211,15 @@ QImage ToothView::picture()
     return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
 }
 
+QImage ToothView::toothPicture()
+{
+    m_instrumentHidden = true;
+    const QImage image = picture();
+    m_instrumentHidden = false;
+    update();
+    return image;
+}
+
 void ToothView::initializeGL()
 {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::leaveContext);
@@ -283,7 +295,8 @@ render::Scene ToothView::scene() const
     scene.eyeMm = m_camera.eyeMm();
     scene.towardsLight = towardsLight();
     scene.sizePx = glm::vec2(width() * devicePixelRatioF(), height() * devicePixelRatioF());
-    scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0;
+    scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0 && !m_instrumentHidden;
+    scene.liftMm = m_liftMm;
     scene.burIndex = m_servo.burIndex;
     scene.tipMm = m_servo.anchorMm;
     scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_servo.anchorMm)) : 0.0;
@@ -294,6 +307,20 @@ render::Scene ToothView::scene() const
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
     return scene;
+}
+
+/// How much higher than on a bur held in the air shank and handpiece must be drawn to clear the tooth.
+double ToothView::wantedLiftMm() const
+{
+    if (!m_surface || m_servo.tick == 0 || m_servo.burIndex >= core::drilling::burs().size())
+        return 0.0;
+    const glm::dvec2 at(m_servo.anchorMm);
+    const double tip = m_servo.anchorMm.z;
+    const double shank = tip + core::drilling::burs()[m_servo.burIndex].headLengthMm + render::kNeckMm;
+    const double chuck = tip + render::kChuckMm;
+    const double lift = std::max(m_surface->highestWithinMm(at, kShankClearMm) - shank,
+                                 m_surface->highestWithinMm(at, kHandClearMm) - chuck);
+    return std::clamp(lift, 0.0, render::kMostLiftMm);
 }
 
 glm::vec3 ToothView::towardsLight() const
@@ -361,6 +388,12 @@ void ToothView::advanceFrame()
     if (m_camera.advance(seconds)) {
         if (m_reducedMotion)
             m_camera.settle();
+        update();
+    }
+    const double lift = wantedLiftMm();
+    const double rest = m_reducedMotion ? 0.0 : (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
+    if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
+        m_liftMm = next;
         update();
     }
     if (m_forceTold && m_sinceForceSet.elapsed() > kForceToldMs) {
