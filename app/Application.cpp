@@ -209,8 +209,15 @@ void Application::grade()
 {
     const auto tooth = m_session.toothSoFar();
     const auto recording = m_session.recordingSoFar();
-    if (!tooth || !recording)
+    if (!tooth || !recording) {
+        m_window->showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
+    }
+    const std::uint64_t hash = core::terrain::stateHash(*tooth);
+    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+        m_window->showScore(m_graded->sheet, m_graded->history);
+        return;
+    }
     const lessons::ScoreSheet sheet = lessons::grade(core::grading::measure(*tooth));
 
     QList<database::AttemptRecord> history;
@@ -221,15 +228,16 @@ void Application::grade()
         record.score = sheet.total;
         record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(recording->duration()).count();
         record.scoreSheetJson = lessons::toJson(sheet).toStdString();
-        record.stateHash =
-            QStringLiteral("%1").arg(core::terrain::stateHash(*tooth), 16, 16, QLatin1Char('0')).toStdString();
+        record.stateHash = QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0')).toStdString();
         const auto kept = m_attempts->add(record);
         const auto last = kept ? m_attempts->byTooth(record.tooth, kHistoryLength)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
-        if (last)
+        if (last) {
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-        else
+            m_graded = {m_ownGeneration, hash, sheet, history};
+        } else {
             m_window->showError(last.error(), Failed::KeepingGrades);
+        }
     }
     m_window->showScore(sheet, history);
 }

@@ -78,6 +78,15 @@ private:
     std::uint64_t m_generation = 0;                                ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
+    /// The grade given last: the same work is not graded twice.
+    struct Graded
+    {
+        std::uint64_t generation = 0;
+        std::uint64_t hash = 0;
+        lessons::ScoreSheet sheet;
+        QList<database::AttemptRecord> history;
+    };
+    std::optional<Graded> m_graded;
     QTimer m_replayWatch;
     std::unique_ptr<ReplayLoop> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;

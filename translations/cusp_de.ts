@@ -387,6 +387,10 @@
         <source>This is your own work again, as you left it.</source>
         <translation>Hier ist wieder Ihre eigene Arbeit, so wie Sie sie verlassen haben.</translation>
     </message>
+    <message>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation>Der Zahn ist noch nicht bereit. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::Actions</name>
@@ -697,6 +701,18 @@
         <source>Over the tooth</source>
         <translation>Über dem Zahn</translation>
     </message>
+    <message>
+        <source>Turn it back</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>right double-click</source>
+        <translation>Doppelklick rechts</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
@@ -945,6 +961,10 @@
     <message>
         <source>Grades are not being kept; this one will not be here next time.</source>
         <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
     </message>
 </context>
 <context>

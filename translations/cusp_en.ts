@@ -387,6 +387,10 @@
         <source>This is your own work again, as you left it.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::Actions</name>
@@ -697,6 +701,18 @@
         <source>Over the tooth</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Turn it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right double-click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
@@ -944,6 +960,10 @@
     </message>
     <message>
         <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

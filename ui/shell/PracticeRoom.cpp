@@ -139,9 +139,11 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->setSpacing(kSpace1);
     // Not barButton(): what this one shows is the tooth, not the action's words.
     m_tooth = new QToolButton(frame);
-    m_tooth->setIcon(actions.chooseTooth->icon());
-    m_tooth->setIconSize({22, 22});
+    m_tooth->setProperty("kind", "chooser");
+    m_tooth->setIcon(lineIcon(QStringLiteral("down"), palette()));
+    m_tooth->setIconSize({16, 16});
     m_tooth->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_tooth->setLayoutDirection(Qt::RightToLeft);  // the arrow behind the words, as of anything that opens
     m_tooth->setToolTip(actions.chooseTooth->toolTip());
     m_tooth->setStatusTip(actions.chooseTooth->statusTip());
     m_tooth->setAccessibleName(actions.chooseTooth->text());
