@@ -214,7 +214,7 @@ QImage ToothView::picture()
 QImage ToothView::toothPicture()
 {
     m_instrumentHidden = true;
-    const QImage image = picture();
+    QImage image = picture();
     m_instrumentHidden = false;
     update();
     return image;
@@ -465,7 +465,11 @@ void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
-        m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
+        const render::Ray ray = rayAt(event->position());
+        // Seen from below the bur is on the far side: a click would drill where nobody looks.
+        if (ray.direction.z >= 0.0)
+            return;
+        m_control.moveTo(ray, m_servo.anchorMm);
         m_control.push(true);
         publishPointer();
     } else if (m_turning == Qt::NoButton &&
