@@ -48,7 +48,7 @@ struct Placement
     std::string upReason;
     bool unitDoubtful = false;  ///< guessed, and a warning says why that may be wrong
     bool upDoubtful = false;    ///< likewise
-    glm::dvec3 originMm{0.0};  ///< the tooth frame's origin, in mm along the tooth's axes from the file's origin
+    glm::dvec3 originMm{0.0};   ///< the tooth frame's origin, in mm along the tooth's axes from the file's origin
     std::vector<std::string> warnings;
 };
 
