@@ -21,6 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using core::session::UiLinks;
+using ui::text::Failed;
 
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
@@ -72,10 +73,18 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
             [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
+    connect(m_window.get(), &MainWindow::scanUnitChosen, this, [this](const QString& unit) {
+        if (const auto known = core::mesh::parseUnit(unit.toStdString()))
+            openTooth(m_source, *known);
+    });
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
+    connect(m_window.get(), &MainWindow::replayPauseRequested, this, [this](bool paused) {
+        if (m_replay)
+            m_replay->setPaused(paused);
+    });
     m_replayWatch.setInterval(kReplayWatchMs);
     connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
@@ -131,78 +140,84 @@ void Application::openDatabase(const QString& file)
     }
     auto opened = database::sql::Database::open(path);
     if (!opened) {
-        m_window->showError(opened.error());
+        m_window->showError(opened.error(), Failed::KeepingGrades, path);
         return;
     }
     m_database = std::move(*opened);
     m_attempts = std::make_unique<database::sql::SqlAttemptRepository>(m_database->handle());
 }
 
-void Application::openTooth(const core::teeth::ToothSource& source)
+void Application::openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit)
 {
     const int load = ++m_loading;
     const auto* fdi = std::get_if<int>(&source.what);
+    const QString file =
+        fdi != nullptr ? QString() : QFileInfo(std::get<std::filesystem::path>(source.what)).filePath();
     m_window->showBusy(
-        fdi != nullptr
-            ? tr("Making tooth %1 …").arg(*fdi)
-            : tr("Reading %1 …")
-                  .arg(QFileInfo(std::filesystem::path(std::get<std::filesystem::path>(source.what))).fileName()),
-        -1);
-    const core::teeth::BuildOptions build = m_options.build;
+        fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi) : tr("Reading %1 …").arg(QFileInfo(file).fileName()), -1);
+    core::teeth::BuildOptions build = m_options.build;
+    if (unit)
+        build.placement.unit = unit;
     inBackground(
         this, [source, build] { return core::teeth::buildTooth(source, build); },
-        [this, load](const core::Result<core::teeth::BuiltTooth>& built) {
+        [this, load, source, file](const core::Result<core::teeth::BuiltTooth>& built) {
             if (load != m_loading)
                 return;
-            if (built)
-                takeTooth(*built);
-            else
-                refuse(built.error());
+            if (!built) {
+                refuse(built.error(), file.isEmpty() ? Failed::MakingTooth : Failed::OpeningScan, file);
+                return;
+            }
+            m_source = source;
+            takeTooth(*built);
         });
 }
 
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
 /// wanted, said on stderr, and that is the end.
-void Application::refuse(const core::Error& error)
+void Application::refuse(const core::Error& error, Failed failed, const QString& file)
 {
     if (!m_options.picture.isEmpty()) {
         QCoreApplication::exit(cli::failed(error));
         return;
     }
-    m_window->showError(error);
-    if (!m_anatomy)
+    m_window->showError(error, failed, file);
+    if (!m_anatomy && !m_replay)
         openTooth({kSpareTooth});
 }
 
 void Application::takeTooth(const core::teeth::BuiltTooth& built)
 {
-    QStringList notes;
-    for (const std::string& warning : built.report.warnings)
-        notes << QString::fromStdString(warning);
-    begin(built.anatomy, notes);
+    begin(built.anatomy, ui::text::scanNotes(built.report), built.report.placement.unitDoubtful);
 }
 
-void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes)
+void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes,
+                        bool unitInDoubt)
 {
-    endReplay();
+    if (m_replay) {
+        putReplayAway();
+        startLoops();
+    }
     m_anatomy = std::move(anatomy);
-    ++m_generation;
-    m_window->showTooth(m_anatomy, m_generation, notes);
+    m_ownGeneration = ++m_generation;
+    m_window->showTooth(m_anatomy, m_ownGeneration, notes, unitInDoubt);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_anatomy);
-    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_generation}))
+    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration}))
         static_cast<void>(tooth.release());  // the session owns it now
 }
 
 void Application::grade()
 {
-    if (m_replay) {
-        m_window->showMessage(tr("This is a replay. Stop it to be graded on your own work."));
-        return;
-    }
     const auto tooth = m_session.toothSoFar();
     const auto recording = m_session.recordingSoFar();
-    if (!tooth || !recording)
+    if (!tooth || !recording) {
+        m_window->showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
+    }
+    const std::uint64_t hash = core::terrain::stateHash(*tooth);
+    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+        m_window->showScore(m_graded->sheet, m_graded->history);
+        return;
+    }
     const lessons::ScoreSheet sheet = lessons::grade(core::grading::measure(*tooth));
 
     QList<database::AttemptRecord> history;
@@ -213,25 +228,22 @@ void Application::grade()
         record.score = sheet.total;
         record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(recording->duration()).count();
         record.scoreSheetJson = lessons::toJson(sheet).toStdString();
-        record.stateHash =
-            QStringLiteral("%1").arg(core::terrain::stateHash(*tooth), 16, 16, QLatin1Char('0')).toStdString();
+        record.stateHash = QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0')).toStdString();
         const auto kept = m_attempts->add(record);
         const auto last = kept ? m_attempts->byTooth(record.tooth, kHistoryLength)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
-        if (last)
+        if (last) {
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-        else
-            m_window->showError(last.error());
+            m_graded = {m_ownGeneration, hash, sheet, history};
+        } else {
+            m_window->showError(last.error(), Failed::KeepingGrades);
+        }
     }
     m_window->showScore(sheet, history);
 }
 
 void Application::saveRecording(const QString& path)
 {
-    if (m_replay) {
-        m_window->showMessage(tr("This is a replay; it is saved already. Stop it to record your own work."));
-        return;
-    }
     const auto recording = m_session.recordingSoFar();
     if (!recording)
         return;
@@ -242,9 +254,9 @@ void Application::saveRecording(const QString& path)
         },
         [this, path](const core::Status& written) {
             if (written)
-                m_window->showMessage(tr("The recording was saved as %1.").arg(QDir::toNativeSeparators(path)));
+                m_window->showSaved(path);
             else
-                m_window->showError(written.error());
+                m_window->showError(written.error(), Failed::SavingRecording, path);
         });
 }
 
@@ -254,30 +266,35 @@ void Application::openRecording(const QString& path)
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()), -1);
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
-        [this, load](const core::Result<core::recording::Recording>& recording) {
+        [this, load, path](const core::Result<core::recording::Recording>& recording) {
             if (load != m_loading)
                 return;
             if (recording)
                 play(*recording);
             else
-                refuse(recording.error());
+                refuse(recording.error(), Failed::OpeningRecording, path);
         });
 }
 
+/// The student's own attempt stays in the two loops, which rest meanwhile.
 void Application::play(const core::recording::Recording& recording)
 {
-    endReplay();
     auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
     if (!replay) {
-        m_window->showError(replay.error());
+        refuse(replay.error(), Failed::OpeningRecording, {});
         return;
     }
-    stopLoops();
-    m_anatomy = recording.anatomy();
+    if (m_replay) {
+        putReplayAway();
+    } else {
+        stopLoops();
+        m_handAtRest = m_links.servo.latest();
+    }
     ++m_generation;
     m_replay = std::move(*replay);
-    m_window->showTooth(m_anatomy, m_generation, {});
-    m_window->setReplaying(true);
+    m_replayed = recording.anatomy();
+    m_window->setReplaying(true, std::chrono::duration<double>(recording.duration()).count());
+    m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
         m_replay->tick(recording.duration());  // straight to its end
     m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
@@ -290,13 +307,13 @@ void Application::watchReplay()
     if (!m_replay || !m_replay->isFinished())
         return;
     m_replayWatch.stop();
-    m_window->showMessage(tr("The recording has come to its end. Stop the replay to begin this tooth anew yourself."));
+    m_window->showReplayEnd();
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
 void Application::drawPicture()
 {
-    if (m_anatomy)
+    if (m_anatomy || m_replay)
         ++m_pictureLooks;
     if (m_pictureLooks < kPictureFrames) {
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
@@ -316,22 +333,36 @@ void Application::drawPicture()
         QCoreApplication::exit(EXIT_SUCCESS);
 }
 
-void Application::endReplay()
+/// Afterwards nobody writes what the window reads, until loops start again.
+void Application::putReplayAway()
 {
-    if (!m_replay)
-        return;
     m_replayWatch.stop();
     m_replayThread.reset();
     m_replay.reset();
     m_window->setReplaying(false);
-    startLoops();
 }
 
-/// Back to the student's own hand, on the same tooth, whole again.
+/// Back to the student's own work as it was left. Who has none gets the tooth of the recording, whole.
 void Application::stopReplay()
 {
-    if (m_replay)
-        begin(m_anatomy, {});
+    if (!m_replay)
+        return;
+    if (!m_anatomy) {
+        begin(m_replayed, {}, false);
+        m_window->showMessage(tr("The tooth is whole, and yours to drill."));
+        return;
+    }
+    putReplayAway();
+    m_links.servo.back() = m_handAtRest;
+    m_links.servo.publish();
+    for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
+    }
+    m_window->showTooth(m_anatomy, m_ownGeneration, {});
+    // A tooth that was taken a moment before the replay may still be on its way to the session.
+    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_anatomy)
+        m_window->view().setHeights(own->top);
+    startLoops();
+    m_window->showMessage(tr("This is your own work again, as you left it."));
 }
 
 }  // namespace app

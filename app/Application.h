@@ -47,15 +47,15 @@ private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
     void openDatabase(const QString& file);
-    void openTooth(const core::teeth::ToothSource& source);
-    void refuse(const core::Error& error);
+    void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {});
+    void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
-    void begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes);
+    void begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes, bool unitInDoubt);
     void grade();
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
     void play(const core::recording::Recording& recording);
-    void endReplay();
+    void putReplayAway();
     void stopReplay();
     void watchReplay();
     void drawPicture();
@@ -63,6 +63,7 @@ private:
     void stopLoops();
 
     WindowOptions m_options;
+    core::teeth::ToothSource m_source;  ///< of the tooth taken last
     core::session::UiLinks m_links;
     core::session::ServoLinks m_servoLinks;
     haptics::PointerDevice m_pointer;
@@ -72,12 +73,24 @@ private:
     std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
 
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
-    std::uint64_t m_generation = 0;
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< the student's own tooth; null: none taken yet
+    std::uint64_t m_ownGeneration = 0;                             ///< of that tooth
+    std::uint64_t m_generation = 0;                                ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
+    /// The grade given last: the same work is not graded twice.
+    struct Graded
+    {
+        std::uint64_t generation = 0;
+        std::uint64_t hash = 0;
+        lessons::ScoreSheet sheet;
+        QList<database::AttemptRecord> history;
+    };
+    std::optional<Graded> m_graded;
     QTimer m_replayWatch;
     std::unique_ptr<ReplayLoop> m_replay;
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
+    core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 
     // Threads last: they are joined before what they run on goes away.
     std::unique_ptr<LoopThread> m_servoThread;

@@ -43,7 +43,8 @@ ReplayLoop::ReplayLoop(const core::recording::Recording& recording, UiLinks& lin
 
 void ReplayLoop::tick(std::chrono::microseconds dt)
 {
-    m_due += dt;
+    if (!m_paused.load(std::memory_order_relaxed))
+        m_due += dt;
     while (m_next < m_events.size() && m_played < m_due)
         play(m_events[m_next++]);
     sendPatches();
@@ -98,6 +99,12 @@ void ReplayLoop::sendPatches()
         m_toSend.pop_front();
 }
 
+void ReplayLoop::measure()
+{
+    m_session.removedMm3 = core::terrain::removedVolumes(m_tooth->tooth());
+    m_session.perforated = core::terrain::isPerforated(m_tooth->tooth());
+}
+
 void ReplayLoop::publish()
 {
     ServoState& state = m_links.servo.back();
@@ -105,7 +112,7 @@ void ReplayLoop::publish()
     state.toothGeneration = m_generation;
     m_links.servo.publish();
     if (m_beat++ % kBeatsPerMeasure == 0 || m_next == m_events.size())
-        m_session.removedMm3 = core::terrain::removedVolumes(m_tooth->tooth());
+        measure();
     m_session.recordedS = std::chrono::duration<double>(m_played).count();
     m_links.session.publish(m_session);
 }

@@ -24,6 +24,8 @@ public:
 
     void tick(std::chrono::microseconds dt) override;
 
+    /// Any thread: holds the recording where it is, or lets it go on.
+    void setPaused(bool paused) { m_paused.store(paused, std::memory_order_relaxed); }
     /// Any thread: the last event has been played.
     [[nodiscard]] bool isFinished() const { return m_finished.load(std::memory_order_acquire); }
 
@@ -33,6 +35,7 @@ private:
 
     void play(const core::session::ServoEvent& event);
     void sendPatches();
+    void measure();
     void publish();
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
@@ -52,6 +55,7 @@ private:
     std::deque<core::session::TilePatch> m_toSend;
     core::session::SessionState m_session;
     int m_beat = 0;
+    std::atomic<bool> m_paused{false};
     std::atomic<bool> m_finished{false};
 };
 

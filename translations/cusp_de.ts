@@ -93,32 +93,8 @@
         <translation>Die Datei lässt sich nicht schreiben. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
-        <source>The file is empty. Export or copy it again.</source>
-        <translation>Die Datei ist leer. Exportieren oder kopieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file ends too early. Export or copy it again.</source>
-        <translation>Die Datei endet zu früh. Exportieren oder kopieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file is too large. Export the scan with fewer triangles.</source>
-        <translation>Die Datei ist zu groß. Exportieren Sie den Scan mit weniger Dreiecken.</translation>
-    </message>
-    <message>
-        <source>The file is of another kind than its name says. Scans are OBJ, STL or PLY.</source>
-        <translation>Die Datei ist von anderer Art, als ihr Name sagt. Scans sind OBJ, STL oder PLY.</translation>
-    </message>
-    <message>
         <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
         <translation>Diese Datei stammt von einem neueren Cusp. Aktualisieren Sie Cusp, um sie zu öffnen.</translation>
-    </message>
-    <message>
-        <source>The file holds something that is not a number where one belongs. Export it again.</source>
-        <translation>In der Datei steht etwas anderes, wo eine Zahl hingehört. Exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The content of the file does not fit together. Export it again.</source>
-        <translation>Der Inhalt der Datei passt nicht zusammen. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>There is no surface in this file. Choose a scan of a tooth.</source>
@@ -131,6 +107,83 @@
     <message>
         <source>A value lies outside what Cusp can work with.</source>
         <translation>Ein Wert liegt außerhalb dessen, womit Cusp arbeiten kann.</translation>
+    </message>
+    <message>
+        <source>Export it again, or choose another scan.</source>
+        <translation>Exportieren Sie sie noch einmal oder wählen Sie einen anderen Scan.</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was made, or choose another one.</source>
+        <translation>Kopieren Sie sie noch einmal von dort, wo sie entstanden ist, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Put a copy of it back, or move it away: Cusp then begins a new one.</source>
+        <translation>Spielen Sie eine Sicherungskopie zurück oder verschieben Sie die Datei; Cusp legt dann eine neue an.</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file is no recording of Cusp.</source>
+        <translation>Die Datei ist keine Aufzeichnung von Cusp.</translation>
+    </message>
+    <message>
+        <source>The file is no database of Cusp.</source>
+        <translation>Die Datei ist keine Datenbank von Cusp.</translation>
+    </message>
+    <message>
+        <source>The file is not what its name says. Scans are OBJ, STL or PLY.</source>
+        <translation>Die Datei ist nicht das, was ihr Name sagt. Scans sind OBJ, STL oder PLY.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation>Die Datei endet zu früh.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Export it with fewer triangles.</source>
+        <translation>Die Datei ist zu groß. Exportieren Sie sie mit weniger Dreiecken.</translation>
+    </message>
+    <message>
+        <source>The file is too large.</source>
+        <translation>Die Datei ist zu groß.</translation>
+    </message>
+    <message>
+        <source>Where a number belongs, the file holds something else.</source>
+        <translation>Wo eine Zahl hingehört, steht in der Datei etwas anderes.</translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together.</source>
+        <translation>Der Inhalt der Datei passt nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>The scan cannot be opened. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Der Scan lässt sich nicht öffnen. %1</translation>
+    </message>
+    <message>
+        <source>The tooth cannot be made. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Der Zahn lässt sich nicht herstellen. %1</translation>
+    </message>
+    <message>
+        <source>The recording cannot be played. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Aufzeichnung lässt sich nicht wiedergeben. %1</translation>
+    </message>
+    <message>
+        <source>The recording was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Aufzeichnung wurde nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Bewertungen werden nicht aufbewahrt; bohren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
 </context>
 <context>
@@ -189,6 +242,72 @@
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
         <translation>P</translation>
+    </message>
+</context>
+<context>
+    <name>Scan</name>
+    <message>
+        <source>Taken as millimetres the scan is %1 mm long, more than a tooth.</source>
+        <translation>In Millimetern gelesen ist der Scan %1 mm lang, länger als ein Zahn.</translation>
+    </message>
+    <message>
+        <source>The file names no unit. As centimetres it is %1 mm long, so centimetres were taken.</source>
+        <translation>Die Datei nennt keine Einheit. In Zentimetern gelesen ist der Scan %1 mm lang, daher wurden Zentimeter angenommen.</translation>
+    </message>
+    <message>
+        <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
+        <translation>Die Datei nennt keine Einheit. In Metern gelesen ist der Scan %1 mm lang, daher wurden Meter angenommen.</translation>
+    </message>
+    <message>
+        <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
+        <translation>In keiner üblichen Einheit hat der Scan die Größe eines Zahns, daher wurde er auf %1 mm Länge gebracht.</translation>
+    </message>
+    <message>
+        <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
+        <translation>Die Form lässt nicht erkennen, wo die Krone ist. Liegt der Zahn auf der Seite, exportieren Sie ihn mit der Krone in Richtung +z.</translation>
+    </message>
+    <message>
+        <source>The scan has openings; they were closed.</source>
+        <translation>Der Scan hat Öffnungen; sie wurden geschlossen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without an area were left out.</source>
+        <translation>
+            <numerusform>%n Dreieck ohne Fläche wurde ausgelassen.</numerusform>
+            <numerusform>%n Dreiecke ohne Fläche wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>%n Dreieck ist doppelt vorhanden.</numerusform>
+            <numerusform>%n Dreiecke sind doppelt vorhanden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) more than two triangles meet.</source>
+        <translation>
+            <numerusform>An %n Kante stoßen mehr als zwei Dreiecke zusammen.</numerusform>
+            <numerusform>An %n Kanten stoßen mehr als zwei Dreiecke zusammen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) neighbouring triangles disagree which side is outside.</source>
+        <translation>
+            <numerusform>An %n Kante widersprechen sich benachbarte Dreiecke, welche Seite außen ist.</numerusform>
+            <numerusform>An %n Kanten widersprechen sich benachbarte Dreiecke, welche Seite außen ist.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan was inside out and has been turned.</source>
+        <translation>Der Scan war nach innen gekehrt und wurde gewendet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scan has %n separate part(s); the outermost surface counts.</source>
+        <translation>
+            <numerusform>Der Scan besteht aus %n Teil; es zählt die äußerste Fläche.</numerusform>
+            <numerusform>Der Scan besteht aus %n getrennten Teilen; es zählt die äußerste Fläche.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -261,20 +380,16 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>The recording was saved as %1.</source>
-        <translation>Die Aufzeichnung liegt als %1 bereit.</translation>
+        <source>The tooth is whole, and yours to drill.</source>
+        <translation>Der Zahn ist unversehrt, Sie können jetzt selbst bohren.</translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
-        <translation>Das ist eine Wiedergabe. Beende sie, um für deine eigene Arbeit benotet zu werden.</translation>
+        <source>This is your own work again, as you left it.</source>
+        <translation>Hier ist wieder Ihre eigene Arbeit, so wie Sie sie verlassen haben.</translation>
     </message>
     <message>
-        <source>This is a replay; it is saved already. Stop it to record your own work.</source>
-        <translation>Das ist eine Wiedergabe, sie ist schon gespeichert. Beende sie, um deine eigene Arbeit aufzuzeichnen.</translation>
-    </message>
-    <message>
-        <source>The recording has come to its end. Stop the replay to begin this tooth anew yourself.</source>
-        <translation>Die Aufzeichnung ist zu Ende. Beende die Wiedergabe, um diesen Zahn selbst neu zu beginnen.</translation>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation>Der Zahn ist noch nicht bereit. Versuchen Sie es gleich noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -432,6 +547,14 @@
         <extracomment>Tooltip: what it does, then its key</extracomment>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation>Wiedergabe anhalten</translation>
+    </message>
+    <message>
+        <source>Hold the recording where it is, or let it go on</source>
+        <translation>Die Aufzeichnung anhalten oder weiterlaufen lassen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -498,6 +621,10 @@
     <message>
         <source>Force against the force that is set</source>
         <translation>Kraft im Verhältnis zur eingestellten</translation>
+    </message>
+    <message>
+        <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
+        <translation>Die Marke ist die eingestellte Kraft. Eine Wand, die seitlich drückt, kommt hinzu.</translation>
     </message>
 </context>
 <context>
@@ -574,6 +701,18 @@
         <source>Over the tooth</source>
         <translation>Über dem Zahn</translation>
     </message>
+    <message>
+        <source>Turn it back</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>right double-click</source>
+        <translation>Doppelklick rechts</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
@@ -631,6 +770,78 @@
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
         <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie so etwas herein.</translation>
     </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation>Das ist eine Wiedergabe. Beenden Sie sie, um Ihre eigene Arbeit bewerten zu lassen.</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>Die Aufzeichnung wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The recording has come to its end.</source>
+        <translation>Die Aufzeichnung ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>Wiedergabe beenden</translation>
+    </message>
+    <message>
+        <source>Your work would be lost</source>
+        <translation>Ihre Arbeit ginge verloren</translation>
+    </message>
+    <message>
+        <source>What you have cut would be lost.</source>
+        <translation>Was Sie präpariert haben, ginge verloren.</translation>
+    </message>
+    <message>
+        <source>It has not been saved as a recording since you last cut.</source>
+        <translation>Es wurde seit dem letzten Abtrag nicht als Aufzeichnung gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation>Aufzeichnung &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Undo takes the stroke back.</source>
+        <translation>Rückgängig nimmt den Zug zurück.</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>Zahn perforiert</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa eröffnet</translation>
+    </message>
+    <message>
+        <source>Another unit</source>
+        <translation>Andere Einheit</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation>So lassen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -667,11 +878,20 @@
     </message>
     <message>
         <source>Stop the recording</source>
-        <translation>Aufzeichnung anhalten</translation>
+        <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
-        <source>Stop watching and drill yourself (Esc)</source>
-        <translation>Nicht weiter zusehen, selbst bohren (Esc)</translation>
+        <source>Progress of the recording</source>
+        <translation>Fortschritt der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>Das Zusehen beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -738,6 +958,14 @@
         <source>This is the first grade of this tooth.</source>
         <translation>Das ist die erste Note dieses Zahns.</translation>
     </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::SidePanel</name>
@@ -794,6 +1022,19 @@
     <message>
         <source>&lt; 1</source>
         <translation>&lt; 1</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
+        <translation>Wie tief die Spitze unter der ursprünglichen Oberfläche steht. Am Rand des Zahns, wo das Maß nach unten wenig sagt, wird nichts angezeigt.</translation>
+    </message>
+    <message>
+        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung betrachtet die freiliegende Fläche in mm².</translation>
+    </message>
+    <message>
+        <source>N, %1 sideways</source>
+        <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
+        <translation>N, %1 seitlich</translation>
     </message>
 </context>
 <context>

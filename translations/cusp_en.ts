@@ -93,31 +93,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file is empty. Export or copy it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file ends too early. Export or copy it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file is too large. Export the scan with fewer triangles.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file is of another kind than its name says. Scans are OBJ, STL or PLY.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The file holds something that is not a number where one belongs. Export it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The content of the file does not fit together. Export it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -130,6 +106,83 @@
     </message>
     <message>
         <source>A value lies outside what Cusp can work with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it again, or choose another scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was made, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a copy of it back, or move it away: Cusp then begins a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no recording of Cusp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no database of Cusp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is not what its name says. Scans are OBJ, STL or PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is too large. Export it with fewer triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a number belongs, the file holds something else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan cannot be opened. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tooth cannot be made. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording cannot be played. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -189,6 +242,72 @@
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Scan</name>
+    <message>
+        <source>Taken as millimetres the scan is %1 mm long, more than a tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file names no unit. As centimetres it is %1 mm long, so centimetres were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan has openings; they were closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without an area were left out.</source>
+        <translation>
+            <numerusform>%n triangle without an area was left out.</numerusform>
+            <numerusform>%n triangles without an area were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>%n triangle is there twice.</numerusform>
+            <numerusform>%n triangles are there twice.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) more than two triangles meet.</source>
+        <translation>
+            <numerusform>At %n edge more than two triangles meet.</numerusform>
+            <numerusform>At %n edges more than two triangles meet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) neighbouring triangles disagree which side is outside.</source>
+        <translation>
+            <numerusform>At %n edge neighbouring triangles disagree which side is outside.</numerusform>
+            <numerusform>At %n edges neighbouring triangles disagree which side is outside.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan was inside out and has been turned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The scan has %n separate part(s); the outermost surface counts.</source>
+        <translation>
+            <numerusform>The scan has %n part; its outermost surface counts.</numerusform>
+            <numerusform>The scan has %n separate parts; the outermost surface counts.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -261,19 +380,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recording was saved as %1.</source>
+        <source>The tooth is whole, and yours to drill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <source>This is your own work again, as you left it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is a replay; it is saved already. Stop it to record your own work.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording has come to its end. Stop the replay to begin this tooth anew yourself.</source>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -432,6 +547,14 @@
         <extracomment>Tooltip: what it does, then its key</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the recording where it is, or let it go on</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -497,6 +620,10 @@
     <name>ui::shell::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -574,6 +701,18 @@
         <source>Over the tooth</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Turn it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right double-click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
@@ -631,6 +770,78 @@
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording has come to its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your work would be lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you have cut would be lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has not been saved as a recording since you last cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo takes the stroke back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -670,7 +881,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop watching and drill yourself (Esc)</source>
+        <source>Progress of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -738,6 +958,14 @@
         <source>This is the first grade of this tooth.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::SidePanel</name>
@@ -793,6 +1021,19 @@
     </message>
     <message>
         <source>&lt; 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N, %1 sideways</source>
+        <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -15,7 +15,7 @@ inline constexpr double kShankTopMm = 1.0e3;
 
 /// What sticks out of the chuck of a friction-grip handpiece, from the tip, mm: no bur goes deeper, for then the head
 /// of the handpiece lies on the tooth.
-inline constexpr double kChuckMm = 9.0;
+inline constexpr double kChuckMm = 8.0;
 
 /// One axisymmetric bur. Heights are above its tip, radii from its axis, mm. US numbers and sizes: teeth.md section 6.
 struct Bur

@@ -14,31 +14,36 @@ const terrain::PerMaterial& RemovedTally::of(const TiledHeights& top)
     const int side = top.tilesPerSide();
     m_known.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     m_sumMm3 = {};
+    m_columnsGone = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             Known& known = m_known[static_cast<std::size_t>(y * side + x)];
             if (const std::shared_ptr<const Tile>& tile = top.tile(x, y); known.tile != tile)
-                known = {tile, removedIn(x, y, *tile)};
+                known = reckon(x, y, tile);
             for (std::size_t m = 0; m < m_sumMm3.size(); ++m)
                 m_sumMm3[m] += known.removedMm3[m];
+            m_columnsGone += known.columnsGone;
         }
     }
     return m_sumMm3;
 }
 
-terrain::PerMaterial RemovedTally::removedIn(int tileX, int tileY, const Tile& tile) const
+RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared_ptr<const Tile>& tile) const
 {
     const terrain::Grid& grid = m_anatomy->grid;
-    terrain::PerMaterial sum{};
+    Known known{tile, {}, 0};
     const int endI = std::min((tileX + 1) * kTileSide, grid.side);
     const int endJ = std::min((tileY + 1) * kTileSide, grid.side);
     for (int j = tileY * kTileSide; j < endJ; ++j) {
         for (int i = tileX * kTileSide; i < endI; ++i) {
             const auto inTile = static_cast<std::size_t>((j % kTileSide) * kTileSide + i % kTileSide);
-            terrain::addRemoved(*m_anatomy, grid.index(i, j), tile[inTile], sum);
+            const std::size_t k = grid.index(i, j);
+            terrain::addRemoved(*m_anatomy, k, (*tile)[inTile], known.removedMm3);
+            if ((*tile)[inTile] <= terrain::kEmptyTop && m_anatomy->top[k] > m_anatomy->bottom[k])
+                ++known.columnsGone;
         }
     }
-    return sum;
+    return known;
 }
 
 }  // namespace core::history

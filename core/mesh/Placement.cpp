@@ -219,7 +219,10 @@ Result<Placement> findPlacement(const TriangleMesh& mesh, const MeshFacts& facts
     } else {
         placement.unitReason = placement.upReason = "given";
         placement.unit = options.unit ? *options.unit : guessUnit(size, placement.unitReason, placement.warnings);
+        placement.unitDoubtful = !placement.warnings.empty();
+        const std::size_t before = placement.warnings.size();
         placement.up = options.up ? *options.up : guessUp(mesh, facts, placement.upReason, placement.warnings);
+        placement.upDoubtful = placement.warnings.size() > before;
     }
     const double sizeMm = size * placement.unit.mmPerUnit;
     if (!(sizeMm >= kLeastGivenMm && sizeMm <= kMostGivenMm))

@@ -46,7 +46,9 @@ struct Placement
     Axis up = Axis::PlusZ;
     std::string unitReason;  ///< "given", or why it was guessed
     std::string upReason;
-    glm::dvec3 originMm{0.0};  ///< the tooth frame's origin, in mm along the tooth's axes from the file's origin
+    bool unitDoubtful = false;  ///< guessed, and a warning says why that may be wrong
+    bool upDoubtful = false;    ///< likewise
+    glm::dvec3 originMm{0.0};   ///< the tooth frame's origin, in mm along the tooth's axes from the file's origin
     std::vector<std::string> warnings;
 };
 

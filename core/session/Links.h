@@ -38,7 +38,8 @@ struct ServoState
     bool cutting = false;  ///< material came away this tick
     std::uint8_t burIndex = 0;
     terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
-    double depthMm = 0.0;               ///< of the tip below the original surface, 0 outside
+    double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside
+    bool hasDepth = false;  ///< the tip stands over the tooth, away from its flanks: only there depthMm says something
     terrain::PerMaterial removedMm3{};  ///< since the tooth was handed over whole
     std::uint32_t health = 0;
 };
@@ -103,6 +104,7 @@ struct SessionState
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
     terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all
+    bool perforated = false;            ///< there is a hole through the tooth, after undo and all
     double recordedS = 0.0;
 };
 

@@ -15,6 +15,24 @@ constexpr double kTouchMm = 1.0e-6;
 /// No hand is farther from the tooth: such a reading is as bad as none.
 constexpr float kFarthestMm = 1000.0F;
 
+/// Rise of the uncut surface, mm a mm, from which on it is a flank: 70 degrees, no fissure or cusp is as steep.
+constexpr double kFlankRise = 2.75;
+
+/// True where the uncut tooth ends or falls off: a depth measured straight down says nothing there.
+bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
+{
+    const terrain::Grid& grid = anatomy.grid;
+    const auto height = [&](int di, int dj) {
+        if (!grid.contains(i + di, j + dj))
+            return static_cast<double>(terrain::kEmptyTop);
+        return static_cast<double>(anatomy.top[grid.index(i + di, j + dj)]);
+    };
+    // Beside an empty node the rise is enormous.
+    const double east = (height(1, 0) - height(-1, 0)) / (2.0 * grid.cellMm);
+    const double north = (height(0, 1) - height(0, -1)) / (2.0 * grid.cellMm);
+    return east * east + north * north > kFlankRise * kFlankRise;
+}
+
 bool isPlausible(const glm::vec3& device)
 {
     // False for NaN as well.
@@ -129,12 +147,15 @@ void ServoTick::describe() noexcept
     const int i = static_cast<int>(std::floor(at.x + 0.5));
     const int j = static_cast<int>(std::floor(at.y + 0.5));
     m_state.depthMm = 0.0;
+    m_state.hasDepth = false;
     if (!tooth.grid().contains(i, j))
         return;
     const std::size_t k = tooth.grid().index(i, j);
     const terrain::ToothAnatomy& anatomy = *tooth.anatomy;
     if (anatomy.top[k] > anatomy.bottom[k])
         m_state.depthMm = std::max(0.0, static_cast<double>(anatomy.top[k]) - m_state.anchorMm.z);
+    m_state.hasDepth =
+        tooth.isSolid(k) && m_state.anchorMm.z >= static_cast<double>(tooth.bottom[k]) && !isFlank(anatomy, i, j);
     if (m_state.touching && !m_state.cutting && tooth.isSolid(k))
         m_state.materialUnderBur = terrain::materialAt(anatomy.layers[k], tooth.top[k]);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/terrain/Rim.h"
 
-#include <cstdlib>
-#include <optional>
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/terrain/Tooth.h"
@@ -20,30 +20,6 @@ void forEachNeighbour(const Grid& grid, int i, int j, Visit visit)
         for (int di = -1; di <= 1; ++di)
             if ((di != 0 || dj != 0) && grid.contains(i + di, j + dj))
                 visit(grid.index(i + di, j + dj));
-}
-
-/// The normal of the nearest node that is not steep, ring by ring.
-std::optional<glm::vec3> nearestGentle(const Grid& grid, std::span<const glm::vec3> normals, int i, int j, int reach)
-{
-    for (int ring = 1; ring <= reach; ++ring) {
-        std::optional<glm::vec3> best;
-        int bestDistance = 0;
-        for (int dj = -ring; dj <= ring; ++dj)
-            for (int di = -ring; di <= ring; ++di) {
-                const bool onRing = std::max(std::abs(di), std::abs(dj)) == ring;
-                if (!onRing || !grid.contains(i + di, j + dj))
-                    continue;
-                const glm::vec3& normal = normals[grid.index(i + di, j + dj)];
-                const int distance = di * di + dj * dj;
-                if (normal.z >= kSteepNormalZ && (!best || distance < bestDistance)) {
-                    best = normal;
-                    bestDistance = distance;
-                }
-            }
-        if (best)
-            return best;
-    }
-    return std::nullopt;
 }
 
 }  // namespace
@@ -76,27 +52,33 @@ std::size_t sewRim(const Grid& grid, std::span<const float> top, std::span<const
     return count;
 }
 
-std::size_t repairRimNormals(const Grid& grid, std::span<const float> sewn, const NodeRect& rect,
-                             std::span<glm::vec3> normals, int reach)
+void calmSteepNormals(const Grid& grid, std::span<const glm::vec3> normals, const NodeRect& rect,
+                      std::span<glm::vec3> calm)
 {
-    std::vector<std::pair<std::size_t, glm::vec3>> repaired;  // put in place at the end: no repair lends to another
+    constexpr float kBlendIn = 0.2F;  ///< of z, from where steep begins
+    constexpr float kFade = 0.1F;     ///< of the weight with the square of the distance, in nodes
     for (int j = rect.beginJ; j < rect.endJ; ++j)
         for (int i = rect.beginI; i < rect.endI; ++i) {
-            const std::size_t here = grid.index(i, j);
-            const glm::vec3 own = normals[here];
-            if (own == glm::vec3(0.0F) || own.z >= kSteepNormalZ)
+            const glm::vec3 own = normals[grid.index(i, j)];
+            glm::vec3& out = calm[grid.index(i, j)];
+            out = own;
+            if (own == glm::vec3(0.0F) || std::abs(own.z) >= kSteepNormalZ)
                 continue;
-            bool atSeam = sewn[here] != kEmptyTop;
-            forEachNeighbour(grid, i, j, [&](std::size_t k) { atSeam = atSeam || sewn[k] != kEmptyTop; });
-            if (!atSeam)
+            glm::vec3 sum{0.0F};
+            for (int dj = -kCalmReach; dj <= kCalmReach; ++dj)
+                for (int di = -kCalmReach; di <= kCalmReach; ++di) {
+                    if (!grid.contains(i + di, j + dj))
+                        continue;
+                    const glm::vec3& near = normals[grid.index(i + di, j + dj)];
+                    const float steep = std::max(0.0F, kSteepNormalZ - std::abs(near.z));
+                    const float alike = std::max(0.0F, glm::dot(near, own));
+                    sum += steep * alike * alike * std::exp(-kFade * static_cast<float>(di * di + dj * dj)) * near;
+                }
+            if (glm::dot(sum, sum) < 1.0e-12F)
                 continue;
-            if (const auto lent = nearestGentle(grid, normals, i, j, reach))
-                if (const glm::vec3 mixed(lent->x, lent->y, own.z); glm::dot(mixed, mixed) > 1.0e-8F)
-                    repaired.emplace_back(here, glm::normalize(mixed));
+            const float share = std::min(1.0F, (kSteepNormalZ - std::abs(own.z)) / kBlendIn);
+            out = glm::normalize(glm::mix(own, glm::normalize(sum), share));
         }
-    for (const auto& [index, normal] : repaired)
-        normals[index] = normal;
-    return repaired.size();
 }
 
 }  // namespace core::terrain

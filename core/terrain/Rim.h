@@ -24,16 +24,22 @@ namespace core::terrain {
 std::size_t sewRim(const Grid& grid, std::span<const float> top, std::span<const float> bottom, const NodeRect& rect,
                    std::vector<float>& sewn);
 
-/// Below this z a normal counts as steep: the surface rises by more than 70 degrees.
-inline constexpr float kSteepNormalZ = 0.34F;
+/// Below this z, up or down, a normal counts as steep.
+inline constexpr float kSteepNormalZ = 0.75F;
+/// How far calmSteepNormals() looks around a node.
+inline constexpr int kCalmReach = 4;
 
-/// Calms the normals along the seam, where differences across the cliff to the sewn node say nothing about the
-/// surface. For a steep node that is sewn or next to a sewn one, the nearest node that is not steep, searched outward
-/// up to `reach` nodes, lends its normal's x and y; the result is brought back to length one.
+/// Calms the normals of rims and walls: on a wall that is one cell wide the lattice, not the tooth, says where each of
+/// them points. A steep normal borrows from the steep ones around it that look its way, the more the nearer, the
+/// steeper and the more alike they are, and is brought back to length one. It blends in where "steep" begins, so that
+/// nothing shows there. The two walls of a slit do not mix, and what is not steep is left as it is.
 ///
-/// @param normals  [side * side] unit vectors of the top surface, z up, zero where there is no surface
-/// @return how many normals were changed
-std::size_t repairRimNormals(const Grid& grid, std::span<const float> sewn, const NodeRect& rect,
-                             std::span<glm::vec3> normals, int reach = 4);
+/// Chosen by looking: to borrow x and y from the nearest node that is not steep leaves the walls of cavities in
+/// streaks, and turns steep flanks into combs, because there is no such node near.
+///
+/// @param normals  [side * side] unit vectors, zero where there is no surface
+/// @param calm     the same size, written within the rectangle only
+void calmSteepNormals(const Grid& grid, std::span<const glm::vec3> normals, const NodeRect& rect,
+                      std::span<glm::vec3> calm);
 
 }  // namespace core::terrain

@@ -41,6 +41,48 @@ Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> t
     return tooth;
 }
 
+bool isPerforated(const Tooth& tooth)
+{
+    const Grid& grid = tooth.grid();
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    // What is empty now and hangs together with what was empty to begin with is outside; any other empty node is a
+    // hole.
+    std::vector<std::uint8_t> outside(grid.count(), 0);
+    std::vector<std::size_t> reached;
+    bool anyGone = false;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (anatomy.top[k] <= anatomy.bottom[k]) {
+            outside[k] = 1;
+            reached.push_back(k);
+        } else {
+            anyGone = anyGone || !tooth.isSolid(k);
+        }
+    }
+    if (!anyGone)
+        return false;
+    const auto side = static_cast<std::size_t>(grid.side);
+    while (!reached.empty()) {
+        const std::size_t k = reached.back();
+        reached.pop_back();
+        const int i = static_cast<int>(k % side);
+        const int j = static_cast<int>(k / side);
+        for (int dj = -1; dj <= 1; ++dj)
+            for (int di = -1; di <= 1; ++di) {
+                if (!grid.contains(i + di, j + dj))
+                    continue;
+                const std::size_t next = grid.index(i + di, j + dj);
+                if (outside[next] == 0 && !tooth.isSolid(next)) {
+                    outside[next] = 1;
+                    reached.push_back(next);
+                }
+            }
+    }
+    for (std::size_t k = 0; k < grid.count(); ++k)
+        if (outside[k] == 0 && !tooth.isSolid(k))
+            return true;
+    return false;
+}
+
 Material materialAt(const ColumnLayers& column, float z)
 {
     if (z > column.cariesFloor && z <= column.cariesRoof)

@@ -97,6 +97,9 @@ struct Tooth
 /// Adds to `sum` what is gone of column k when its top is at `top` (kEmptyTop if all of it), mm3.
 void addRemoved(const ToothAnatomy& anatomy, std::size_t k, float top, PerMaterial& sum);
 
+/// True if the tooth has a hole through it that has tooth all around. What is ground off its outside is none.
+[[nodiscard]] bool isPerforated(const Tooth& tooth);
+
 /// 64-bit FNV-1a over grid and both maps, bit for bit. Two teeth are the same if and only if (short of a collision)
 /// their hashes are: what `cusp replay` prints.
 [[nodiscard]] std::uint64_t stateHash(const Tooth& tooth);

@@ -9,13 +9,19 @@
 namespace haptics {
 namespace {
 
-constexpr double kGlideLagS = 0.012;      ///< each of the two lags sideways: half a mouse report together
-constexpr double kPushLagS = 0.08;        ///< the force builds up over this time
-constexpr double kLiftLagS = 0.03;        ///< and is gone over this
-constexpr double kApproachMmPerS = 25.0;  ///< fastest descent of the leaning hand before it meets the tooth
-constexpr double kGlideMmPerS = 400.0;    ///< fastest travel in the air
-constexpr double kDragMmPerS = 40.0;      ///< fastest travel while leaning
-constexpr double kFloorMm = -14.0;        ///< beside the tooth the hand stops here
+constexpr double kGlideLagS = 0.012;             ///< each of the two lags sideways: half a mouse report together
+constexpr double kPushLagS = 0.08;               ///< the force builds up over this time
+constexpr double kFollowLagS = 2.0 * kPushLagS;  ///< and the pace of a cut is learnt over this: fast without swinging
+constexpr double kLiftLagS = 0.03;               ///< and is gone over this
+constexpr double kApproachMmPerS = 25.0;         ///< fastest descent of the leaning hand before it meets the tooth
+constexpr double kGlideMmPerS = 400.0;           ///< fastest travel in the air
+constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning
+
+bool isFinite(const core::session::PointerInput& input)
+{
+    return std::isfinite(input.targetMm.x) && std::isfinite(input.targetMm.y) && std::isfinite(input.hoverMm) &&
+           std::isfinite(input.pushForceN);
+}
 
 }  // namespace
 
@@ -26,7 +32,9 @@ PointerDevice::PointerDevice(core::rt::TripleBuffer<core::session::PointerInput>
 
 DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
-    const core::session::PointerInput& want = m_input.latest();
+    if (const core::session::PointerInput& asked = m_input.latest(); isFinite(asked))
+        m_want = asked;
+    const core::session::PointerInput& want = m_want;
     const double force = std::sqrt(glm::dot(forceOnHandN, forceOnHandN));
 
     // Sideways. A wall that pushes back as hard as the hand would lean holds it: it does not wind the spring up
@@ -49,9 +57,13 @@ DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
     if (want.pushing) {
         const double missing = want.pushForceN - force;
         const double sink = missing / (m_stiffness * kPushLagS);
-        m_tip.z -= std::min(sink, kApproachMmPerS) * m_period;
-        m_tip.z = std::max(m_tip.z, kFloorMm);
+        // What the bur gives way to is no missing force. Learnt in contact only: the approach is no cut.
+        if (force > 0.0)
+            m_followMmPerS += sink * m_period / kFollowLagS;
+        m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
+        m_tip.z -= std::min(sink + m_followMmPerS, kApproachMmPerS) * m_period;
     } else {
+        m_followMmPerS = 0.0;
         m_tip.z += (want.hoverMm - m_tip.z) * std::min(1.0, m_period / kLiftLagS);
     }
     return {glm::vec3(m_tip), true};

@@ -52,6 +52,7 @@ private slots:
     void missedBeatsAreToldAndNotMadeUpFor();
     void replayLoopShowsWhatWasRecorded();
     void replayLoopShowsLargeChangesToo();
+    void replayLoopHoldsWhilePaused();
 };
 
 void TestLoopThread::beatsUntilItIsAskedToStop()
@@ -158,6 +159,26 @@ void TestLoopThread::replayLoopShowsLargeChangesToo()
     QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
     QVERIFY(loop->isFinished());
     QCOMPARE(view.flat(), outcome->tooth.top);
+}
+
+void TestLoopThread::replayLoopHoldsWhilePaused()
+{
+    support::Rig rig;
+    rig.open(support::makeBlock({}));
+    rig.run(1000);
+    core::session::UiLinks links;
+    auto loop = app::ReplayLoop::make(rig.session->recordingSoFar().value(), links, 1).value();
+    for (int n = 0; n < 20; ++n)
+        loop->tick(10ms);
+    loop->setPaused(true);
+    for (int n = 0; n < 200; ++n)
+        loop->tick(10ms);
+    QVERIFY(std::abs(links.session.latest().recordedS - 0.2) < 1.0e-9);
+    QVERIFY(!loop->isFinished());
+    loop->setPaused(false);
+    for (int n = 0; n < 100; ++n)
+        loop->tick(10ms);
+    QVERIFY(loop->isFinished());
 }
 
 QTEST_GUILESS_MAIN(TestLoopThread)

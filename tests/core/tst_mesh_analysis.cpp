@@ -266,6 +266,7 @@ void TestMeshAnalysis::unitIsGuessedFromTheSize()
     TriangleMesh jaw = support::box(60.0F, 45.0F, 20.0F);
     const auto ofJaw = findPlacement(jaw, factsOf(jaw), {});
     QVERIFY(ofJaw && ofJaw->unit.name == "mm" && !ofJaw->warnings.empty());
+    QVERIFY(ofJaw->unitDoubtful);
 }
 
 void TestMeshAnalysis::crownIsFoundWhateverTheAxes_data()
@@ -314,6 +315,7 @@ void TestMeshAnalysis::openingAndFlatBaseTellTheCrown()
     placement = findPlacement(box, factsOf(box), {});
     QVERIFY(placement && placement->up == Axis::PlusZ);
     QVERIFY(!placement->warnings.empty());  // nobody can tell
+    QVERIFY(placement->upDoubtful && !placement->unitDoubtful);
 }
 
 void TestMeshAnalysis::frameIsRightHandedAndPutsTheCrownAtTheOrigin()

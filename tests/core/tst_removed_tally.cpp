@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
 
 #include "core/base/Rng.h"
 #include "core/history/RemovedTally.h"
@@ -18,7 +19,12 @@ private slots:
 
 namespace {
 
-/// Cuts round pits of random depth, some through the tooth.
+bool isEmpty(float top)
+{
+    return top <= terrain::kEmptyTop;
+}
+
+/// Cuts square pits of random depth, some through the tooth.
 void cutPits(terrain::Tooth& tooth, Rng& rng, int count)
 {
     const int side = tooth.grid().side;
@@ -73,6 +79,10 @@ void TestRemovedTally::agreesWithTheSumOverColumns()
             QVERIFY2(std::abs(found[m] - right[m]) < 1.0e-9,
                      qPrintable(QString("material %1: %2, not %3").arg(m).arg(found[m]).arg(right[m])));
     }
+    const auto gone = std::count_if(tooth.top.begin(), tooth.top.end(), isEmpty) -
+                      std::count_if(built->anatomy->top.begin(), built->anatomy->top.end(), isEmpty);
+    QVERIFY(gone > 0);
+    QCOMPARE(tally.columnsGone(), static_cast<int>(gone));
     QVERIFY(tally.of(tiles)[static_cast<std::size_t>(terrain::Material::Dentin)] > 1.0);
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <atomic>
+#include <cmath>
 #include <thread>
+
+#include <glm/geometric.hpp>
 
 #include "core/recording/Replay.h"
 #include "tests/support/Rig.h"
@@ -45,6 +48,9 @@ private slots:
     void patchesOfAnOlderToothAreIgnored();
     void newToothWhileTheOldOneIsCut();
     void commandsWithoutAToothDoNothing();
+    void aHoleIsToldUntilItIsTakenBack();
+    void aSideGroundOffIsNoHole();
+    void depthIsToldOverTheToothOnly();
     void viewHearsOfEveryChange();
     void attemptSoFarFromAnotherThread();
 };
@@ -178,6 +184,72 @@ void TestSessionLoop::newToothWhileTheOldOneIsCut()
     rig.send(Undo{});
     rig.run(20);
     QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(block())));
+}
+
+void TestSessionLoop::aHoleIsToldUntilItIsTakenBack()
+{
+    support::Block thin;
+    thin.bottomMm = -0.4;
+    support::Rig rig;
+    rig.open(support::makeBlock(thin));
+    rig.send(SetDrill{true});
+    QVERIFY(!state(rig).perforated);
+    rig.lean(0.0, 0.0, 2.0, 1500);
+    rig.lift();
+    QVERIFY(state(rig).perforated);
+    rig.send(Undo{});
+    rig.run(20);
+    QVERIFY(!state(rig).perforated);
+}
+
+void TestSessionLoop::aSideGroundOffIsNoHole()
+{
+    support::Block disc;
+    disc.bottomMm = -0.4;
+    disc.topMm = [](double x, double y) { return x * x + y * y < 9.0 ? 0.0 : std::nan(""); };
+    terrain::Tooth tooth(support::makeBlock(disc));
+    const auto remove = [&](double x, double y, double radius) {
+        for (int j = 0; j < tooth.grid().side; ++j)
+            for (int i = 0; i < tooth.grid().side; ++i)
+                if (glm::distance(tooth.grid().nodeMm(i, j), glm::dvec2(x, y)) < radius) {
+                    tooth.top[tooth.grid().index(i, j)] = terrain::kEmptyTop;
+                    tooth.bottom[tooth.grid().index(i, j)] = terrain::kEmptyBottom;
+                }
+    };
+    QVERIFY(!terrain::isPerforated(tooth));
+    remove(3.0, 0.0, 1.0);
+    QVERIFY(!terrain::isPerforated(tooth));
+    remove(-1.0, 0.0, 0.2);
+    QVERIFY(terrain::isPerforated(tooth));
+}
+
+void TestSessionLoop::depthIsToldOverTheToothOnly()
+{
+    support::Block crown;
+    // Flat on top, falling off at 80 degrees from 2 mm on, with an overhang of 4 mm of air below its rim.
+    crown.bottomMm = -6.0;
+    crown.topMm = [](double x, double y) {
+        const double r = std::sqrt(x * x + y * y);
+        return r < 2.0 ? 0.0 : r < 2.7 ? -5.67 * (r - 2.0) : std::nan("");
+    };
+    support::Rig rig;
+    rig.open(support::makeBlock(crown));
+    rig.send(SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 400);
+    const ServoState inside = rig.uiLinks->servo.latest();
+    QVERIFY(inside.hasDepth);
+    QVERIFY(inside.depthMm > 0.2);
+    rig.lift();
+    for (const double x : {2.4, 3.2}) {
+        rig.lean(x, 0.0, 2.0, 400);
+        QVERIFY2(!rig.uiLinks->servo.latest().hasDepth, qPrintable(QString::number(x)));
+        rig.lift();
+    }
+    // Hanging beside the crown, under what is left of its side.
+    rig.device.tipMm = {2.4F, 0.0F, -12.0F};
+    rig.open(support::makeBlock(crown), 2);
+    rig.run(20);
+    QVERIFY(!rig.uiLinks->servo.latest().hasDepth);
 }
 
 void TestSessionLoop::commandsWithoutAToothDoNothing()

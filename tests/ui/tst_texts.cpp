@@ -21,6 +21,8 @@ class TestTexts : public QObject
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale("en_GB")); }
     void everyErrorCodeHasASentenceOfItsOwn();
+    void errorsSpeakOfWhatWasDone();
+    void notesOfAScanAreSentences();
     void everyMaterialHasANameAndALetterOfItsOwn();
     void allSixteenTeethHaveNames();
     void whatIsNoToothHasNoName_data();
@@ -106,14 +108,55 @@ lessons::Criterion criterion(std::string_view id, double measured, std::string_v
 
 void TestTexts::everyErrorCodeHasASentenceOfItsOwn()
 {
-    QSet<QString> seen;
-    for (const ErrorCode code : kAllCodes) {
-        const QString text = ui::text::errorText({code, "molar.stl: the exact detail."});
-        QVERIFY2(text.size() > 15 && (text.endsWith('.') || text.endsWith('?')), qPrintable(text));
-        QVERIFY2(!text.contains("molar.stl"), "the detail is shown beside the sentence, not as it");
-        seen << text;
+    using ui::text::Failed;
+    for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
+                                Failed::SavingRecording, Failed::KeepingGrades}) {
+        QSet<QString> seen;
+        for (const ErrorCode code : kAllCodes) {
+            const QString text = ui::text::errorText({code, "molar.stl: the exact detail."}, failed);
+            QVERIFY2(text.size() > 15 && (text.endsWith('.') || text.endsWith('?')), qPrintable(text));
+            QVERIFY2(!text.contains("molar.stl"), "the detail is for who asks");
+            seen << text;
+        }
+        QCOMPARE(seen.size(), static_cast<qsizetype>(kAllCodes.size()));
     }
-    QCOMPARE(seen.size(), static_cast<qsizetype>(kAllCodes.size()));
+}
+
+void TestTexts::errorsSpeakOfWhatWasDone()
+{
+    using ui::text::Failed;
+    const core::Error error{ErrorCode::WrongKind, {}};
+    QVERIFY(ui::text::errorText(error, Failed::OpeningScan).contains("scan"));
+    for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades})
+        for (const ErrorCode code : {ErrorCode::WrongKind, ErrorCode::FileTruncated, ErrorCode::FileEmpty,
+                                     ErrorCode::FileTooLarge, ErrorCode::BadStructure})
+            QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));
+    QVERIFY(ui::text::errorText(error, Failed::KeepingGrades).contains("Grades will not be kept"));
+}
+
+void TestTexts::notesOfAScanAreSentences()
+{
+    core::teeth::ToothReport report;
+    report.lowMm = {-5.0, -5.0, -12.0};
+    report.highMm = {5.0, 5.0, 0.0};
+    QVERIFY(ui::text::scanNotes(report).isEmpty());
+    report.placement.unitDoubtful = report.placement.upDoubtful = true;
+    report.boundaryEdges = report.zeroAreaFaces = report.duplicateFaces = 3;
+    report.nonManifoldEdges = report.flippedEdges = report.shellsInsideOut = 1;
+    report.shells = 2;
+    QSet<QString> seen;
+    for (const char* unit : {"mm", "cm", "m", "3.71"}) {
+        report.placement.unit.name = unit;
+        const QStringList notes = ui::text::scanNotes(report);
+        QCOMPARE(notes.size(), 9);
+        QVERIFY2(notes.front().contains("12.0"), qPrintable(notes.front()));
+        seen << notes.front();
+        for (const QString& note : notes) {
+            QVERIFY2((note.front().isUpper() || note.front().isDigit()) && note.endsWith('.'), qPrintable(note));
+            QVERIFY2(!note.contains("--"), "no command line in the window");
+        }
+    }
+    QCOMPARE(seen.size(), 4);
 }
 
 void TestTexts::everyMaterialHasANameAndALetterOfItsOwn()

@@ -231,6 +231,7 @@ void TestToothSurface::metalMeshesAreWholeAndFaceOutwards()
 {
     std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
+        meshes.push_back(ui::render::shankMesh(bur));
         meshes.push_back(ui::render::burMesh(bur));
         float widest = 0.0F;
         float lowest = 1.0F;

@@ -44,6 +44,8 @@ private slots:
     void heldArrowGathersSpeedAndShiftIsFine();
     void pageKeysPushAndLift();
     void losingTheFocusLetsGo();
+    void aClickFromBelowDoesNotDrill();
+    void theToothAloneIsDrawnWithoutTheInstrument();
     void otherHandTurnsTheSceneAndTheArrows();
     void isAnEmptyRoomWithoutATooth();
 
@@ -338,6 +340,30 @@ void TestToothView::losingTheFocusLetsGo()
     const glm::dvec2 rest = pointer().targetMm;
     QTest::qWait(400);
     QCOMPARE(pointer().targetMm.x, rest.x);
+}
+
+void TestToothView::aClickFromBelowDoesNotDrill()
+{
+    m_view->setCamera(0.0, -45.0, m_view->camera().fittingMm());
+    const QPoint middle = m_view->rect().center();
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle);
+    QVERIFY(!pointer().pushing);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, middle);
+    m_view->setCamera(0.0, 45.0, m_view->camera().fittingMm());
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle);
+    QVERIFY(pointer().pushing);
+}
+
+void TestToothView::theToothAloneIsDrawnWithoutTheInstrument()
+{
+    const QImage alone = picture();
+    ServoState servo;
+    servo.tick = 1;
+    servo.anchorMm = {0.0, 0.0, -1.0};
+    m_links->servo.publish(servo);
+    QVERIFY(pictures::difference(alone, picture(), 20).pixels > 300);
+    QCOMPARE(pictures::difference(alone, m_view->toothPicture(), 2).pixels, 0);
+    QVERIFY(pictures::difference(alone, picture(), 20).pixels > 300);
 }
 
 void TestToothView::otherHandTurnsTheSceneAndTheArrows()

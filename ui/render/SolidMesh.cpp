@@ -93,11 +93,25 @@ SolidMesh burMesh(const core::drilling::Bur& bur)
         profile.emplace_back(static_cast<float>(point.radiusMm), static_cast<float>(point.heightMm), kBlades);
     const auto neck = static_cast<float>(bur.shankRadiusMm);
     const auto head = static_cast<float>(bur.headLengthMm);
-    constexpr float kShankMm = 0.8F;
     profile.emplace_back(neck, head, kSteel);
-    profile.emplace_back(neck, head + 0.8F, kSteel);
-    profile.emplace_back(kShankMm, head + 2.4F, kSteel);
-    profile.emplace_back(kShankMm, static_cast<float>(core::drilling::kChuckMm) + 1.0F, kSteel);
+    profile.emplace_back(neck, head + static_cast<float>(kNeckMm + kMostLiftMm) + 0.5F, kSteel);
+    SolidMesh mesh;
+    turn(mesh, profile);
+    return mesh;
+}
+
+SolidMesh shankMesh(const core::drilling::Bur& bur)
+{
+    const auto neck = static_cast<float>(bur.shankRadiusMm);
+    const auto from = static_cast<float>(bur.headLengthMm + kNeckMm);
+    const auto chuck = static_cast<float>(core::drilling::kChuckMm);
+    constexpr float kShankMm = 0.8F;
+    const std::vector<glm::vec3> profile{
+        {neck, from, kSteel},
+        {0.5F * (neck + kShankMm), from + 1.7F, kSteel},
+        {kShankMm, from + 3.2F, kSteel},
+        {kShankMm, chuck + 1.0F, kSteel},
+    };
     SolidMesh mesh;
     turn(mesh, profile);
     return mesh;
@@ -109,16 +123,16 @@ SolidMesh handpieceMesh()
     const auto chuck = static_cast<float>(core::drilling::kChuckMm);
     // The head: chuck, cap below, barrel, push button on top.
     const std::vector<glm::vec3> head{
-        {0.9F, chuck, kGrip},          {1.9F, chuck, kSteel},         {2.3F, chuck + 0.5F, kSteel},
-        {2.5F, chuck + 1.2F, kSteel},  {3.6F, chuck + 1.7F, kSteel},  {4.2F, chuck + 2.4F, kSteel},
-        {4.5F, chuck + 3.4F, kSteel},  {4.5F, chuck + 5.2F, kGrip},   {4.4F, chuck + 5.3F, kGrip},
-        {4.4F, chuck + 5.6F, kSteel},  {4.5F, chuck + 5.7F, kSteel},  {4.5F, chuck + 9.6F, kSteel},
-        {4.3F, chuck + 10.5F, kSteel}, {3.8F, chuck + 11.1F, kSteel}, {3.2F, chuck + 11.3F, kGrip},
-        {3.0F, chuck + 11.3F, kSteel}, {2.9F, chuck + 11.6F, kSteel}, {0.0F, chuck + 11.8F, kSteel},
+        {0.9F, chuck, kGrip},         {1.9F, chuck, kSteel},        {2.3F, chuck + 0.4F, kSteel},
+        {2.5F, chuck + 0.9F, kSteel}, {3.6F, chuck + 1.2F, kSteel}, {4.2F, chuck + 1.7F, kSteel},
+        {4.5F, chuck + 2.4F, kSteel}, {4.5F, chuck + 3.6F, kGrip},  {4.4F, chuck + 3.7F, kGrip},
+        {4.4F, chuck + 3.9F, kSteel}, {4.5F, chuck + 4.0F, kSteel}, {4.5F, chuck + 6.8F, kSteel},
+        {4.3F, chuck + 7.4F, kSteel}, {3.8F, chuck + 7.9F, kSteel}, {3.2F, chuck + 8.1F, kGrip},
+        {3.0F, chuck + 8.1F, kSteel}, {2.9F, chuck + 8.3F, kSteel}, {0.0F, chuck + 8.4F, kSteel},
     };
     turn(mesh, head);
     // Neck and handle: out of the barrel, then bent up by some 22 degrees as a contra-angle is.
-    const float axis = chuck + 6.6F;
+    const float axis = chuck + 4.9F;
     const std::vector<Ring> handle{
         {{2.5F, 0.0F, axis}, 3.0F, kSteel},           {{5.0F, 0.0F, axis + 0.1F}, 3.0F, kSteel},
         {{8.0F, 0.0F, axis + 0.4F}, 2.9F, kSteel},    {{12.0F, 0.0F, axis + 1.2F}, 3.0F, kSteel},

@@ -27,8 +27,15 @@ struct SolidMesh
     std::vector<std::uint32_t> indices;
 };
 
-/// The bur from its tip to the chuck: head by its outline, neck and shank (1.6 mm, friction grip).
+/// Shank and handpiece are drawn up to this much higher, so that deep in the tooth they do not go through it, mm.
+inline constexpr double kMostLiftMm = 12.0;
+/// Height above the head at which the shank begins to widen, mm.
+inline constexpr double kNeckMm = 1.0;
+
+/// The bur from its tip up: head by its outline, and a neck long enough for any lift of the shank.
 [[nodiscard]] SolidMesh burMesh(const core::drilling::Bur& bur);
+/// The shank (1.6 mm, friction grip) from where the neck widens up into the chuck.
+[[nodiscard]] SolidMesh shankMesh(const core::drilling::Bur& bur);
 
 /// A turbine handpiece above the chuck: head, neck and handle at the natural angle.
 [[nodiscard]] SolidMesh handpieceMesh();

@@ -48,6 +48,8 @@ bool ToothRenderer::initialize(QString& reason)
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
         m_burs.push_back(std::make_unique<Part>());
         upload(*m_burs.back(), burMesh(bur));
+        m_shanks.push_back(std::make_unique<Part>());
+        upload(*m_shanks.back(), shankMesh(bur));
     }
     upload(m_handpiece, handpieceMesh());
     return true;
@@ -294,6 +296,9 @@ void ToothRenderer::drawInstrument(const Scene& scene)
         glDrawElements(GL_TRIANGLES, drawn.count, GL_UNSIGNED_INT, nullptr);
     };
     part(*m_burs[scene.burIndex]);
+    setMatrix(*this, m_metalProgram, "toothFromPart",
+              glm::mat4(glm::translate(toothFromPart, glm::dvec3(0.0, 0.0, scene.liftMm))));
+    part(*m_shanks[scene.burIndex]);
 
     // The handpiece turns to glass over the crown: the hand feels it, the eye wants the tooth. First its depth alone,
     // so that only its nearest side is blended.

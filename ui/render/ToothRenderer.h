@@ -38,6 +38,7 @@ struct Scene
     double handAzimuthRad = 0.0;     ///< from +x to where the handle points, about +z
     double turnRad = 0.0;            ///< of the bur about its axis
     bool drillOn = false;
+    double liftMm = 0.0;  ///< of shank and handpiece along the bur, so that they clear the tooth
 };
 
 /// Draws a ToothSurface, the bur and the handpiece with OpenGL 3.3 core. The context given to initialize() must be
@@ -103,6 +104,7 @@ private:
     Map m_upperLayers;
     Map m_lowerLayers;
     std::vector<std::unique_ptr<Part>> m_burs;
+    std::vector<std::unique_ptr<Part>> m_shanks;
     Part m_handpiece;
 
     std::optional<core::terrain::Grid> m_lattice;

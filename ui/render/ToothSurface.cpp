@@ -33,10 +33,6 @@ constexpr float kPenumbra = 0.5F;
 /// Depth below the whole surface at which a spot counts as cut, mm.
 constexpr float kCutFromMm = 0.01F;
 constexpr float kCutFullMm = 0.06F;
-/// Normals steeper than this (z of a unit normal) are averaged with their neighbours: on a wall one cell wide the
-/// lattice, not the tooth, says where each of them points.
-constexpr float kSteep = 0.75F;
-constexpr int kNormalReach = 4;         ///< of that average, nodes
 constexpr double kCrownMm = 8.0;        ///< tallest part of a tooth that is taken for its crown
 constexpr int kDecayReach = 3;          ///< nodes over which the outline of a lesion is smoothed
 constexpr float kAboveOpenMm = 0.3F;    ///< where the roof of an open lesion is drawn: clear of the surface
@@ -106,6 +102,7 @@ void ToothSurface::takeAnatomy()
     m_places.resize(count);
     for (auto& normals : m_rawNormals)
         normals.assign(count, glm::vec3(0.0F));
+    m_calmNormals.assign(count, glm::vec3(0.0F));
     m_topNormals.assign(count, PackedNormal{});
     m_bottomNormals.assign(count, PackedNormal{});
     m_rawLight.assign(count, glm::vec4(1.0F, 1.0F, 0.0F, 0.5F));
@@ -168,9 +165,14 @@ void ToothSurface::smoothFlanks()
     m_flankTop = m_wholeTop;
     m_flankBottom = m_wholeBottom;
     const int side = m_lattice.side;
+    m_flankDej.resize(m_lattice.count());
+    const auto dejOf = [this](int i, int j) {
+        return m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)].dej;
+    };
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const std::size_t k = m_lattice.index(i, j);
+            m_flankDej[k] = dejOf(i, j);
             if (m_wholeTop[k] <= m_wholeBottom[k])
                 continue;
             glm::vec2 outwards{0.0F};
@@ -188,6 +190,7 @@ void ToothSurface::smoothFlanks()
             outwards = glm::normalize(outwards);
             float tops = 0.0F;
             float bottoms = 0.0F;
+            float enamel = 0.0F;
             float weights = 0.0F;
             for (int dj = -kFlankReach; dj <= kFlankReach; ++dj) {
                 for (int di = -kFlankReach; di <= kFlankReach; ++di) {
@@ -201,10 +204,12 @@ void ToothSurface::smoothFlanks()
                     const float weight = std::exp(-1.4F * across * across - 0.14F * along * along);
                     tops += weight * m_wholeTop[n];
                     bottoms += weight * m_wholeBottom[n];
+                    enamel += weight * (m_wholeTop[n] - dejOf(i + di, j + dj));
                     weights += weight;
                 }
             }
             m_flankTop[k] = tops / weights;
+            m_flankDej[k] = m_wholeTop[k] - enamel / weights;
             m_flankBottom[k] = std::min(bottoms / weights, m_flankTop[k]);
         }
     }
@@ -248,7 +253,7 @@ void ToothSurface::spreadLayers()
                 continue;
             const core::terrain::ColumnLayers& column =
                 m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)];
-            m_upperLayers[k] = {column.cariesRoof, column.cariesFloor, column.dej, column.pulpRoof};
+            m_upperLayers[k] = {column.cariesRoof, column.cariesFloor, m_flankDej[k], column.pulpRoof};
             m_lowerLayers[k].x = column.pulpFloor;
             known[k] = 1;
             caries[k] = column.cariesRoof > column.cariesFloor ? 1 : 0;
@@ -340,6 +345,14 @@ void ToothSurface::write(const core::session::TilePatch& patch)
     m_written = united(m_written, {first, firstRow, last + 1, lastRow + 1});
 }
 
+void ToothSurface::write(const std::vector<float>& top)
+{
+    for (int j = 0; j < m_lattice.side; ++j)
+        for (int i = 0; i < m_lattice.side; ++i)
+            m_top[m_lattice.index(i, j)] = top[m_anatomy->grid.index(i * m_stride, j * m_stride)];
+    m_written = wholeOf(m_lattice);
+}
+
 void ToothSurface::setLight(glm::vec3 towardsLight)
 {
     m_relit = m_relit || towardsLight != m_towardsLight;
@@ -357,8 +370,8 @@ ToothSurface::Changes ToothSurface::refresh()
             smoothOutline();
         buildTriangles(changes.heights);
         const int reach = static_cast<int>(std::ceil(kShadowReachMm / static_cast<float>(m_lattice.cellMm)));
-        changes.shading = grown(changes.heights, std::max(reach, kNormalReach) + 2, m_lattice);
-        bendNormals(grown(changes.heights, kNormalReach + 1, m_lattice));
+        changes.shading = grown(changes.heights, std::max(reach, core::terrain::kCalmReach) + 2, m_lattice);
+        bendNormals(grown(changes.heights, core::terrain::kCalmReach + 1, m_lattice));
     }
     if (m_relit)
         changes.shading = wholeOf(m_lattice);
@@ -490,7 +503,7 @@ glm::vec2 ToothSurface::slope(const std::vector<Height>& heights, int i, int j) 
 void ToothSurface::bendNormals(const NodeRect& rect)
 {
     // Solid nodes from the slopes, then the rim from its solid neighbours: it looks straight outwards, for both maps.
-    const NodeRect raw = grown(rect, kNormalReach, m_lattice);
+    const NodeRect raw = grown(rect, core::terrain::kCalmReach, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j) {
         for (int i = raw.beginI; i < raw.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
@@ -505,6 +518,10 @@ void ToothSurface::bendNormals(const NodeRect& rect)
             const std::size_t k = m_lattice.index(i, j);
             if (m_nodes[k] == Node::Solid)
                 continue;
+            if (m_nodes[k] == Node::Empty) {
+                m_rawNormals[0][k] = m_rawNormals[1][k] = glm::vec3(0.0F);
+                continue;
+            }
             glm::vec2 outwards{0.0F};
             for (int dj = -2; dj <= 2; ++dj)
                 for (int di = -2; di <= 2; ++di)
@@ -517,33 +534,11 @@ void ToothSurface::bendNormals(const NodeRect& rect)
         }
     }
     for (int map = 0; map < 2; ++map) {
-        const std::vector<glm::vec3>& from = m_rawNormals[map];
+        core::terrain::calmSteepNormals(m_lattice, m_rawNormals[map], rect, m_calmNormals);
         std::vector<PackedNormal>& to = map == 0 ? m_topNormals : m_bottomNormals;
-        for (int j = rect.beginJ; j < rect.endJ; ++j) {
-            for (int i = rect.beginI; i < rect.endI; ++i) {
-                const std::size_t k = m_lattice.index(i, j);
-                glm::vec3 normal = from[k];
-                if (std::abs(normal.z) < kSteep) {
-                    glm::vec3 sum{0.0F};
-                    for (int dj = -kNormalReach; dj <= kNormalReach; ++dj) {
-                        for (int di = -kNormalReach; di <= kNormalReach; ++di) {
-                            if (!isShown(i + di, j + dj))
-                                continue;
-                            const glm::vec3& near = from[m_lattice.index(i + di, j + dj)];
-                            const float steep = std::max(0.0F, kSteep - std::abs(near.z));
-                            const float alike = std::max(0.0F, glm::dot(near, normal));
-                            sum +=
-                                steep * alike * alike * std::exp(-0.10F * static_cast<float>(di * di + dj * dj)) * near;
-                        }
-                    }
-                    // Blend in, so that nothing shows where "steep" begins.
-                    const float share = std::min(1.0F, (kSteep - std::abs(normal.z)) / 0.2F);
-                    if (glm::length(sum) > 1.0e-6F)
-                        normal = glm::normalize(glm::mix(normal, glm::normalize(sum), share));
-                }
-                to[k] = pack(normal);
-            }
-        }
+        for (int j = rect.beginJ; j < rect.endJ; ++j)
+            for (int i = rect.beginI; i < rect.endI; ++i)
+                to[m_lattice.index(i, j)] = pack(m_calmNormals[m_lattice.index(i, j)]);
     }
 }
 
@@ -756,7 +751,8 @@ double ToothSurface::crownRadiusMm() const
 
 bool ToothSurface::meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm)
 {
-    if (ray.direction.z > -1.0e-3)
+    // A ray that grazes would be followed for metres.
+    if (ray.direction.z > -0.02)
         return false;
     pointMm = ray.originMm + ray.direction * ((heightMm - ray.originMm.z) / ray.direction.z);
     return true;

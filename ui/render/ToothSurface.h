@@ -49,6 +49,8 @@ public:
 
     /// Takes over the heights of one tile. Nothing derived moves until refresh().
     void write(const core::session::TilePatch& patch);
+    /// The same for the whole top map, over the anatomy's grid.
+    void write(const std::vector<float>& top);
     /// Brings everything derived up to date and says what that was.
     Changes refresh();
     /// Moves the operating light; the next refresh() reports all shading as changed.
@@ -146,6 +148,7 @@ private:
     std::vector<float> m_top;
     std::vector<float> m_flankTop;     ///< whole top as drawn: freed of the lattice's steps at the flanks
     std::vector<float> m_flankBottom;  ///< likewise from below
+    std::vector<float> m_flankDej;     ///< enamel-dentin junction, so that thin enamel at a flank has no streaks
     std::vector<Node> m_nodes;
     std::vector<float> m_solidTop;     ///< as drawn, kEmptyTop where nothing is left
     std::vector<float> m_solidBottom;  ///< as drawn, kEmptyBottom where nothing is left
@@ -154,6 +157,7 @@ private:
     std::vector<Height> m_bottoms;
     std::vector<glm::vec2> m_places;
     std::vector<glm::vec3> m_rawNormals[2];
+    std::vector<glm::vec3> m_calmNormals;
     std::vector<PackedNormal> m_topNormals;
     std::vector<PackedNormal> m_bottomNormals;
     std::vector<glm::vec4> m_rawLight;

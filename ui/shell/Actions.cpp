@@ -53,6 +53,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                         {Qt::CTRL | Qt::Key_S});
     openRecording =
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
+    pauseReplay =
+        add("pause", tr("Pause the replay"), tr("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
+    pauseReplay->setCheckable(true);
 
     m_groups.push_back({tr("Window"), {}});
     resetView = add("view", tr("View from the start"), tr("Turn the tooth back to where it began"), {Qt::Key_V});

@@ -41,7 +41,8 @@ public:
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;
-    QAction* panel = nullptr;  ///< checkable: the side panel is there
+    QAction* pauseReplay = nullptr;  ///< checkable; shares the space bar with `drill`: one of them rests at any time
+    QAction* panel = nullptr;        ///< checkable: the side panel is there
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* back = nullptr;

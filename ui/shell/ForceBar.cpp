@@ -9,17 +9,12 @@
 #include "ui/shell/Theme.h"
 
 namespace ui::shell {
-namespace {
 
-/// The bar is full at one and a half times the set force, so the mark stands at two thirds.
-constexpr double kFullShare = 1.5;
-
-}  // namespace
-
-ForceBar::ForceBar(QWidget* parent) : QWidget(parent)
+ForceBar::ForceBar(double fullN, QWidget* parent) : QWidget(parent), m_fullN(fullN)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Force against the force that is set"));
+    setToolTip(tr("The mark is the force that is set. A wall that presses sideways adds to it."));
 }
 
 void ForceBar::setForce(double forceN, double setN, bool limited)
@@ -40,15 +35,14 @@ void ForceBar::paintEvent(QPaintEvent*)
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::Mid));
     painter.drawRoundedRect(groove, 3, 3);
-    const double full = std::max(0.1, m_setN * kFullShare);
-    const double share = std::clamp(m_forceN / full, 0.0, 1.0);
+    const double share = std::clamp(m_forceN / m_fullN, 0.0, 1.0);
     const Tones tone = tones(palette());
     if (share > 0.01) {
         const QRectF bar(0, 3, std::max(6.0, share * width()), 6);
         painter.setBrush(m_limited ? tone.attention : tone.accent);
         painter.drawRoundedRect(bar, 3, 3);
     }
-    const double mark = width() / kFullShare;
+    const double mark = std::clamp(m_setN / m_fullN * width(), 1.0, width() - 1.0);
     painter.setBrush(palette().color(QPalette::WindowText));
     painter.drawRoundedRect(QRectF(mark - 1, 0, 2, 12), 1, 1);
 }

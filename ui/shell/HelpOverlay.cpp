@@ -33,6 +33,8 @@ QList<Gesture> gestures()
         {HelpOverlay::tr("Push harder, softer"),
          {HelpOverlay::tr("Ctrl + wheel"), QStringLiteral("."), QStringLiteral(",")}},
         {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right drag"), HelpOverlay::tr("Ctrl + arrows")}},
+        // The left button on the tooth drills, however quickly it is pressed twice.
+        {HelpOverlay::tr("Turn it back"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
         {HelpOverlay::tr("Come nearer, go back"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},
     };
 }

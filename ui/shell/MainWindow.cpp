@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/MainWindow.h"
 
+#include <utility>
+
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QApplication>
@@ -12,7 +14,9 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTimer>
@@ -21,13 +25,13 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
+#include "ui/shell/LineIcon.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
-#include "ui/text/Texts.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -37,6 +41,7 @@ namespace {
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
+constexpr int kQuestionIconPx = 36;
 constexpr QSize kFirstSize{1280, 800};
 constexpr QSize kSmallest{960, 640};
 
@@ -85,7 +90,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectView();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
-        emit toothChosen(fdi);
+        leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
 
@@ -119,19 +124,26 @@ void MainWindow::connectActions()
                      send(core::session::Undo{});
                  }});
     });
-    on(m_actions->grade, [this] { emit gradeRequested(); });
+    on(m_actions->grade, [this] {
+        if (m_replaying)
+            offerToStop(tr("This is a replay. Stop it to be graded on your own work."));
+        else
+            emit gradeRequested();
+    });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
     on(m_actions->openScan, [this] {
         askForFile(m_actions->openScan->text(), tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes())),
-                   &MainWindow::scanChosen);
+                   [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
     on(m_actions->saveRecording, [this] {
-        askForFile(m_actions->saveRecording->text(), recordingFilter(), &MainWindow::recordingSaveRequested,
-                   newRecordingName());
+        m_afterSaving = {};
+        askToSave();
     });
     on(m_actions->openRecording, [this] {
-        askForFile(m_actions->openRecording->text(), recordingFilter(), &MainWindow::recordingOpenRequested);
+        askForFile(m_actions->openRecording->text(), recordingFilter(),
+                   [this](const QString& path) { emit recordingOpenRequested(path); });
     });
+    on(m_actions->pauseReplay, [this](bool paused) { emit replayPauseRequested(paused); });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -176,9 +188,29 @@ void MainWindow::takeSession()
 {
     const core::session::SessionState& now = m_links.session.latest();
     const bool moved = now.undoSteps != m_session.undoSteps || now.redoSteps != m_session.redoSteps;
+    tellHarm(now);
     m_session = now;
+    if (m_replaying)
+        m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
     if (moved)
         enableActions();
+}
+
+/// Told when it happens, not when a tooth is shown to which it has happened before.
+void MainWindow::tellHarm(const core::session::SessionState& now)
+{
+    if (now.toothGeneration != m_session.toothGeneration)
+        return;
+    const auto isOpen = [](const core::session::SessionState& state) {
+        return state.removedMm3.at(static_cast<std::size_t>(core::terrain::Material::Pulp)) > 0.0;
+    };
+    const QString toDo = m_replaying ? QString() : tr("Undo takes the stroke back.");
+    if (now.perforated && !m_session.perforated)
+        m_room->showNotice(tr("Tooth perforated"), toDo);
+    else if (isOpen(now) && !isOpen(m_session))
+        m_room->showNotice(tr("Pulp opened"), toDo);
+    else if (!now.perforated && !isOpen(now))
+        m_room->hideNotice();
 }
 
 bool MainWindow::send(const core::session::SessionCommand& command)
@@ -229,10 +261,10 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
-    } else if (m_messages->dismiss()) {
-        return;
     } else if (m_replaying) {
         emit replayStopRequested();
+    } else if (m_messages->dismiss()) {
+        return;
     } else if (isFullScreen()) {
         m_actions->fullScreen->trigger();
     }
@@ -255,7 +287,8 @@ void MainWindow::enableActions()
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
-    m_actions->saveRecording->setEnabled(m_tooth != nullptr && !m_busy->isWorking());
+    m_actions->saveRecording->setEnabled(mine);
+    m_actions->pauseReplay->setEnabled(inRoom && m_replaying);
 }
 
 void MainWindow::placeOverlays()
@@ -269,10 +302,18 @@ void MainWindow::placeOverlays()
 }
 
 void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
-                           const QStringList& notes)
+                           const QStringList& notes, bool unitInDoubt)
 {
     m_busy->done();
+    m_room->hideNotice();
+    // Where a tooth was refused before there was any, another one stands in for it: that stays said.
+    if (!std::exchange(m_standsIn, false))
+        m_messages->withdraw(MessageBar::Topic::Tooth);
     m_tooth = std::move(tooth);
+    if (!m_replaying && generation != m_ownGeneration) {
+        m_ownGeneration = generation;
+        m_savedWork = {};
+    }
     m_view->setTooth(m_tooth, generation);
     const QString title = text::toothTitle(*m_tooth);
     const QString name = text::toothName(m_tooth->fdi);
@@ -280,14 +321,23 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_chooser->setPresent(m_tooth->fdi);
     setWindowTitle(tr("%1 – Cusp").arg(title));
     goTo(m_room);
-    if (notes.size() == 1)
-        m_messages->say({MessageBar::Kind::Warning, notes.front(), {}, {}, {}});
-    else if (!notes.isEmpty())
-        m_messages->say({MessageBar::Kind::Warning,
-                         tr("%n note(s) about this scan", nullptr, static_cast<int>(notes.size())),
-                         notes.join(u'\n'),
-                         {},
-                         {}});
+    if (notes.isEmpty())
+        return;
+    MessageBar::Message message{MessageBar::Kind::Warning, notes.front(), {}, {}, {}, MessageBar::Topic::Tooth};
+    if (notes.size() > 1) {
+        message.sentence = tr("%n note(s) about this scan", nullptr, static_cast<int>(notes.size()));
+        message.detail = notes.join(u'\n');
+    }
+    if (unitInDoubt) {
+        const auto choice = [this](const QString& words, const QString& unit) {
+            return MessageBar::Choice{words, [this, unit] { leaveWork([this, unit] { emit scanUnitChosen(unit); }); }};
+        };
+        message.actionText = tr("Another unit");
+        message.choices = {choice(tr("Millimetres"), QStringLiteral("mm")),
+                           choice(tr("Centimetres"), QStringLiteral("cm")), choice(tr("Metres"), QStringLiteral("m")),
+                           MessageBar::Choice{tr("Leave it as it is"), {}}};
+    }
+    m_messages->say(message);
 }
 
 void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
@@ -300,11 +350,21 @@ void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
     placeOverlays();
 }
 
-void MainWindow::showError(const core::Error& error)
+void MainWindow::showError(const core::Error& error, text::Failed failed, const QString& file)
 {
     m_busy->done();
     enableActions();
-    m_messages->say({MessageBar::Kind::Error, text::errorText(error), QString::fromStdString(error.detail), {}, {}});
+    m_standsIn = m_tooth == nullptr;
+    const QString exact = QString::fromStdString(error.detail);
+    qWarning("%s", qPrintable(exact));
+    const bool ofTooth = failed != text::Failed::KeepingGrades && failed != text::Failed::SavingRecording;
+    m_messages->say({MessageBar::Kind::Error,
+                     text::errorText(error, failed),
+                     QFileInfo(file).fileName(),
+                     {},
+                     {},
+                     ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
+                     exact});
 }
 
 void MainWindow::showMessage(const QString& sentence)
@@ -316,19 +376,114 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
 {
     m_busy->done();
     const QString title = m_tooth != nullptr ? text::toothTitle(*m_tooth) : QString();
-    m_scorePage->setScore(title, sheet, history, m_view->isUsable() ? m_view->picture() : QImage());
+    m_scorePage->setScore(title, sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage());
     goTo(m_scorePage);
 }
 
-void MainWindow::setReplaying(bool replaying)
+void MainWindow::showSaved(const QString& path)
 {
+    m_savedWork = m_workBeingSaved;
+    showMessage(tr("The recording was saved as %1.").arg(QDir::toNativeSeparators(path)));
+    if (const auto what = std::exchange(m_afterSaving, {}))
+        what();
+}
+
+void MainWindow::setReplaying(bool replaying, double lengthS)
+{
+    if (replaying && !m_replaying)
+        m_workAtRest = ownWork();
     m_replaying = replaying;
+    m_replayLengthS = lengthS;
+    m_room->setReplayTime(0.0, lengthS);
+    m_actions->pauseReplay->setChecked(false);
     m_room->setReplaying(replaying);
     enableActions();
 }
 
-void MainWindow::askForFile(const QString& title, const QString& filter, void (MainWindow::*chosen)(const QString&),
-                            const QString& newName)
+void MainWindow::showReplayEnd()
+{
+    offerToStop(tr("The recording has come to its end."));
+}
+
+void MainWindow::offerToStop(const QString& sentence)
+{
+    m_messages->say({MessageBar::Kind::News,
+                     sentence,
+                     {},
+                     tr("Stop the replay"),
+                     [this] { emit replayStopRequested(); },
+                     MessageBar::Topic::Tooth});
+}
+
+core::terrain::PerMaterial MainWindow::ownWork() const
+{
+    if (m_replaying)
+        return m_workAtRest;
+    // Until the session has taken a new tooth it speaks of the one before.
+    return m_session.toothGeneration == m_ownGeneration ? m_session.removedMm3 : core::terrain::PerMaterial{};
+}
+
+bool MainWindow::wouldLoseWork() const
+{
+    const core::terrain::PerMaterial work = ownWork();
+    return work != core::terrain::PerMaterial{} && work != m_savedWork;
+}
+
+void MainWindow::leaveWork(const std::function<void()>& what)
+{
+    if (!wouldLoseWork()) {
+        what();
+        return;
+    }
+    auto* question = new QMessageBox(this);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setObjectName(QStringLiteral("workQuestion"));
+    question->setIconPixmap(
+        linePixmap(QStringLiteral("warning"), tones(palette()).attention, kQuestionIconPx, devicePixelRatioF()));
+    question->setWindowTitle(tr("Your work would be lost"));
+    question->setText(tr("What you have cut would be lost."));
+    question->setInformativeText(tr("It has not been saved as a recording since you last cut."));
+    QPushButton* save = question->addButton(tr("&Save the recording …"), QMessageBox::AcceptRole);
+    QPushButton* discard = question->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    QPushButton* stay = question->addButton(tr("&Cancel"), QMessageBox::RejectRole);
+    question->setDefaultButton(save);
+    question->setEscapeButton(stay);
+    connect(question, &QMessageBox::buttonClicked, this, [this, what, save, discard](QAbstractButton* button) {
+        if (button == discard) {
+            what();
+        } else if (button == save) {
+            m_afterSaving = what;
+            askToSave();
+        }
+    });
+    connect(question, &QDialog::finished, this, &MainWindow::activateWindow);
+    question->open();
+}
+
+void MainWindow::askToSave()
+{
+    askForFile(
+        m_actions->saveRecording->text(), recordingFilter(),
+        [this](const QString& path) {
+            m_workBeingSaved = ownWork();
+            emit recordingSaveRequested(path);
+        },
+        newRecordingName());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose || !wouldLoseWork())
+        return;
+    event->ignore();
+    leaveWork([this] {
+        m_mayClose = true;
+        close();
+    });
+}
+
+void MainWindow::askForFile(const QString& title, const QString& filter,
+                            const std::function<void(const QString&)>& chosen, const QString& newName)
 {
     auto* dialog = new QFileDialog(this, title, m_folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -343,8 +498,10 @@ void MainWindow::askForFile(const QString& title, const QString& filter, void (M
     }
     connect(dialog, &QFileDialog::fileSelected, this, [this, chosen](const QString& path) {
         m_folder = QFileInfo(path).path();
-        emit(this->*chosen)(path);
+        chosen(path);
     });
+    // Without a window manager nobody else gives the keys back.
+    connect(dialog, &QDialog::finished, this, &MainWindow::activateWindow);
     dialog->open();  // beside the window's own events: nothing stops meanwhile
 }
 
@@ -361,7 +518,7 @@ void MainWindow::openFile(const QString& path)
     if (suffix == recordingSuffix())
         emit recordingOpenRequested(path);
     else if (scanSuffixes().contains(suffix))
-        emit scanChosen(path);
+        leaveWork([this, path] { emit scanChosen(path); });
     else
         m_messages->say({MessageBar::Kind::Error,
                          tr("This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those."),

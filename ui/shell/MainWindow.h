@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include <QElapsedTimer>
@@ -14,6 +15,7 @@
 #include "core/session/Links.h"
 #include "database/records.h"
 #include "lessons/ScoreSheet.h"
+#include "ui/text/Texts.h"
 
 class QStackedWidget;
 
@@ -52,26 +54,37 @@ public:
 public slots:
     /// The tooth that is now on the table.
     /// @param notes  what the importer guessed or warned, one sentence each
+    /// @param unitInDoubt  a unit can be chosen beside the notes
     void showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
-                   const QStringList& notes);
+                   const QStringList& notes, bool unitInDoubt = false);
     /// Work is going on. It ends with showTooth, showScore, showError, or with an empty `what`.
     void showBusy(const QString& what, int percentOrMinusOne);
-    void showError(const core::Error& error);
+    /// @param file  its path, where there is one
+    void showError(const core::Error& error, text::Failed failed, const QString& file = {});
     void showMessage(const QString& sentence);
-    /// @param history  grades of this tooth, newest first, this one included
+    /// The recording that recordingSaveRequested() asked for is in this file.
+    void showSaved(const QString& path);
+    /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history);
-    /// A recording drives the bur: the student's own controls rest.
-    void setReplaying(bool replaying);
+    /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
+    /// it before the tooth is shown that goes with it.
+    void setReplaying(bool replaying, double lengthS = 0.0);
+    /// The recording has come to its end.
+    void showReplayEnd();
 
 signals:
     void toothChosen(int fdi);
     void scanChosen(const QString& path);
+    /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
+    void scanUnitChosen(const QString& unit);
     void recordingSaveRequested(const QString& path);
     void recordingOpenRequested(const QString& path);
     void gradeRequested();
     void replayStopRequested();
+    void replayPauseRequested(bool paused);
 
 protected:
+    void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -89,16 +102,25 @@ private:
     void connectView();
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
+    void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
     void wishBur(int index);
     void goTo(QWidget* page);
     void goBack();
+    /// What the student has cut off the present tooth; all zero on a whole one.
+    [[nodiscard]] core::terrain::PerMaterial ownWork() const;
+    [[nodiscard]] bool wouldLoseWork() const;
+    /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
+    void leaveWork(const std::function<void()>& what);
+    void askToSave();
+    /// Says a sentence about the replay, with a button that stops it.
+    void offerToStop(const QString& sentence);
     void enableActions();
     void placeOverlays();
-    /// @param chosen   signal that carries the path
+    /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
-    void askForFile(const QString& title, const QString& filter, void (MainWindow::*chosen)(const QString&),
+    void askForFile(const QString& title, const QString& filter, const std::function<void(const QString&)>& chosen,
                     const QString& newName = {});
     [[nodiscard]] QString newRecordingName() const;
     void openFile(const QString& path);
@@ -116,10 +138,18 @@ private:
     QString m_folder;  ///< where the last file was opened or saved
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
+    std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
+    core::terrain::PerMaterial m_workAtRest{};      ///< while a recording is played: what waits
+    core::terrain::PerMaterial m_workBeingSaved{};  ///< what had been cut when saving was asked for
+    core::terrain::PerMaterial m_savedWork{};       ///< what had been cut when it was last saved
+    std::function<void()> m_afterSaving;            ///< what waits for the work to be saved
     core::session::SessionState m_session;
     Wish m_drillWish;
     Wish m_burWish;
+    bool m_standsIn = false;  ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
+    double m_replayLengthS = 0.0;
+    bool m_mayClose = false;
     bool m_hasCut = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
@@ -69,11 +70,14 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::say(const Message& message)
 {
-    const bool mustWait = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
-    if (mustWait)
+    const bool stays = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
+    if (stays && message.kind != Kind::News) {
         m_waiting.push_back(message);
-    else
-        present(message);
+        return;
+    }
+    if (stays)
+        m_waiting.push_front(m_now);
+    present(message);
 }
 
 bool MessageBar::dismiss()
@@ -86,6 +90,13 @@ bool MessageBar::dismiss()
     if (!m_waiting.isEmpty())
         present(m_waiting.takeFirst());
     return true;
+}
+
+void MessageBar::withdraw(Topic topic)
+{
+    m_waiting.removeIf([topic](const Message& message) { return message.topic == topic; });
+    if (m_now.topic == topic)
+        dismiss();
 }
 
 QString MessageBar::sentence() const
@@ -111,6 +122,19 @@ void MessageBar::present(const Message& message)
     m_button->setText(message.actionText);
     m_button->setAccessibleName(message.actionText);
     m_button->setVisible(!message.actionText.isEmpty());
+    m_sentence->setToolTip(message.technical);
+    m_detail->setToolTip(message.technical);
+    delete m_button->menu();
+    if (!message.choices.isEmpty()) {
+        auto* menu = new QMenu(m_button);
+        for (const Choice& choice : message.choices)
+            connect(menu->addAction(choice.text), &QAction::triggered, this, [this, action = choice.action] {
+                dismiss();
+                if (action)
+                    action();
+            });
+        m_button->setMenu(menu);
+    }
     setAccessibleDescription(message.sentence);
     QFrame::show();
     raise();

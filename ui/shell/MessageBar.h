@@ -14,14 +14,23 @@ class QToolButton;
 
 namespace ui::shell {
 
-/// One message inside the window: what happened, what to do, and at most one button for doing it.
+/// One message inside the window: what happened, what to do, and at most one button for doing it; where there are
+/// several things to choose from, the button opens a menu of them.
 ///
-/// News goes away by itself; warnings and errors stay until they are closed, and what comes meanwhile waits its turn.
+/// News is the answer to what was just done: it comes at once, goes away by itself, and what it covered comes back.
+/// Warnings and errors stay until they are closed; the next one waits its turn.
 class MessageBar : public QFrame
 {
     Q_OBJECT
 public:
     enum class Kind { News, Warning, Error };
+    /// What a message is about: one about a tooth that is no longer on the table is taken back.
+    enum class Topic { General, Tooth };
+    struct Choice
+    {
+        QString text;
+        std::function<void()> action;
+    };
     struct Message
     {
         Kind kind = Kind::News;
@@ -29,6 +38,9 @@ public:
         QString detail;      ///< quieter, beneath; may be empty
         QString actionText;  ///< empty: no button
         std::function<void()> action;
+        Topic topic = Topic::General;
+        QString technical = {};      ///< exact and English, for whoever points at the message
+        QList<Choice> choices = {};  ///< of the button's menu, in place of `action`
     };
 
     /// How long news stays.
@@ -39,6 +51,8 @@ public:
     void say(const Message& message);
     /// Closes the present message; the next one follows. False when there was none.
     bool dismiss();
+    /// Takes back every message of a topic, shown or waiting.
+    void withdraw(Topic topic);
 
     [[nodiscard]] QString sentence() const;
     /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs.

@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -13,12 +14,19 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/SidePanel.h"
+#include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
 
 namespace ui::shell {
 namespace {
 
 constexpr int kBarHeightPx = 52;
+constexpr int kNoticeMs = 8000;
+constexpr int kNoticeIconPx = 32;
+constexpr int kNoticeTopPx = 88;  ///< below the place of a message
+constexpr int kReplayBarPx = 140;
+constexpr int kReplaySteps = 1000;
 
 QFrame* bar(QWidget* parent)
 {
@@ -60,6 +68,39 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_hint->setObjectName(QStringLiteral("hint"));
 
+    makeNotice();
+    makeReplayCard(actions);
+}
+
+void PracticeRoom::makeNotice()
+{
+    m_notice = new QFrame(this);
+    m_notice->setProperty("kind", "notice");
+    m_notice->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto* row = new QHBoxLayout(m_notice);
+    row->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace2);
+    row->setSpacing(kSpace4);
+    auto* icon = new QLabel(m_notice);
+    icon->setPixmap(
+        linePixmap(QStringLiteral("warning"), tones(palette()).harmText, kNoticeIconPx, devicePixelRatioF()));
+    row->addWidget(icon);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    m_noticeWhat = new QLabel(m_notice);
+    m_noticeWhat->setFont(typeface(kTitle, QFont::DemiBold));
+    m_noticeWhat->setObjectName(QStringLiteral("notice"));
+    m_noticeToDo = new QLabel(m_notice);
+    words->addWidget(m_noticeWhat);
+    words->addWidget(m_noticeToDo);
+    row->addLayout(words);
+    m_noticeTimer.setSingleShot(true);
+    m_noticeTimer.setInterval(kNoticeMs);
+    connect(&m_noticeTimer, &QTimer::timeout, this, &PracticeRoom::hideNotice);
+    m_notice->hide();
+}
+
+void PracticeRoom::makeReplayCard(const Actions& actions)
+{
     m_replay = new QFrame(this);
     m_replay->setProperty("kind", "card");
     auto* row = new QHBoxLayout(m_replay);
@@ -69,10 +110,21 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     icon->setPixmap(linePixmap(QStringLiteral("play"), tones(palette()).attention, 20, devicePixelRatioF()));
     row->addWidget(icon);
     row->addWidget(new QLabel(tr("You are watching a recording"), m_replay));
+    row->addSpacing(kSpace2);
+    m_replayProgress = new QProgressBar(m_replay);
+    m_replayProgress->setTextVisible(false);
+    m_replayProgress->setFixedWidth(kReplayBarPx);
+    m_replayProgress->setAccessibleName(tr("Progress of the recording"));
+    row->addWidget(m_replayProgress);
+    m_replayTime = new TabularLabel(m_replay);
+    m_replayTime->setFont(typeface(kBody, QFont::Medium));
+    m_replayTime->setObjectName(QStringLiteral("replayTime"));
+    row->addWidget(m_replayTime);
+    row->addWidget(barButton(actions.pauseReplay, false, m_replay));
     auto* stop = new QPushButton(tr("Stop"), m_replay);
     stop->setProperty("kind", "quiet");
     stop->setAccessibleName(tr("Stop the recording"));
-    stop->setToolTip(tr("Stop watching and drill yourself (Esc)"));
+    stop->setToolTip(tr("Stop watching and go back to your own work (Esc)"));
     stop->setFocusPolicy(Qt::TabFocus);
     connect(stop, &QPushButton::clicked, this, &PracticeRoom::replayStopRequested);
     row->addWidget(stop);
@@ -87,9 +139,11 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->setSpacing(kSpace1);
     // Not barButton(): what this one shows is the tooth, not the action's words.
     m_tooth = new QToolButton(frame);
-    m_tooth->setIcon(actions.chooseTooth->icon());
-    m_tooth->setIconSize({22, 22});
+    m_tooth->setProperty("kind", "chooser");
+    m_tooth->setIcon(lineIcon(QStringLiteral("down"), palette()));
+    m_tooth->setIconSize({16, 16});
     m_tooth->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_tooth->setLayoutDirection(Qt::RightToLeft);  // the arrow behind the words, as of anything that opens
     m_tooth->setToolTip(actions.chooseTooth->toolTip());
     m_tooth->setStatusTip(actions.chooseTooth->statusTip());
     m_tooth->setAccessibleName(actions.chooseTooth->text());
@@ -142,10 +196,38 @@ void PracticeRoom::setHintVisible(bool visible)
     placeOverlays();
 }
 
+void PracticeRoom::showNotice(const QString& what, const QString& whatToDo)
+{
+    m_noticeWhat->setText(what);
+    m_noticeToDo->setText(whatToDo);
+    m_noticeToDo->setVisible(!whatToDo.isEmpty());
+    m_notice->setAccessibleName(what);
+    m_notice->show();
+    m_noticeTimer.start();
+    placeOverlays();
+}
+
+void PracticeRoom::hideNotice()
+{
+    m_noticeTimer.stop();
+    m_notice->hide();
+}
+
 void PracticeRoom::setReplaying(bool replaying)
 {
     m_replay->setVisible(replaying);
     setHintVisible(m_hintWanted);
+}
+
+void PracticeRoom::setReplayTime(double playedS, double lengthS)
+{
+    // Never past the end, and at the end the very end: both read the same there.
+    const double shownS = std::min(playedS, lengthS);
+    m_replayProgress->setRange(0, kReplaySteps);
+    m_replayProgress->setValue(lengthS > 0.0 ? static_cast<int>(kReplaySteps * shownS / lengthS) : kReplaySteps);
+    //: Progress of a recording: minutes and seconds played, and of the whole
+    m_replayTime->setText(tr("%1 of %2").arg(text::duration(shownS), text::duration(lengthS)));
+    placeOverlays();
 }
 
 void PracticeRoom::setPanelVisible(bool visible)
@@ -173,6 +255,9 @@ void PracticeRoom::placeOverlays()
     const int height = m_hint->heightForWidth(width);
     m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
     m_hint->raise();
+    m_notice->adjustSize();
+    m_notice->move(area.center().x() - m_notice->width() / 2, area.top() + kNoticeTopPx);
+    m_notice->raise();
     m_replay->adjustSize();
     m_replay->move(area.center().x() - m_replay->width() / 2, area.bottom() - kSpace4 - m_replay->height());
     m_replay->raise();

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
+class QFrame;
 class QLabel;
+class QProgressBar;
 class QToolButton;
 
 namespace ui::shell {
 
 class Actions;
 class SidePanel;
+class TabularLabel;
 
 /// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
 /// buttons, the side panel the figures. Dark grey in either theme.
@@ -26,7 +30,11 @@ public:
     void setTooth(const QString& title, const QString& name);
     /// The line at the foot of the view that says how to begin.
     void setHintVisible(bool visible);
+    /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
+    void showNotice(const QString& what, const QString& whatToDo);
+    void hideNotice();
     void setReplaying(bool replaying);
+    void setReplayTime(double playedS, double lengthS);
     /// Puts the side panel away, or shows it.
     void setPanelVisible(bool visible);
     /// Where the tooth is, in this widget's coordinates.
@@ -41,6 +49,8 @@ protected:
 private:
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions);
+    void makeNotice();
+    void makeReplayCard(const Actions& actions);
     void placeOverlays();
 
     QWidget* m_view;
@@ -48,7 +58,13 @@ private:
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
     QWidget* m_replay = nullptr;
+    QProgressBar* m_replayProgress = nullptr;
+    TabularLabel* m_replayTime = nullptr;
     QLabel* m_hint = nullptr;
+    QFrame* m_notice = nullptr;
+    QLabel* m_noticeWhat = nullptr;
+    QLabel* m_noticeToDo = nullptr;
+    QTimer m_noticeTimer;
     bool m_hintWanted = true;
 };
 

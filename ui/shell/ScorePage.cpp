@@ -163,6 +163,9 @@ QWidget* ScorePage::makeHistory()
     column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
     column->setSpacing(kSpace4);
     column->addWidget(label(tr("Last grades of this tooth"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_remark->setObjectName(QStringLiteral("historyRemark"));
+    column->addWidget(m_remark);
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * kSpace6);
     m_chart = new HistoryChart(frame);
@@ -213,6 +216,10 @@ void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
         measured->setFont(typeface(kBody));
         measured->setAlignment(Qt::AlignRight);
         measured->setText(text::criterionMeasured(criterion));
+        if (criterion.unit == "mm2")
+            measured->setToolTip(
+                tr("The area that lies open, seen from above. The volume that was cut away stands beside "
+                   "the tooth, in mm³."));
         auto* lost = new TabularLabel(m_criteria);
         lost->setFont(typeface(kTitle, QFont::DemiBold));
         lost->setAlignment(Qt::AlignRight);
@@ -270,10 +277,10 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int t
             0);
         grid->addWidget(score, line, 1);
     }
-    if (history.isEmpty())
-        grid->addWidget(label(tr("This is the first grade of this tooth."), kBody, QFont::Normal,
-                              QPalette::PlaceholderText, m_list),
-                        0, 0);
+    m_remark->setText(history.isEmpty()     ? tr("Grades are not being kept; this one will not be here next time.")
+                      : history.size() == 1 ? tr("This is the first grade of this tooth.")
+                                            : QString());
+    m_remark->setVisible(!m_remark->text().isEmpty());
     m_listSlot->addWidget(m_list);
 }
 

@@ -25,7 +25,7 @@ class ScorePage : public Page
 public:
     ScorePage(const Actions& actions, QWidget* parent);
 
-    /// @param history  newest first, this attempt included
+    /// @param history  newest first, this attempt included; empty: grades are not kept
     /// @param picture  the tooth as it looks now; may be null
     void setScore(const QString& tooth, const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
                   const QImage& picture);
@@ -49,6 +49,7 @@ private:
     QVBoxLayout* m_criteriaSlot = nullptr;
     QLabel* m_sum = nullptr;
     QPushButton* m_back = nullptr;
+    QLabel* m_remark = nullptr;
     HistoryChart* m_chart = nullptr;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot = nullptr;

@@ -30,6 +30,8 @@ using core::terrain::Material;
 constexpr int kWidthPx = 272;
 /// Words and digits change this often at most; faster than that, the last digit is a blur.
 constexpr qint64 kWordsEveryMs = 80;
+/// Less than this is friction, and not what a person wonders about.
+constexpr double kSidewaysFromN = 0.15;
 
 std::size_t at(Material material)
 {
@@ -83,13 +85,15 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_swatch = new MaterialSwatch(28, content);
     m_material = addFigure(column, tr("Under the bur"), "materialFigure", m_swatch);
     column->addSpacing(kSpace1);
-    m_forceBar = new ForceBar(content);
+    m_forceBar = new ForceBar(kMaxPushN, content);
     m_force = addFigure(column, tr("Force"), "forceFigure");
     column->addWidget(m_forceBar);
     column->addSpacing(kSpace1);
     auto* pair = new QHBoxLayout;
     pair->setSpacing(kSpace2);
     m_depth = addFigure(pair, tr("Depth"), "depthFigure");
+    m_depth.block->setToolTip(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
+                                 "the tooth, where straight down says little."));
     m_decay = addFigure(pair, tr("Decay left"), "decayFigure");
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
@@ -117,6 +121,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         row->addStretch(1);
         row->addWidget(value);
         column->addLayout(row);
+        if (material == Material::Pulp)
+            value->setToolTip(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm²."));
         m_removed.at(at(material)) = value;
     }
     m_removed.at(at(Material::Enamel))->setObjectName(QStringLiteral("enamelRemoved"));
@@ -214,11 +220,17 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
                   inPulp ? tone.harmText : QColor());
     else
         setFigure(m_material, tr("Air", "the bur touches nothing"), {}, quiet);
-    //: Unit of the force while the wanted force is beyond what the device may give
-    setFigure(m_force, text::number(forceN, 2), limited ? tr("N, limited") : QStringLiteral("N"),
-              limited ? tone.attentionText : QColor());
-    if (servo.touching)
-        setFigure(m_depth, text::number(std::max(0.0, servo.depthMm), 2), QStringLiteral("mm"));
+    const double sidewaysN = glm::length(glm::dvec2(servo.forceN));
+    QString unit = QStringLiteral("N");
+    if (limited)
+        //: Unit of the force while the wanted force is beyond what the device may give
+        unit = tr("N, limited");
+    else if (sidewaysN > kSidewaysFromN)
+        //: Unit of the force, and how much of it comes from a wall that presses sideways
+        unit = tr("N, %1 sideways").arg(text::number(sidewaysN, 1));
+    setFigure(m_force, text::number(forceN, 2), unit, limited ? tone.attentionText : QColor());
+    if (servo.touching && servo.hasDepth)
+        setFigure(m_depth, text::number(servo.depthMm, 2), QStringLiteral("mm"));
     else
         setFigure(m_depth, dash(), QStringLiteral("mm"), quiet);
 

@@ -14,6 +14,7 @@ public:
     explicit TabularLabel(QWidget* parent = nullptr);
 
     [[nodiscard]] QString text() const { return m_text; }
+    [[nodiscard]] QString unit() const { return m_unit; }
     /// @param unit  set smaller behind the figure, quiet
     void setText(const QString& text, const QString& unit = {});
     void setColour(const QColor& colour);  ///< invalid: the palette's words

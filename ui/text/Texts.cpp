@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/Texts.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -49,11 +51,44 @@ QString kindName(int position)
     }
 }
 
-}  // namespace
-
-QString errorText(const core::Error& error)
+/// What to do with a file whose content is of no use.
+QString remedy(Failed failed)
 {
-    switch (error.code) {
+    switch (failed) {
+    case Failed::OpeningScan:
+        return QCoreApplication::translate("Error", "Export it again, or choose another scan.");
+    case Failed::OpeningRecording:
+        return QCoreApplication::translate("Error", "Copy it again from where it was made, or choose another one.");
+    case Failed::KeepingGrades:
+        return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
+                                                    "one.");
+    case Failed::MakingTooth:
+    case Failed::SavingRecording:
+        return QCoreApplication::translate("Error", "Try again.");
+    }
+    return {};
+}
+
+/// Whose file it ought to be.
+QString wrongKind(Failed failed)
+{
+    switch (failed) {
+    case Failed::OpeningRecording:
+        return QCoreApplication::translate("Error", "The file is no recording of Cusp.");
+    case Failed::KeepingGrades:
+        return QCoreApplication::translate("Error", "The file is no database of Cusp.");
+    case Failed::OpeningScan:
+    case Failed::MakingTooth:
+    case Failed::SavingRecording:
+        return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
+    }
+    return {};
+}
+
+QString reason(core::ErrorCode code, Failed failed)
+{
+    const auto andRemedy = [failed](const QString& fault) { return fault + u' ' + remedy(failed); };
+    switch (code) {
     case core::ErrorCode::FileMissing:
         return QCoreApplication::translate("Error", "The file is not there. Was it moved or renamed?");
     case core::ErrorCode::FileUnreadable:
@@ -63,21 +98,22 @@ QString errorText(const core::Error& error)
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
                                                     "on the disk.");
     case core::ErrorCode::FileEmpty:
-        return QCoreApplication::translate("Error", "The file is empty. Export or copy it again.");
+        return andRemedy(QCoreApplication::translate("Error", "The file is empty."));
     case core::ErrorCode::FileTruncated:
-        return QCoreApplication::translate("Error", "The file ends too early. Export or copy it again.");
+        return andRemedy(QCoreApplication::translate("Error", "The file ends too early."));
     case core::ErrorCode::FileTooLarge:
-        return QCoreApplication::translate("Error", "The file is too large. Export the scan with fewer triangles.");
+        if (failed == Failed::OpeningScan)
+            return QCoreApplication::translate("Error", "The file is too large. Export it with fewer triangles.");
+        return QCoreApplication::translate("Error", "The file is too large.");
     case core::ErrorCode::WrongKind:
-        return QCoreApplication::translate("Error", "The file is of another kind than its name says. Scans are OBJ, "
-                                                    "STL or PLY.");
+        return wrongKind(failed);
     case core::ErrorCode::NewerVersion:
         return QCoreApplication::translate("Error", "A newer Cusp wrote this file. Update Cusp to open it.");
     case core::ErrorCode::BadNumber:
-        return QCoreApplication::translate("Error", "The file holds something that is not a number where one belongs. "
-                                                    "Export it again.");
+        return andRemedy(
+            QCoreApplication::translate("Error", "Where a number belongs, the file holds something else."));
     case core::ErrorCode::BadStructure:
-        return QCoreApplication::translate("Error", "The content of the file does not fit together. Export it again.");
+        return andRemedy(QCoreApplication::translate("Error", "The content of the file does not fit together."));
     case core::ErrorCode::NoTriangles:
         return QCoreApplication::translate("Error", "There is no surface in this file. Choose a scan of a tooth.");
     case core::ErrorCode::UnknownName:
@@ -85,7 +121,83 @@ QString errorText(const core::Error& error)
     case core::ErrorCode::OutOfRange:
         return QCoreApplication::translate("Error", "A value lies outside what Cusp can work with.");
     }
+    return {};
+}
+
+}  // namespace
+
+QString errorText(const core::Error& error, Failed failed)
+{
+    switch (failed) {
+    case Failed::OpeningScan:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The scan cannot be opened. %1").arg(reason(error.code, failed));
+    case Failed::MakingTooth:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The tooth cannot be made. %1").arg(reason(error.code, failed));
+    case Failed::OpeningRecording:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The recording cannot be played. %1")
+            .arg(reason(error.code, failed));
+    case Failed::SavingRecording:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The recording was not saved. %1").arg(reason(error.code, failed));
+    case Failed::KeepingGrades:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error",
+                                           "Grades will not be kept; drilling and grading work all the same. %1")
+            .arg(reason(error.code, failed));
+    }
     return QString::fromStdString(error.detail);
+}
+
+QStringList scanNotes(const core::teeth::ToothReport& report)
+{
+    const auto n = [](std::size_t count) { return static_cast<int>(count); };
+    QStringList notes;
+    const core::mesh::Placement& placement = report.placement;
+    const glm::dvec3 size = report.highMm - report.lowMm;
+    const QString longest = number(std::max({size.x, size.y, size.z}), 1);
+    if (placement.unitDoubtful && placement.unit.name == "mm")
+        notes << QCoreApplication::translate("Scan", "Taken as millimetres the scan is %1 mm long, more than a tooth.")
+                     .arg(longest);
+    else if (placement.unitDoubtful && placement.unit.name == "cm")
+        notes << QCoreApplication::translate("Scan", "The file names no unit. As centimetres it is %1 mm long, so "
+                                                     "centimetres were taken.")
+                     .arg(longest);
+    else if (placement.unitDoubtful && placement.unit.name == "m")
+        notes << QCoreApplication::translate("Scan", "The file names no unit. As metres it is %1 mm long, so metres "
+                                                     "were taken.")
+                     .arg(longest);
+    else if (placement.unitDoubtful)
+        notes << QCoreApplication::translate("Scan",
+                                             "In no usual unit has the scan the size of a tooth, so it was made "
+                                             "%1 mm long.")
+                     .arg(longest);
+    if (placement.upDoubtful)
+        notes << QCoreApplication::translate("Scan", "The shape does not show where the crown is. If the tooth lies "
+                                                     "on its side, export it with the crown along +z.");
+    if (report.boundaryEdges > 0)
+        notes << QCoreApplication::translate("Scan", "The scan has openings; they were closed.");
+    if (report.zeroAreaFaces > 0)
+        notes << QCoreApplication::translate("Scan", "%n triangle(s) without an area were left out.", nullptr,
+                                             n(report.zeroAreaFaces));
+    if (report.duplicateFaces > 0)
+        notes << QCoreApplication::translate("Scan", "%n triangle(s) are there twice.", nullptr,
+                                             n(report.duplicateFaces));
+    if (report.nonManifoldEdges > 0)
+        notes << QCoreApplication::translate("Scan", "At %n edge(s) more than two triangles meet.", nullptr,
+                                             n(report.nonManifoldEdges));
+    if (report.flippedEdges > 0)
+        notes << QCoreApplication::translate("Scan",
+                                             "At %n edge(s) neighbouring triangles disagree which side is outside.",
+                                             nullptr, n(report.flippedEdges));
+    if (report.shellsInsideOut > 0)
+        notes << QCoreApplication::translate("Scan", "The scan was inside out and has been turned.");
+    if (report.shells > 1)
+        notes << QCoreApplication::translate("Scan", "The scan has %n separate part(s); the outermost surface counts.",
+                                             nullptr, n(report.shells));
+    return notes;
 }
 
 QString materialName(core::terrain::Material material)
@@ -231,6 +343,12 @@ QString number(double value, int decimals)
 {
     QString text = QLocale().toString(value, 'f', decimals);
     return text.replace(u'-', QChar(0x2212));
+}
+
+QString duration(double seconds)
+{
+    const int whole = static_cast<int>(seconds);
+    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
 }  // namespace ui::text

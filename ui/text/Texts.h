@@ -5,16 +5,25 @@
 #include <string_view>
 
 #include <QString>
+#include <QStringList>
 
 #include "core/base/Result.h"
+#include "core/teeth/ToothBuilder.h"
 #include "core/terrain/Tooth.h"
 #include "lessons/ScoreSheet.h"
 
 /// Codes and values of the rooms below, in words of the user's language. No other place in ui decides on such words.
 namespace ui::text {
 
-/// What happened and what to try, one or two sentences. The error's own detail (English, exact) is shown beside it.
-[[nodiscard]] QString errorText(const core::Error& error);
+/// What could not be done.
+enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording, KeepingGrades };
+
+/// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is
+/// for the log and for whoever asks.
+[[nodiscard]] QString errorText(const core::Error& error, Failed failed);
+
+/// What the importer guessed, left out or could not make sense of, one sentence each; empty when all is well.
+[[nodiscard]] QStringList scanNotes(const core::teeth::ToothReport& report);
 
 /// "enamel", "dentin", "decay", "pulp".
 [[nodiscard]] QString materialName(core::terrain::Material material);
@@ -45,5 +54,7 @@ namespace ui::text {
 [[nodiscard]] QString unitName(std::string_view unit);
 /// A number with fixed decimals as the user's language writes it, with a true minus sign.
 [[nodiscard]] QString number(double value, int decimals);
+/// Minutes and seconds: "1:07".
+[[nodiscard]] QString duration(double seconds);
 
 }  // namespace ui::text

@@ -19,7 +19,7 @@ public:
     static constexpr double kFieldOfViewDeg = 27.0;  ///< vertical
     static constexpr double kStartAzimuthDeg = 18.0;
     static constexpr double kStartElevationDeg = 48.0;
-    static constexpr double kLowestDeg = 12.0;
+    static constexpr double kLowestDeg = -85.0;  ///< from below, where a perforation shows
     static constexpr double kHighestDeg = 88.0;
 
     /// What must fit the picture.

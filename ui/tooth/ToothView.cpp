@@ -33,6 +33,9 @@ constexpr double kForceStepN = 0.1;
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr int kForceToldMs = 1200;
+constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shank must clear
+constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
+constexpr double kLiftFollowS = 0.05;
 
 // Keys: one step at once, then a pace that grows while the key is held.
 constexpr double kKeyStepMm = 0.1;
@@ -128,6 +131,7 @@ QWidget* ToothView::pane()
 
 void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation)
 {
+    m_servo = m_links.servo.latest();
     m_control.setSurface(nullptr);
     m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), towardsLight());
     m_surfaceIsNew = true;
@@ -139,6 +143,12 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     takePatches();
     publishPointer();
     update();
+}
+
+void ToothView::setHeights(const std::vector<float>& top)
+{
+    m_surface->write(top);
+    takeChanges();
 }
 
 void ToothView::setPushForce(double newtons)
@@ -199,6 +209,15 @@ QImage ToothView::picture()
     takePatches();
     m_smoothWanted = true;
     return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+}
+
+QImage ToothView::toothPicture()
+{
+    m_instrumentHidden = true;
+    QImage image = picture();
+    m_instrumentHidden = false;
+    update();
+    return image;
 }
 
 void ToothView::initializeGL()
@@ -276,7 +295,8 @@ render::Scene ToothView::scene() const
     scene.eyeMm = m_camera.eyeMm();
     scene.towardsLight = towardsLight();
     scene.sizePx = glm::vec2(width() * devicePixelRatioF(), height() * devicePixelRatioF());
-    scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0;
+    scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0 && !m_instrumentHidden;
+    scene.liftMm = m_liftMm;
     scene.burIndex = m_servo.burIndex;
     scene.tipMm = m_servo.anchorMm;
     scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_servo.anchorMm)) : 0.0;
@@ -287,6 +307,20 @@ render::Scene ToothView::scene() const
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
     return scene;
+}
+
+/// How much higher than on a bur held in the air shank and handpiece must be drawn to clear the tooth.
+double ToothView::wantedLiftMm() const
+{
+    if (!m_surface || m_servo.tick == 0 || m_servo.burIndex >= core::drilling::burs().size())
+        return 0.0;
+    const glm::dvec2 at(m_servo.anchorMm);
+    const double tip = m_servo.anchorMm.z;
+    const double shank = tip + core::drilling::burs()[m_servo.burIndex].headLengthMm + render::kNeckMm;
+    const double chuck = tip + core::drilling::kChuckMm;
+    const double lift = std::max(m_surface->highestWithinMm(at, kShankClearMm) - shank,
+                                 m_surface->highestWithinMm(at, kHandClearMm) - chuck);
+    return std::clamp(lift, 0.0, render::kMostLiftMm);
 }
 
 glm::vec3 ToothView::towardsLight() const
@@ -356,6 +390,12 @@ void ToothView::advanceFrame()
             m_camera.settle();
         update();
     }
+    const double lift = wantedLiftMm();
+    const double rest = m_reducedMotion ? 0.0 : (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
+    if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
+        m_liftMm = next;
+        update();
+    }
     if (m_forceTold && m_sinceForceSet.elapsed() > kForceToldMs) {
         m_forceTold = false;
         update();
@@ -385,6 +425,11 @@ void ToothView::takePatches()
     for (const core::session::TilePatch& patch : m_inbox.complete())
         m_surface->write(patch);
     m_inbox.complete().clear();
+    takeChanges();
+}
+
+void ToothView::takeChanges()
+{
     const render::ToothSurface::Changes changes = m_surface->refresh();
     m_changes.heights = united(m_changes.heights, changes.heights);
     m_changes.shading = united(m_changes.shading, changes.shading);
@@ -420,7 +465,11 @@ void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
-        m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
+        const render::Ray ray = rayAt(event->position());
+        // Seen from below the bur is on the far side: a click would drill where nobody looks.
+        if (ray.direction.z >= 0.0)
+            return;
+        m_control.moveTo(ray, m_servo.anchorMm);
         m_control.push(true);
         publishPointer();
     } else if (m_turning == Qt::NoButton &&

@@ -46,6 +46,8 @@ public:
 
     /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
     void setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation);
+    /// The tooth shown as it has been cut so far: its whole top map.
+    void setHeights(const std::vector<float>& top);
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
@@ -59,6 +61,8 @@ public:
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
+    /// The same without the instrument: what has become of the tooth.
+    [[nodiscard]] QImage toothPicture();
     /// False: this computer gives no OpenGL 3.3.
     [[nodiscard]] bool isUsable() const { return m_usable; }
     /// What to put into a window: the view, or a page with a sentence where it is not usable. A window that holds an
@@ -94,6 +98,7 @@ protected:
 private:
     void advanceFrame();
     void takePatches();
+    void takeChanges();
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
     void publishPointer();
@@ -106,6 +111,7 @@ private:
     [[nodiscard]] render::Ray rayAt(QPointF position) const;
     [[nodiscard]] render::Scene scene() const;
     [[nodiscard]] glm::vec3 towardsLight() const;
+    [[nodiscard]] double wantedLiftMm() const;
 
     core::session::UiLinks& m_links;
     std::unique_ptr<render::ToothSurface> m_surface;
@@ -126,7 +132,9 @@ private:
     bool m_drillOn = false;
     bool m_leftHanded = false;
     bool m_reducedMotion = false;
+    bool m_instrumentHidden = false;
     double m_turnRad = 0.0;  ///< of the bur
+    double m_liftMm = 0.0;   ///< of shank and handpiece, follows wantedLiftMm()
     double m_paintMs = 0.0;
     glm::dvec3 m_paintedAnchorMm{0.0};
     double m_paintedForceN = 0.0;

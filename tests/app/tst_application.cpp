@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole program behind a real window: its threads run, the mouse drills.
+#include <QAction>
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/Application.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/shell/ScorePage.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/tooth/ToothView.h"
+
+using ui::shell::MainWindow;
+
+class TestApplication : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup() { m_application.reset(); }
+
+    void theSameWorkIsGradedOnce();
+    void stoppingAReplayBringsTheOwnWorkBack();
+    void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
+
+private:
+    template <class T>
+    T* child(const char* name = "") const
+    {
+        return m_application->window().findChild<T*>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
+    [[nodiscard]] QString enamelRemoved() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    void start(const QString& recording = {});
+    /// Drills at a point of the tooth until more enamel is gone than before.
+    void drillAt(glm::dvec3 pointMm) const;
+    void save(const QString& path) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<app::Application> m_application;
+};
+
+void TestApplication::init()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+void TestApplication::start(const QString& recording)
+{
+    app::WindowOptions options;
+    options.source = {36};
+    options.databaseFile = m_folder->filePath("grades.sqlite");
+    options.recording = recording;
+    m_application = app::Application::make(options).value();
+    m_application->show();
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+}
+
+void TestApplication::drillAt(glm::dvec3 pointMm) const
+{
+    ui::tooth::ToothView& view = m_application->window().view();
+    const QString before = enamelRemoved();
+    const glm::dvec2 pixel = view.camera().pixelOf(pointMm);
+    const QPoint at(qRound(pixel.x), qRound(pixel.y));
+    QTest::mouseMove(&view, at);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    QTest::qWait(500);  // the stroke ends, and is told
+}
+
+void TestApplication::save(const QString& path) const
+{
+    emit m_application->window().recordingSaveRequested(path);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("saved"), 30000);
+}
+
+void TestApplication::theSameWorkIsGradedOnce()
+{
+    start();
+    const auto rows = [this] {
+        const auto database = database::sql::Database::open(m_folder->filePath("grades.sqlite")).value();
+        return database::sql::SqlAttemptRepository(database->handle()).byTooth("36", 12).value().size();
+    };
+    const auto grade = [this] {
+        actions().grade->trigger();
+        // In the first hundredths of a second the loops have not taken the tooth yet, and that is said.
+        if (message().contains("not ready")) {
+            QTest::qWait(200);
+            actions().grade->trigger();
+        }
+        QVERIFY(child<ui::shell::ScorePage>()->isVisible());
+        actions().back->trigger();
+    };
+    grade();
+    grade();
+    QCOMPARE(rows(), std::size_t(1));
+    drillAt({-2.0, 1.0, -1.0});
+    grade();
+    grade();
+    QCOMPARE(rows(), std::size_t(2));
+}
+
+void TestApplication::stoppingAReplayBringsTheOwnWorkBack()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("first.cusprec");
+    save(recording);
+    drillAt({2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    const QImage tooth = m_application->window().view().toothPicture();
+    emit m_application->window().recordingOpenRequested(recording);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), 30000);
+    QTRY_VERIFY(enamelRemoved() != own);
+    actions().back->trigger();
+    QVERIFY(message().contains("your own work"));
+    QTRY_COMPARE(enamelRemoved(), own);
+    QCOMPARE(m_application->window().view().toothPicture(), tooth);
+    // And it goes on from there.
+    QVERIFY(actions().undo->isEnabled());
+    drillAt({0.0, -2.0, -1.0});
+}
+
+void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("first.cusprec");
+    save(recording);
+    m_application.reset();
+    start(recording);
+    QVERIFY(actions().pauseReplay->isEnabled());
+    actions().back->trigger();
+    QVERIFY(message().contains("whole"));
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    drillAt({-2.0, 1.0, -1.0});
+}
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    TestApplication test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_application.moc"
