@@ -58,8 +58,9 @@ bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexc
     // Ground too high. From beside or beneath, the way under it may be open; pressed down from above it is not.
     if (step.fromZ > step.deviceZ + step.climb)
         return false;
-    const double beneath = tooth.undersideAt(at);
-    if (beneath < step.fromZ - step.climb)
+    const double lowest = step.fromZ - step.climb;
+    const double beneath = tooth.undersideAt(at, lowest);
+    if (beneath < lowest)
         return false;
     z = std::min(step.deviceZ, beneath);
     return true;

@@ -42,10 +42,15 @@ inline constexpr auto kOutside = static_cast<float>(drilling::BurMask::kOutside)
     return static_cast<std::size_t>(step < kOutside ? step : kOutside);
 }
 
-/// H(q) - b(|q - p|) of one column of height H: how high its tip the head must keep to clear it.
-[[maybe_unused]] static inline float heightOver(float height, int i, float dy2, const Head& head) noexcept
+/// How high its tip the head must keep to clear one column from above (Above, with the column's top), and the negative
+/// of how low to clear it from beneath (Beneath, with its bottom): the larger, the more in the way.
+enum class Side { Above, Beneath };
+
+template <Side side>
+[[maybe_unused]] static inline float valueOver(float height, int i, float dy2, const Head& head) noexcept
 {
-    return height - head.mask.underOfR2[stepOf(i, dy2, head)];
+    const std::size_t step = stepOf(i, dy2, head);
+    return side == Side::Above ? height - head.mask.underOfR2[step] : head.mask.upperOfR2[step] - height;
 }
 
 }  // namespace core::contact

@@ -17,7 +17,7 @@ struct HeightView
 /// A maximum over columns, and one that gave it.
 struct Peak
 {
-    float heightMm = 0.0F;
+    float value = 0.0F;
     int i = -1;  ///< -1 if there was none
     int j = -1;
 };
@@ -29,13 +29,12 @@ struct Kernels
     float (*highestAtNode)(HeightView top, const drilling::BurMask& mask, int i, int j) noexcept;
     /// min over the mask of bottom(i + di, j + dj) - upperSide(di, dj); very high where the mask meets no node.
     float (*lowestAtNode)(HeightView bottom, const drilling::BurMask& mask, int i, int j) noexcept;
-    /// max over nodes within the head of H(q) - underside(|q - p|), p = (u, v) in lattice units, at a point between
-    /// nodes. May stop early and return any value above `enough`.
+    /// The largest valueOver() of the nodes within the head, p = (u, v) in lattice units, at a point between nodes:
+    /// from the top map and from the bottom map. May stop early and return any value above `enough`.
     Peak (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
                            float enough) noexcept;
-    /// min over nodes within the head of bottom(q) - upperSide(|q - p|); very high where there is none.
-    float (*lowestAtPoint)(HeightView bottom, const drilling::BurMask& mask, double cellMm, double u,
-                           double v) noexcept;
+    Peak (*lowestAtPoint)(HeightView bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
+                          float enough) noexcept;
 };
 
 extern const Kernels kPlainKernels;

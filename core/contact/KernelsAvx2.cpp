@@ -6,7 +6,7 @@
 namespace core::contact {
 
 extern const Kernels kAvx2Kernels;
-const Kernels kAvx2Kernels{"avx2", highestAtNode, lowestAtNode, highestAtPoint, lowestAtPoint};
+const Kernels kAvx2Kernels{"avx2", highestAtNode, lowestAtNode, mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>};
 
 }  // namespace core::contact
 #endif

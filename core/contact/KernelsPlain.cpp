@@ -5,7 +5,8 @@
 
 namespace core::contact {
 
-const Kernels kPlainKernels{"plain", highestAtNode, lowestAtNode, highestAtPoint, lowestAtPoint};
+const Kernels kPlainKernels{"plain", highestAtNode, lowestAtNode, mostInTheWay<Side::Above>,
+                            mostInTheWay<Side::Beneath>};
 
 #ifdef CUSP_HAVE_AVX2
 extern const Kernels kAvx2Kernels;

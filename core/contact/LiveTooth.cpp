@@ -81,6 +81,31 @@ bool LiveTooth::corners(glm::dvec2 lattice, int& i, int& j, double& fx, double& 
     return true;
 }
 
+template <Side side>
+float LiveTooth::mostInTheWay(glm::dvec2 lattice, float enough) noexcept
+{
+    const std::vector<float>& map = side == Side::Above ? m_tooth.top : m_tooth.bottom;
+    std::array<Peak, 4>& peaks = side == Side::Above ? m_peaksAbove : m_peaksBeneath;
+    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    for (std::size_t k = 0; k < peaks.size() && peaks[k].i >= 0; ++k) {
+        const Peak known = peaks[k];
+        const float value = valueOver<side>(map[grid().index(known.i, known.j)], known.i, dy2Of(known.j, head), head);
+        if (value > enough) {
+            const auto at = peaks.begin() + static_cast<std::ptrdiff_t>(k);
+            std::rotate(peaks.begin(), at, at + 1);
+            return value;
+        }
+    }
+    const auto search = side == Side::Above ? m_kernels.highestAtPoint : m_kernels.lowestAtPoint;
+    const Peak peak = search({map.data(), grid().side}, mask(), grid().cellMm, lattice.x, lattice.y, enough);
+    const auto isSame = [&](const Peak& known) { return known.i == peak.i && known.j == peak.j; };
+    if (peak.i >= 0 && std::none_of(peaks.begin(), peaks.end(), isSame)) {
+        std::copy_backward(peaks.begin(), peaks.end() - 1, peaks.end());
+        peaks.front() = peak;
+    }
+    return peak.value;
+}
+
 double LiveTooth::clearanceAt(glm::dvec2 pointMm, double enough) noexcept
 {
     int i = 0;
@@ -90,32 +115,9 @@ double LiveTooth::clearanceAt(glm::dvec2 pointMm, double enough) noexcept
     // Beside the grid there are no nodes, but the bur may still reach the tooth.
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     if (!corners(lattice, i, j, fx, fy) || isCutNear(lattice))
-        return static_cast<double>(highestAt(lattice, static_cast<float>(enough)));
+        return static_cast<double>(mostInTheWay<Side::Above>(lattice, static_cast<float>(enough)));
     return bilinear(clearanceAtNode(i, j), clearanceAtNode(i + 1, j), clearanceAtNode(i, j + 1),
                     clearanceAtNode(i + 1, j + 1), fx, fy);
-}
-
-float LiveTooth::highestAt(glm::dvec2 lattice, float enough) noexcept
-{
-    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    for (std::size_t k = 0; k < m_peaks.size() && m_peaks[k].i >= 0; ++k) {
-        const Peak& known = m_peaks[k];
-        const float height =
-            heightOver(m_tooth.top[grid().index(known.i, known.j)], known.i, dy2Of(known.j, head), head);
-        if (height > enough) {
-            const auto at = m_peaks.begin() + static_cast<std::ptrdiff_t>(k);
-            std::rotate(m_peaks.begin(), at, at + 1);
-            return height;
-        }
-    }
-    const Peak peak = m_kernels.highestAtPoint({m_tooth.top.data(), grid().side}, mask(), grid().cellMm, lattice.x,
-                                               lattice.y, enough);
-    const auto isSame = [&](const Peak& known) { return known.i == peak.i && known.j == peak.j; };
-    if (peak.i >= 0 && std::none_of(m_peaks.begin(), m_peaks.end(), isSame)) {
-        std::copy_backward(m_peaks.begin(), m_peaks.end() - 1, m_peaks.end());
-        m_peaks.front() = peak;
-    }
-    return peak.heightMm;
 }
 
 bool LiveTooth::isCutNear(glm::dvec2 lattice) const noexcept
@@ -142,7 +144,7 @@ bool LiveTooth::isFeltByColumns(glm::dvec2 pointMm) const noexcept
     return isCutNear(grid().latticeOf(pointMm));
 }
 
-double LiveTooth::undersideAt(glm::dvec2 pointMm) noexcept
+double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
 {
     int i = 0;
     int j = 0;
@@ -154,8 +156,7 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm) noexcept
         return static_cast<double>(open ? terrain::kEmptyBottom : terrain::kEmptyTop);
     }
     if (const glm::dvec2 lattice = grid().latticeOf(pointMm); isCutNear(lattice))
-        return static_cast<double>(
-            m_kernels.lowestAtPoint({m_tooth.bottom.data(), grid().side}, mask(), grid().cellMm, lattice.x, lattice.y));
+        return -static_cast<double>(mostInTheWay<Side::Beneath>(lattice, static_cast<float>(-enough)));
     return bilinear(undersideAtNode(i, j), undersideAtNode(i + 1, j), undersideAtNode(i, j + 1),
                     undersideAtNode(i + 1, j + 1), fx, fy);
 }

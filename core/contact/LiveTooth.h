@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/drilling/BurMask.h"
 #include "core/terrain/Tooth.h"
@@ -55,7 +56,8 @@ public:
     /// Whether clearanceAt() takes the columns themselves here.
     [[nodiscard]] bool isFeltByColumns(glm::dvec2 pointMm) const noexcept;
     /// Greatest height at which the tip is free beneath everything, at any point, mm. By nodes or columns, as above.
-    [[nodiscard]] double undersideAt(glm::dvec2 pointMm) noexcept;
+    /// @param enough  any answer below this may be given as any other below it
+    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     /// Clearances go stale only with markCut().
@@ -79,8 +81,10 @@ private:
                static_cast<std::size_t>(i / kBlock);
     }
     [[nodiscard]] bool isCutNear(glm::dvec2 lattice) const noexcept;
-    /// C at a point in lattice units, from the columns themselves. Any answer above `enough` may be any other above it.
-    [[nodiscard]] float highestAt(glm::dvec2 lattice, float enough) noexcept;
+    /// Largest valueOver() at a point in lattice units, from the columns themselves: C, or -D. Any answer above
+    /// `enough` may be any other above it.
+    template <Side side>
+    [[nodiscard]] float mostInTheWay(glm::dvec2 lattice, float enough) noexcept;
     [[nodiscard]] bool corners(glm::dvec2 lattice, int& i, int& j, double& fx, double& fy) const noexcept;
 
     terrain::Tooth m_tooth;
@@ -96,7 +100,8 @@ private:
     std::vector<std::uint8_t> m_cutBlock;  ///< 1 if a column of that block of kBlock x kBlock has been cut
     /// Columns that the bur met in the last looks, newest first. The next look, a fraction of a cell away, mostly meets
     /// one of them again, which settles it. They save time and change no answer.
-    std::array<Peak, 4> m_peaks;
+    std::array<Peak, 4> m_peaksAbove;
+    std::array<Peak, 4> m_peaksBeneath;
     const Kernels& m_kernels;
 };
 

@@ -96,20 +96,20 @@ void TestContact::kernelsAgreeToTheBit()
             const auto& plain = contact::kPlainKernels;
             QCOMPARE(fast.highestAtNode(top, tooth->mask(), i, j), plain.highestAtNode(top, tooth->mask(), i, j));
             QCOMPARE(fast.lowestAtNode(bottom, tooth->mask(), i, j), plain.lowestAtNode(bottom, tooth->mask(), i, j));
-            QCOMPARE(fast.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v),
-                     plain.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v));
+            QCOMPARE(fast.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v, 1.0e9F).value,
+                     plain.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v, 1.0e9F).value);
             const contact::Peak peak = fast.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F);
-            QCOMPARE(peak.heightMm, plain.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F).heightMm);
+            QCOMPARE(peak.value, plain.highestAtPoint(top, tooth->mask(), 0.07, u, v, 1.0e9F).value);
             if (peak.i < 0)
                 continue;
             // A peak that is remembered must answer as the whole search does, and no column may top it.
             const contact::Head head = contact::headAt(tooth->mask(), 0.07, u, v);
             const auto heightOver = [&](int p, int q) {
-                return contact::heightOver(tooth->tooth().top[tooth->grid().index(p, q)], p, contact::dy2Of(q, head),
-                                           head);
+                return contact::valueOver<contact::Side::Above>(tooth->tooth().top[tooth->grid().index(p, q)], p,
+                                                                contact::dy2Of(q, head), head);
             };
-            QCOMPARE(heightOver(peak.i, peak.j), peak.heightMm);
-            QVERIFY(heightOver(rng.below(150), rng.below(150)) <= peak.heightMm);
+            QCOMPARE(heightOver(peak.i, peak.j), peak.value);
+            QVERIFY(heightOver(rng.below(150), rng.below(150)) <= peak.value);
         }
     }
 }
