@@ -83,8 +83,8 @@ void TestGolden::initTestCase()
         return;
     const recording::Recording made = makeAttempt();
     QVERIFY(recording::writeRecording(kGolden.toStdString(), made));
-    qInfo("kStateHash = 0x%016llX, kTicks = %llu",
-          static_cast<unsigned long long>(made.witness()->stateHash), static_cast<unsigned long long>(made.ticks()));
+    qInfo("kStateHash = 0x%016llX, kTicks = %llu", static_cast<unsigned long long>(made.witness()->stateHash),
+          static_cast<unsigned long long>(made.ticks()));
 }
 
 void TestGolden::replaysToTheSameBits()
