@@ -31,6 +31,9 @@ public:
     /// Puts the anchor where cutting has advanced the bur to.
     virtual void moveTo(const glm::dvec3& anchor) noexcept = 0;
 
+    /// The tooth or the bur is another from now on: the anchor may stand inside what was not there before.
+    virtual void toothChanged() noexcept {}
+
     /// Forgets everything: the bur is at the device, or above it if that is inside the tooth.
     virtual void restart(const glm::dvec3& device) noexcept = 0;
 };

@@ -13,9 +13,11 @@ namespace {
 constexpr double kMaxSlope = 4.0;  ///< steepest climb of one step
 constexpr int kFinestLevel = 7;    ///< smallest step: cell / 2^7
 constexpr int kFinestLevelOnCut = 5;
-constexpr int kMaxLooks = 48;         ///< places looked at in a tick; the next tick goes on from there
-constexpr double kRounding = 1.0e-6;  ///< mm: heights are floats
-constexpr int kMaxFreeSamples = 128;  ///< points looked at along a move through the air
+constexpr int kMaxLooks = 48;           ///< places looked at in a tick; the next tick goes on from there
+constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
+constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
+constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
+constexpr int kMaxFreeSamples = 128;    ///< points looked at along a move through the air
 
 constexpr double kDiagonal = 0.7071067811865476;
 /// The four along the lattice first: only the finest step tries the others, unless one of them helped last.
@@ -43,12 +45,20 @@ struct Step
     double climb = 0.0;      ///< most it may rise over ground, or sink under a roof
     double highest = 0.0;    ///< standing above this would be no nearer to the device
     bool underRoof = false;  ///< the anchor is beneath an overhang
+    bool inNotch = false;    ///< the anchor has some columns beneath it and others above
 };
 
 /// Height at which the anchor would stand at `at`; false if nothing that the step can reach is free there.
 bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexcept
 {
     const double reach = step.fromZ + step.climb;
+    if (step.inNotch) {
+        const Room room = tooth.roomAt(at, step.fromZ);
+        if (room.floorMm > room.roofMm || room.floorMm > reach || room.roofMm < step.fromZ - step.climb)
+            return false;
+        z = std::clamp(step.deviceZ, room.floorMm, room.roofMm);
+        return true;
+    }
     const double limit = std::min(step.underRoof ? reach : std::max(step.deviceZ, reach), step.highest);
     const double above = tooth.clearanceAt(at, limit);
     if (above <= limit) {
@@ -94,6 +104,7 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
 {
     m_anchor = device;
     m_device = device;
+    m_mayBeInside = true;
 }
 
 glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device) noexcept
@@ -102,22 +113,33 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     m_device = device;
     if (wayIsFree(tooth, m_anchor, device)) {
         m_anchor = device;
+        m_mayBeInside = false;
         return m_anchor;
     }
 
     const double cell = tooth.grid().cellMm;
     bool underRoof = false;
+    bool inNotch = false;
     const double ground = tooth.clearanceAt({m_anchor.x, m_anchor.y});
     if (ground > m_anchor.z + kRounding) {
         const double roof = tooth.undersideAt({m_anchor.x, m_anchor.y});
         underRoof = roof >= m_anchor.z - kRounding;
-        if (underRoof)
+        if (underRoof) {
             m_anchor.z = std::min(device.z, roof);
-        else
-            m_anchor.z = std::max(device.z, ground);  // the tooth came up under the bur: undo, or another bur
+        } else if (m_mayBeInside || ground <= m_anchor.z + kTouchedMm) {
+            m_anchor.z = std::max(device.z, ground);  // undo, or another bur: out by the way that is always open
+        } else {
+            // It was free a tick ago and still is, column by column, or all but a rim that cutting will take.
+            inNotch = true;
+            const Room room = tooth.roomAt({m_anchor.x, m_anchor.y}, m_anchor.z);
+            const double z = std::clamp(m_anchor.z, room.floorMm, std::max(room.floorMm, room.roofMm));
+            if (room.floorMm <= room.roofMm && std::abs(z - m_anchor.z) <= kMostSettledMm)
+                m_anchor.z = std::clamp(device.z, room.floorMm, room.roofMm);
+        }
     } else {
         m_anchor.z = std::max(device.z, ground);
     }
+    m_mayBeInside = false;
 
     // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels.
     const double reach = std::sqrt(glm::dot(moved, moved)) + cell / 32.0;
@@ -145,7 +167,8 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
             const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
             if (flat >= best)
                 continue;
-            const Step to{device.z, m_anchor.z, kMaxSlope * step, device.z + std::sqrt(best - flat), underRoof};
+            const Step to{device.z,  m_anchor.z, kMaxSlope * step, device.z + std::sqrt(best - flat),
+                          underRoof, inNotch};
             double z = 0.0;
             ++looks;
             if (!standAt(tooth, at, to, z))

@@ -161,6 +161,35 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
                     undersideAtNode(i + 1, j + 1), fx, fy);
 }
 
+Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
+{
+    const glm::dvec2 lattice = grid().latticeOf(pointMm);
+    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    const int span = mask().spanOfRow.front();
+    const int midI = static_cast<int>(std::floor(lattice.x));
+    const int midJ = static_cast<int>(std::floor(lattice.y));
+    const auto tip = static_cast<float>(z);
+    float floor = terrain::kEmptyTop;
+    float roof = terrain::kEmptyBottom;
+    for (int j = std::max(0, midJ - span); j <= std::min(grid().side - 1, midJ + 1 + span); ++j) {
+        const float dy2 = dy2Of(j, head);
+        for (int i = std::max(0, midI - span); i <= std::min(grid().side - 1, midI + 1 + span); ++i) {
+            const std::size_t k = grid().index(i, j);
+            if (!m_tooth.isSolid(k))
+                continue;
+            const float above = valueOver<Side::Above>(m_tooth.top[k], i, dy2, head);
+            const float beneath = -valueOver<Side::Beneath>(m_tooth.bottom[k], i, dy2, head);
+            if (above <= beneath)  // not under the head
+                continue;
+            if (2.0F * tip >= above + beneath)
+                floor = std::max(floor, above);
+            else
+                roof = std::min(roof, beneath);
+        }
+    }
+    return {static_cast<double>(floor), static_cast<double>(roof)};
+}
+
 void LiveTooth::lower(int i, int j, float heightMm) noexcept
 {
     const std::size_t index = grid().index(i, j);

@@ -16,6 +16,13 @@
 
 namespace core::contact {
 
+/// Heights of the tip between which a bur is free, mm: above the columns beneath it, beneath those above it.
+struct Room
+{
+    double floorMm;
+    double roofMm;
+};
+
 /// The tooth the servo works on: the height maps with, for the bur in hand, the clearance field
 ///
 ///     C(p) = max over |q - p| <= R of (H(q) - b(|q - p|)),   the tip (p, z) is free above if z >= C(p)
@@ -58,6 +65,11 @@ public:
     /// Greatest height at which the tip is free beneath everything, at any point, mm. By nodes or columns, as above.
     /// @param enough  any answer below this may be given as any other below it
     [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) noexcept;
+
+    /// The room around height `z` at a point, column by column: a column whose middle the bur is above is floor, any
+    /// other roof. There is none if the floor is above the roof. For the notch that a bur makes in from the side, where
+    /// it has both; clearanceAt() and undersideAt() are quicker and know only one.
+    [[nodiscard]] Room roomAt(glm::dvec2 pointMm, double z) const noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     /// Clearances go stale only with markCut().

@@ -62,6 +62,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
     contact::LiveTooth* old = m_tooth;
     m_tooth = tooth;
     m_tooth->selectBur(m_state.burIndex);
+    m_method->toothChanged();
     m_drill.rest();
     if (anew) {
         const ServoState before = m_state;
@@ -79,6 +80,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
 void ServoTick::setBur(std::size_t index) noexcept
 {
     m_state.burIndex = static_cast<std::uint8_t>(index);
+    m_method->toothChanged();
     m_drill.rest();
     if (m_tooth != nullptr)
         m_tooth->selectBur(index);

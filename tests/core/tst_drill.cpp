@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/session/ServoTick.h"
+#include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kEnamel = 1;
 constexpr std::size_t kDentin = 2;
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// A servo tick with a tooth, driven by hand.
 struct Bench
@@ -69,6 +71,8 @@ private slots:
     void pressedBurNeverStalls_data();
     void pressedBurNeverStalls();
     void handpieceStopsTheBur();
+    void cutsInFromTheSideWithoutAJump_data();
+    void cutsInFromTheSideWithoutAJump();
     void drillOffRemovesNothing();
     void heightsOnlyGoDown();
     void badPresetIsRefused();
@@ -258,6 +262,45 @@ void TestDrill::handpieceStopsTheBur()
         deepest = std::min(deepest, state.anchorMm.z);
     }
     QVERIFY(deepest >= -drilling::kChuckMm);
+}
+
+void TestDrill::cutsInFromTheSideWithoutAJump_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int fdi : {24, 26, 36})
+        QTest::addRow("%d", fdi) << fdi;
+}
+
+void TestDrill::cutsInFromTheSideWithoutAJump()
+{
+    // In beneath the bulge the bur soon has floor under one side and overhang above the other. Whatever it cuts, a
+    // point that is pulled does not go away from where it is pulled to.
+    QFETCH(int, fdi);
+    const auto built = teeth::buildTooth({fdi}, {});
+    QVERIFY(built);
+    for (int approach = 0; approach < 24; ++approach) {
+        const double angle = approach * 30.0 * kDegree;
+        const double z = approach < 12 ? -5.0 : -6.0;
+        contact::LiveTooth tooth{terrain::Tooth(built->anatomy)};
+        const auto servo = session::makeServoTick({}).value();
+        servo->setBur(static_cast<std::size_t>(approach % 4));
+        servo->swapTooth(&tooth, true);
+        servo->setDrill(true);
+        double before = 1.0e9;
+        double radius = 9.0;
+        for (int tick = 0; tick < 5000; ++tick) {
+            radius = std::max(1.0, radius - 0.0016);
+            const glm::vec3 device(radius * std::cos(angle), radius * std::sin(angle), z);
+            servo->step(&device, std::chrono::microseconds(1000));
+            const double stretch = glm::length(servo->state().anchorMm - glm::dvec3(device));
+            QVERIFY2(
+                stretch < before + 0.1,
+                qPrintable(
+                    QString("approach %1, tick %2: %3 mm, then %4").arg(approach).arg(tick).arg(before).arg(stretch)));
+            before = stretch;
+        }
+        QVERIFY(servo->state().removedMm3[kEnamel] + servo->state().removedMm3[kDentin] > 0.5);
+    }
 }
 
 void TestDrill::drillOffRemovesNothing()
