@@ -218,6 +218,10 @@ void Application::grade()
         m_window->showScore(m_graded->sheet, m_graded->history);
         return;
     }
+    if (tooth->top == tooth->anatomy->top) {
+        m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
+        return;
+    }
     const lessons::ScoreSheet sheet = lessons::grade(core::grading::measure(*tooth));
 
     QList<database::AttemptRecord> history;

@@ -391,6 +391,10 @@
         <source>The tooth is not ready yet. Try again in a moment.</source>
         <translation>Der Zahn ist noch nicht bereit. Versuchen Sie es gleich noch einmal.</translation>
     </message>
+    <message>
+        <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::Actions</name>

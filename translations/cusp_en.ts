@@ -391,6 +391,10 @@
         <source>The tooth is not ready yet. Try again in a moment.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::Actions</name>

@@ -123,20 +123,12 @@ QJsonObject toJsonObject(const lessons::ScoreSheet& sheet)
     return QJsonDocument::fromJson(lessons::toJson(sheet)).object();
 }
 
-QJsonObject percentiles(std::span<const float> tickUs)
+QJsonObject toJson(const haptics::TickTimes& times)
 {
-    std::vector<float> sorted(tickUs.begin(), tickUs.end());
-    std::sort(sorted.begin(), sorted.end());
-    const auto at = [&](double share) {
-        if (sorted.empty())
-            return 0.0;
-        const auto place = static_cast<std::size_t>(share * static_cast<double>(sorted.size()));
-        return static_cast<double>(sorted[std::min(place, sorted.size() - 1)]);
-    };
-    return {{QStringLiteral("p50"), at(0.5)},
-            {QStringLiteral("p99"), at(0.99)},
-            {QStringLiteral("p999"), at(0.999)},
-            {QStringLiteral("max"), at(1.0)}};
+    return {{QStringLiteral("p50"), times.percentileUs(0.5)},
+            {QStringLiteral("p99"), times.percentileUs(0.99)},
+            {QStringLiteral("p999"), times.percentileUs(0.999)},
+            {QStringLiteral("max"), times.longestUs()}};
 }
 
 QString hashText(std::uint64_t hash)

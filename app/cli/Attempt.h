@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
-
 #include <QCommandLineParser>
 #include <QJsonObject>
 
 #include "core/base/Result.h"
 #include "core/grading/Measures.h"
 #include "core/session/ServoTick.h"
+#include "haptics/simulated/TickTimes.h"
 #include "lessons/ScoreSheet.h"
 
 /// What the commands that make or replay an attempt share: the hardness option, and its figures as JSON.
@@ -24,7 +23,7 @@ namespace app::cli {
 [[nodiscard]] QJsonObject toJson(const core::grading::Measures& measures);
 [[nodiscard]] QJsonObject toJsonObject(const lessons::ScoreSheet& sheet);
 /// p50, p99, p999 and max of tick times in microseconds.
-[[nodiscard]] QJsonObject percentiles(std::span<const float> tickUs);
+[[nodiscard]] QJsonObject toJson(const haptics::TickTimes& times);
 /// Sixteen hex digits.
 [[nodiscard]] QString hashText(std::uint64_t hash);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vector>
+#include <memory>
 
 #include <QElapsedTimer>
 
@@ -29,13 +29,12 @@ int replayCommand(const QStringList& arguments)
         return failed(recording.error());
     QElapsedTimer timer;
     timer.start();
-    std::vector<float> tickUs;
-    tickUs.reserve(recording->ticks());
+    const auto tickTimes = std::make_unique<haptics::TickTimes>();
     double before = haptics::threadCpuUs();
     const auto outcome =
         core::recording::replay(*recording, [&](const core::session::ServoState&, const core::contact::LiveTooth&) {
             const double now = haptics::threadCpuUs();
-            tickUs.push_back(static_cast<float>(now - before));
+            tickTimes->add(now - before);
             before = now;
         });
     if (!outcome)
@@ -55,7 +54,7 @@ int replayCommand(const QStringList& arguments)
                    {QStringLiteral("ticks"), static_cast<qint64>(recording->ticks())},
                    {QStringLiteral("duration_s"), lastsS},
                    {QStringLiteral("replay_s"), tookS},
-                   {QStringLiteral("tick_us"), percentiles(tickUs)},
+                   {QStringLiteral("tick_us"), toJson(*tickTimes)},
                    {QStringLiteral("state_hash"), hashText(outcome->stateHash)},
                    {QStringLiteral("verified"), recording->witness().has_value()},
                    {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},

@@ -225,7 +225,7 @@ int simulateCommand(const QStringList& arguments)
             return failed(written.error());
 
     const QString hash = hashText(core::terrain::stateHash(outcome->tooth));
-    const QJsonObject tickUs = percentiles(outcome->tickUs);
+    const QJsonObject tickUs = toJson(*outcome->tickTimes);
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{QStringLiteral("ticks"), static_cast<qint64>(ticks)},
                    {QStringLiteral("tick_us"), tickUs},

@@ -23,6 +23,9 @@ constexpr int kPackLevel = 3;
 
 constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
 constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{1} * 1024 * 1024;
+/// Columns that the undo steps of one recording may set back, all together: 44,000 steps at grid 150, half a minute's
+/// work. A small hostile file could otherwise ask for hours.
+constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1024} * 1024 * 1024;
 
 enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 4 };
@@ -305,6 +308,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
     std::optional<session::ServoSettings> settings;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     std::optional<Recording> recording;
+    std::uint64_t restoredColumns = 0;
     while (in.ok()) {
         const auto kind = in.take<std::uint32_t>();
         const auto size = in.take<std::uint64_t>();
@@ -340,6 +344,10 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             for (const ServoEvent& event : *events) {
                 if (event.kind == ServoEvent::Kind::Restore && event.value > recording->m_ticks)
                     return damaged("undo step");
+                restoredColumns += event.kind == ServoEvent::Kind::Restore ? anatomy->grid.count() : 0;
+                if (restoredColumns > kMaxRestoredColumns)
+                    return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
+                                                               "it was not made by Cusp and is not replayed.");
                 recording->append(event);
             }
             break;

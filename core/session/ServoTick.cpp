@@ -15,8 +15,10 @@ constexpr double kTouchMm = 1.0e-6;
 /// No hand is farther from the tooth: such a reading is as bad as none.
 constexpr float kFarthestMm = 1000.0F;
 
-/// Rise of the uncut surface, mm a mm, from which on it is a flank: 70 degrees, no fissure or cusp is as steep.
+/// Rise of the uncut surface, mm a mm, from which on it may be a flank: 70 degrees.
 constexpr double kFlankRise = 2.75;
+/// A flank is no farther from the outline than this, mm; the wall of a fissure, which is as steep, is.
+constexpr double kFlankWidthMm = 0.8;
 
 /// True where the uncut tooth ends or falls off: a depth measured straight down says nothing there.
 bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
@@ -30,7 +32,14 @@ bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
     // Beside an empty node the rise is enormous.
     const double east = (height(1, 0) - height(-1, 0)) / (2.0 * grid.cellMm);
     const double north = (height(0, 1) - height(0, -1)) / (2.0 * grid.cellMm);
-    return east * east + north * north > kFlankRise * kFlankRise;
+    if (east * east + north * north <= kFlankRise * kFlankRise)
+        return false;
+    const int reach = static_cast<int>(std::ceil(kFlankWidthMm / grid.cellMm));
+    for (const int dj : {-reach, 0, reach})
+        for (const int di : {-reach, 0, reach})
+            if (height(di, dj) <= static_cast<double>(terrain::kEmptyTop))
+                return true;
+    return false;
 }
 
 bool isPlausible(const glm::vec3& device)

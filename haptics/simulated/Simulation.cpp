@@ -44,8 +44,7 @@ core::Result<SimulationOutcome> simulate(
     static_cast<void>(uiLinks->commands.tryPush(ReplaceTooth{new core::terrain::Tooth(anatomy), 1}));
     session.tick(period);
 
-    std::vector<float> tickUs;
-    tickUs.reserve(ticks);
+    auto tickTimes = std::make_unique<TickTimes>();
     // Until the servo has taken the tooth, in the first tick.
     std::optional<core::terrain::Tooth> uncut(anatomy);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
@@ -60,7 +59,7 @@ core::Result<SimulationOutcome> simulate(
         }
         const double start = threadCpuUs();
         servo.tick(period);
-        tickUs.push_back(static_cast<float>(threadCpuUs() - start));
+        tickTimes->add(threadCpuUs() - start);
         if (after)
             after(tick, servo.state());
         if (tick % kTicksPerSession == kTicksPerSession - 1) {
@@ -75,7 +74,7 @@ core::Result<SimulationOutcome> simulate(
         session.recordingSoFar().value_or(core::recording::Recording(options.settings, anatomy));
     core::terrain::Tooth tooth = servo.tooth() != nullptr ? servo.tooth()->tooth() : core::terrain::Tooth(anatomy);
     recording.setWitness({recording.ticks(), core::terrain::stateHash(tooth)});
-    return SimulationOutcome{std::move(tooth), servo.state(), std::move(recording), std::move(tickUs)};
+    return SimulationOutcome{std::move(tooth), servo.state(), std::move(recording), std::move(tickTimes)};
 }
 
 }  // namespace haptics

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/recording/Recording.h"
 #include "core/session/ServoTick.h"
 #include "haptics/HapticDevice.h"
+#include "haptics/simulated/TickTimes.h"
 
 namespace haptics {
 
@@ -26,7 +27,7 @@ struct SimulationOutcome
     core::terrain::Tooth tooth;
     core::session::ServoState last;
     core::recording::Recording recording;
-    std::vector<float> tickUs;  ///< thread CPU time of each tick
+    std::unique_ptr<TickTimes> tickTimes;  ///< thread CPU time of each tick
 };
 
 /// Runs the servo and session loops in this thread, as fast as they go, against a device.

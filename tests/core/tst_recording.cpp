@@ -121,6 +121,7 @@ private slots:
     void refusesBombs();
     void refusesUnknownBur();
     void refusesUndoIntoTheFuture();
+    void refusesMoreUndoThanAnyoneMakes();
     void refusesImpossibleTooth_data();
     void refusesImpossibleTooth();
     void refusesSettingsOutOfRange();
@@ -333,6 +334,22 @@ void TestRecording::refusesUndoIntoTheFuture()
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::BadStructure);
     QVERIFY(read.error().detail.find("undo") != std::string::npos);
+}
+
+void TestRecording::refusesMoreUndoThanAnyoneMakes()
+{
+    // A few kilobytes that would keep a replay busy for hours.
+    Recording made({}, smallBlock());
+    made.append({ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0});
+    const std::uint64_t many = 1'000'000'000 / made.anatomy()->grid.count();
+    for (std::uint64_t n = 0; n < many; ++n)
+        made.append({ServoEvent::Kind::Restore, 0, {}, 1});
+    QVERIFY(Recording::fromBytes(made.toBytes()));
+    made.append({ServoEvent::Kind::Restore, 0, {}, 1});
+    const auto read = Recording::fromBytes(made.toBytes());
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::BadStructure);
+    QVERIFY(read.error().detail.find("undo steps") != std::string::npos);
 }
 
 void TestRecording::refusesImpossibleTooth_data()

@@ -71,10 +71,6 @@ MessageBar::MessageBar(QWidget* parent)
 void MessageBar::say(const Message& message)
 {
     const bool stays = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
-    if (stays && message.kind != Kind::News) {
-        m_waiting.push_back(message);
-        return;
-    }
     if (stays)
         m_waiting.push_front(m_now);
     present(message);

@@ -17,8 +17,8 @@ namespace ui::shell {
 /// One message inside the window: what happened, what to do, and at most one button for doing it; where there are
 /// several things to choose from, the button opens a menu of them.
 ///
-/// News is the answer to what was just done: it comes at once, goes away by itself, and what it covered comes back.
-/// Warnings and errors stay until they are closed; the next one waits its turn.
+/// The newest comes at once: it answers what was just done. News goes away by itself, warnings and errors stay until
+/// they are closed; then what they covered comes back.
 class MessageBar : public QFrame
 {
     Q_OBJECT

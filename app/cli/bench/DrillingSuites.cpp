@@ -42,7 +42,7 @@ core::session::PointerInput wander(double seconds, double radiusMm)
 
 struct DrillingRun
 {
-    std::vector<float> tickUs;
+    std::unique_ptr<haptics::TickTimes> tickTimes;
     double cuttingShare = 0.0;
     double firstMiB = 0.0;  ///< after a tenth of the time
     double lastMiB = 0.0;
@@ -63,7 +63,7 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* met
     const auto ticks = static_cast<std::uint64_t>(seconds * options.rateHz);
     DrillingRun run;
     std::uint64_t cutting = 0;
-    const auto outcome = haptics::simulate(
+    auto outcome = haptics::simulate(
         tooth->anatomy, device, ticks, options,
         [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) -> std::optional<bool> {
             if (tick % 16 == 0)
@@ -78,16 +78,16 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* met
     if (!outcome)
         return tl::unexpected(outcome.error());
     run.lastMiB = residentMiB();
-    run.tickUs = outcome->tickUs;
+    run.tickTimes = std::move(outcome->tickTimes);
     run.cuttingShare = static_cast<double>(cutting) / static_cast<double>(ticks);
     run.recordedMiB = static_cast<double>(outcome->recording.packedBytes()) / 1048576.0;
     return run;
 }
 
-void addPercentiles(Figures& figures, const QString& key, const QString& what, const std::vector<float>& tickUs,
+void addPercentiles(Figures& figures, const QString& key, const QString& what, const haptics::TickTimes& times,
                     const QString& reach)
 {
-    const QJsonObject at = percentiles(tickUs);
+    const QJsonObject at = toJson(times);
     for (const char* name : {"p50", "p99", "p999"})
         figures << Figure{QStringLiteral("%1_%2_us").arg(key, QLatin1String(name)),
                           what + QStringLiteral(", ") + QLatin1String(name), at[QLatin1String(name)].toDouble(),
@@ -106,7 +106,7 @@ core::Result<Figures> tickSuite(const Context& context)
         if (!run)
             return tl::unexpected(run.error());
         addPercentiles(figures, QStringLiteral("tick_contact_%1_150").arg(QLatin1String(method)),
-                       QStringLiteral("contact, %1, grid 150").arg(QLatin1String(method)), run->tickUs, {});
+                       QStringLiteral("contact, %1, grid 150").arg(QLatin1String(method)), *run->tickTimes, {});
     }
     for (const int side : {150, 300, 600}) {
         context.progress(QStringLiteral("cutting, grid %1").arg(side));
@@ -114,7 +114,7 @@ core::Result<Figures> tickSuite(const Context& context)
         if (!run)
             return tl::unexpected(run.error());
         addPercentiles(figures, QStringLiteral("tick_cutting_%1").arg(side),
-                       QStringLiteral("contact and cutting, bur 330, grid %1").arg(side), run->tickUs,
+                       QStringLiteral("contact and cutting, bur 330, grid %1").arg(side), *run->tickTimes,
                        side == 150 ? QStringLiteral("under 20") : QString());
     }
     return figures;
@@ -126,13 +126,12 @@ core::Result<Figures> drillingSuite(const Context& context)
     if (!run)
         return tl::unexpected(run.error());
     Figures figures;
-    addPercentiles(figures, QStringLiteral("drilling_tick"), QStringLiteral("tick"), run->tickUs,
+    addPercentiles(figures, QStringLiteral("drilling_tick"), QStringLiteral("tick"), *run->tickTimes,
                    QStringLiteral("under 20"));
     const auto add = [&](const char* key, const char* what, double value, const char* unit, const char* reach = "") {
         figures << Figure{QLatin1String(key), QLatin1String(what), value, QLatin1String(unit), QLatin1String(reach)};
     };
-    add("drilling_tick_max_us", "tick, longest", percentiles(run->tickUs)[QStringLiteral("max")].toDouble(), "us",
-        "under 1000");
+    add("drilling_tick_max_us", "tick, longest", run->tickTimes->longestUs(), "us", "under 1000");
     add("drilling_cutting_percent", "ticks that cut", 100.0 * run->cuttingShare, "%");
     add("drilling_memory_early_mib", "memory after a tenth", run->firstMiB, "MiB");
     add("drilling_memory_end_mib", "memory at the end", run->lastMiB, "MiB", "flat but for the recording");
