@@ -94,7 +94,9 @@ SolidMesh burMesh(const core::drilling::Bur& bur)
     const auto neck = static_cast<float>(bur.shankRadiusMm);
     const auto head = static_cast<float>(bur.headLengthMm);
     profile.emplace_back(neck, head, kSteel);
-    profile.emplace_back(neck, head + static_cast<float>(kNeckMm + kMostLiftMm) + 0.5F, kSteel);
+    const float top = head + static_cast<float>(kNeckMm + kMostLiftMm) + 0.5F;
+    profile.emplace_back(neck, top, kSteel);
+    profile.emplace_back(0.0F, top, kSteel);
     SolidMesh mesh;
     turn(mesh, profile);
     return mesh;
@@ -110,7 +112,8 @@ SolidMesh shankMesh(const core::drilling::Bur& bur)
         {neck, from, kSteel},
         {0.5F * (neck + kShankMm), from + 1.7F, kSteel},
         {kShankMm, from + 3.2F, kSteel},
-        {kShankMm, chuck + 1.0F, kSteel},
+        {kShankMm, chuck + 4.0F, kSteel},  // closed: the handpiece is seen through, and the neck ends in it
+        {0.0F, chuck + 4.0F, kSteel},
     };
     SolidMesh mesh;
     turn(mesh, profile);

@@ -28,7 +28,7 @@ struct SolidMesh
 };
 
 /// Shank and handpiece are drawn up to this much higher, so that deep in the tooth they do not go through it, mm.
-inline constexpr double kMostLiftMm = 12.0;
+inline constexpr double kMostLiftMm = 6.0;
 /// Height above the head at which the shank begins to widen, mm.
 inline constexpr double kNeckMm = 1.0;
 

@@ -15,6 +15,9 @@
 namespace ui::render {
 namespace {
 
+/// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
+constexpr double kShankHidesTheWork = 0.82;
+
 enum Unit : int { kHeights, kNormals, kLight, kUpperLayers, kLowerLayers };
 
 void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, const char* name, const glm::mat4& matrix)
@@ -298,7 +301,11 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     part(*m_burs[scene.burIndex]);
     setMatrix(*this, m_metalProgram, "toothFromPart",
               glm::mat4(glm::translate(toothFromPart, glm::dvec3(0.0, 0.0, scene.liftMm))));
-    part(*m_shanks[scene.burIndex]);
+    // From the side the shank is what tells how the bur stands; from above it would hide all that it does.
+    const glm::dvec3 towardsEye = glm::normalize(scene.eyeMm - scene.tipMm);
+    const bool shankIsGlass = towardsEye.z > kShankHidesTheWork;
+    if (!shankIsGlass)
+        part(*m_shanks[scene.burIndex]);
 
     // The handpiece turns to glass over the crown: the hand feels it, the eye wants the tooth. First its depth alone,
     // so that only its nearest side is blended.
@@ -309,12 +316,17 @@ void ToothRenderer::drawInstrument(const Scene& scene)
         static_cast<float>((0.5 + 0.5 * crown.y / crown.w) * static_cast<double>(scene.sizePx.y)));
     m_metalProgram.setUniformValue("glassRadius", static_cast<float>(m_crownRadiusMm * scale));
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    part(m_handpiece);
+    const auto glass = [&] {
+        if (shankIsGlass)
+            part(*m_shanks[scene.burIndex]);
+        part(m_handpiece);
+    };
+    glass();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_BLEND);
     // Alpha of the picture stays one: it is laid over a window.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    part(m_handpiece);
+    glass();
     glDisable(GL_BLEND);
 }
 
