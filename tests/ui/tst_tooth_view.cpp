@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/Pictures.h"
 #include "ui/tooth/ToothView.h"
@@ -47,6 +48,8 @@ private slots:
     void aClickFromBelowDoesNotDrill();
     void theToothAloneIsDrawnWithoutTheInstrument();
     void otherHandTurnsTheSceneAndTheArrows();
+    void startsOnTheSideOfTheLesion_data();
+    void startsOnTheSideOfTheLesion();
     void isAnEmptyRoomWithoutATooth();
 
 private:
@@ -378,6 +381,47 @@ void TestToothView::otherHandTurnsTheSceneAndTheArrows()
     const glm::dvec2 start = pointer().targetMm;
     QTest::keyClick(m_view.get(), Qt::Key_Right);
     QVERIFY(pointer().targetMm.x < start.x);
+}
+
+void TestToothView::startsOnTheSideOfTheLesion_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int quadrant : {20, 30})
+        for (int place = 1; place <= 8; ++place)
+            QTest::addRow("%d", quadrant + place) << quadrant + place;
+}
+
+void TestToothView::startsOnTheSideOfTheLesion()
+{
+    // Of the lesion's columns, those whose surface a ray from the eye meets first: at the start not a few while the
+    // other side shows many.
+    QFETCH(int, fdi);
+    const auto built = core::teeth::buildTooth({fdi}, {});
+    QVERIFY(built);
+    m_view->setTooth(built->anatomy, 2);
+    const ui::render::ToothSurface surface(built->anatomy, {0.0F, 0.0F, 1.0F});
+    const core::terrain::Grid& grid = built->anatomy->grid;
+    const auto seen = [&](const Camera& camera) {
+        int count = 0;
+        for (int j = 0; j < grid.side; ++j) {
+            for (int i = 0; i < grid.side; ++i) {
+                const std::size_t k = grid.index(i, j);
+                const auto& layers = built->anatomy->layers[k];
+                const glm::dvec3 point(grid.nodeMm(i, j), built->anatomy->top[k]);
+                glm::dvec3 met(0.0);
+                if (layers.cariesFloor < layers.cariesRoof && layers.cariesRoof >= built->anatomy->top[k] &&
+                    surface.meet(camera.rayThrough(camera.pixelOf(point)), met) && glm::length(met - point) < 0.2)
+                    ++count;
+            }
+        }
+        return count;
+    };
+    Camera behind = m_view->camera();
+    behind.turn(180.0, 0.0);
+    const int here = seen(m_view->camera());
+    const int there = seen(behind);
+    QVERIFY2(3 * here >= there, qPrintable(QString("%1 columns of decay, %2 from behind").arg(here).arg(there)));
+    QCOMPARE(here > 0 || there > 0, fdi != 22);  // the pit of a lateral incisor hides its own
 }
 
 void TestToothView::isAnEmptyRoomWithoutATooth()

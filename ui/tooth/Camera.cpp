@@ -32,9 +32,17 @@ void Camera::setViewport(glm::dvec2 sizePx)
         m_distanceMm = m_wantedMm = fittingMm();
 }
 
+void Camera::setStart(double azimuthDeg)
+{
+    if (azimuthDeg == m_startDeg)
+        return;
+    m_startDeg = azimuthDeg;
+    reset();
+}
+
 void Camera::reset()
 {
-    m_azimuthDeg = kStartAzimuthDeg;
+    m_azimuthDeg = m_startDeg;
     m_elevationDeg = kStartElevationDeg;
     m_fitted = true;
     m_distanceMm = m_wantedMm = fittingMm();

@@ -29,6 +29,8 @@ public:
     void setTurned(bool turned) { m_turned = turned; }
     [[nodiscard]] bool isTurned() const { return m_turned; }
 
+    /// The azimuth that reset() goes back to; goes there at once if it is another than before.
+    void setStart(double azimuthDeg);
     /// Back to the start: the whole crown, three quarters from above.
     void reset();
     void set(double azimuthDeg, double elevationDeg, double distanceMm);
@@ -63,6 +65,7 @@ private:
     glm::dvec3 m_centreMm{0.0, 0.0, -3.0};
     double m_radiusMm = 7.0;
     glm::dvec2 m_sizePx{1280.0, 800.0};
+    double m_startDeg = kStartAzimuthDeg;
     double m_azimuthDeg = kStartAzimuthDeg;
     double m_elevationDeg = kStartElevationDeg;
     double m_distanceMm = 40.0;

@@ -91,6 +91,41 @@ glm::dvec2 toGlm(QPointF point)
     return {point.x(), point.y()};
 }
 
+/// How many columns of an open lesion the camera sees.
+int lesionColumnsSeen(const render::ToothSurface& surface, const Camera& camera)
+{
+    constexpr double kSameMm = 0.2;
+    const core::terrain::ToothAnatomy& anatomy = surface.anatomy();
+    const core::terrain::Grid& grid = anatomy.grid;
+    int seen = 0;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const core::terrain::ColumnLayers& layers = anatomy.layers[k];
+            if (layers.cariesFloor >= layers.cariesRoof || layers.cariesRoof < anatomy.top[k])
+                continue;
+            const glm::dvec3 point(grid.nodeMm(i, j), anatomy.top[k]);
+            glm::dvec3 met(0.0);
+            if (surface.meet(camera.rayThrough(camera.pixelOf(point)), met) && glm::length(met - point) < kSameMm)
+                ++seen;
+        }
+    }
+    return seen;
+}
+
+/// From where a tooth is looked at first: from behind if only there the lesion is seen, as on lower incisors.
+double startAzimuthDeg(const render::ToothSurface& surface, Camera camera)
+{
+    constexpr double kFront = Camera::kStartAzimuthDeg;
+    constexpr double kBehind = kFront + 180.0;
+    camera.setTurned(false);
+    camera.setStart(kFront);
+    camera.reset();
+    const int front = lesionColumnsSeen(surface, camera);
+    camera.setStart(kBehind);
+    return lesionColumnsSeen(surface, camera) > 3 * front ? kBehind : kFront;
+}
+
 }  // namespace
 
 ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWidget(parent), m_links(links)
@@ -140,6 +175,7 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     m_inbox.setGeneration(generation);
     // Slightly tighter than the ball: the tooth is the hero, and a crown does not fill its corners.
     m_camera.setSubject(m_surface->crownMiddleMm(), 0.93 * m_surface->crownRadiusMm());
+    m_camera.setStart(startAzimuthDeg(*m_surface, m_camera));
     takePatches();
     publishPointer();
     update();
