@@ -224,7 +224,7 @@ void TestIncludes::everyIncludeFollowsAnArrow()
 {
     QFETCH(QString, folder);
     const QDir root(CUSP_SOURCE_DIR);
-    QDirIterator it(root.filePath(folder), {"*.h", "*.hpp", "*.inl", "*.ipp", "*.c", "*.cc", "*.cpp", "*.cxx"},
+    QDirIterator it(root.filePath(folder), {"*.h", "*.hpp", "*.inc", "*.inl", "*.ipp", "*.c", "*.cc", "*.cpp", "*.cxx"},
                     QDir::Files, QDirIterator::Subdirectories);
     int files = 0;
     QStringList complaints;
