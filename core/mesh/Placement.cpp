@@ -247,11 +247,6 @@ glm::dvec3 toothFromFile(const Placement& placement, const glm::dvec3& pointInFi
     return turned(placement.up, pointInFile) * placement.unit.mmPerUnit - placement.originMm;
 }
 
-glm::dvec3 directionFromFile(const Placement& placement, const glm::dvec3& directionInFile)
-{
-    return turned(placement.up, directionInFile);
-}
-
 void moveToToothFrame(TriangleMesh& mesh, const Placement& placement)
 {
     for (glm::vec3& vertex : mesh.vertices)

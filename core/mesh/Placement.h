@@ -59,9 +59,6 @@ struct Placement
 /// A point of the file in the tooth frame, mm.
 [[nodiscard]] glm::dvec3 toothFromFile(const Placement& placement, const glm::dvec3& pointInFile);
 
-/// A direction of the file in the tooth frame; its length stays.
-[[nodiscard]] glm::dvec3 directionFromFile(const Placement& placement, const glm::dvec3& directionInFile);
-
 /// Moves the whole mesh into the tooth frame.
 void moveToToothFrame(TriangleMesh& mesh, const Placement& placement);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program behind a real window: its threads run, the mouse drills.
 #include <QAction>
-#include <QApplication>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "app/Application.h"
+#include "tests/support/OpenGlMain.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/ScorePage.h"
@@ -145,14 +144,7 @@ void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()
 
 int main(int argc, char** argv)
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
-    TestApplication test;
-    return QTest::qExec(&test, argc, argv);
+    return support::openGlMain<TestApplication>(argc, argv);
 }
 
 #include "tst_application.moc"

@@ -325,9 +325,12 @@ void TestMeshAnalysis::frameIsRightHandedAndPutsTheCrownAtTheOrigin()
         MeshFacts facts = factsOf(mesh);
         const auto placement = findPlacement(mesh, facts, {LengthUnit{}, up, false});
         QVERIFY(placement);
-        const glm::dvec3 x = directionFromFile(*placement, {1, 0, 0});
-        const glm::dvec3 y = directionFromFile(*placement, {0, 1, 0});
-        const glm::dvec3 z = directionFromFile(*placement, {0, 0, 1});
+        const auto directionFromFile = [&](const glm::dvec3& way) {
+            return (toothFromFile(*placement, way) - toothFromFile(*placement, {0, 0, 0})) / placement->unit.mmPerUnit;
+        };
+        const glm::dvec3 x = directionFromFile({1, 0, 0});
+        const glm::dvec3 y = directionFromFile({0, 1, 0});
+        const glm::dvec3 z = directionFromFile({0, 0, 1});
         QCOMPARE(glm::dot(glm::cross(x, y), z), 1.0);
         const int axis = static_cast<int>(up) / 2;
         const double sign = static_cast<int>(up) % 2 == 0 ? 1.0 : -1.0;

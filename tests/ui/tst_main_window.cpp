@@ -4,7 +4,6 @@
 #include <QAbstractSlider>
 #include <QAccessible>
 #include <QAction>
-#include <QApplication>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
@@ -23,6 +22,7 @@
 
 #include "core/drilling/Bur.h"
 #include "lessons/DecayRemovalRubric.h"
+#include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
@@ -1110,14 +1110,7 @@ void TestMainWindow::everyDrawingExists()
 
 int main(int argc, char** argv)
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
-    TestMainWindow test;
-    return QTest::qExec(&test, argc, argv);
+    return support::openGlMain<TestMainWindow>(argc, argv);
 }
 
 #include "tst_main_window.moc"

@@ -277,8 +277,6 @@ void ToothView::paintGL()
 {
     if (!m_usable || !m_renderer)
         return;
-    QElapsedTimer clock;
-    clock.start();
     if (m_surface) {
         if (m_surfaceIsNew)
             m_renderer->setSurface(*m_surface);
@@ -293,7 +291,6 @@ void ToothView::paintGL()
     drawForce();
     m_smoothWanted = false;
     m_sincePaint.start();
-    m_paintMs = static_cast<double>(clock.nsecsElapsed()) * 1.0e-6;
 }
 
 /// A software driver draws moving pictures with hard edges, and smooth ones once nothing moves.

@@ -71,8 +71,6 @@ public:
     [[nodiscard]] QWidget* pane();
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
-    /// Milliseconds that painting the last picture took, waiting for the graphics driver to finish not included.
-    [[nodiscard]] double paintMs() const { return m_paintMs; }
 
 signals:
     /// Once a frame, with the newest state of the servo.
@@ -135,7 +133,6 @@ private:
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;  ///< of the bur
     double m_liftMm = 0.0;   ///< of shank and handpiece, follows wantedLiftMm()
-    double m_paintMs = 0.0;
     glm::dvec3 m_paintedAnchorMm{0.0};
     double m_paintedForceN = 0.0;
 
