@@ -28,6 +28,10 @@ public:
     /// Moves the anchor for one tick and returns it.
     virtual glm::dvec3 update(LiveTooth& tooth, const glm::dvec3& device) noexcept = 0;
 
+    /// Where cutting shall advance the bur to, now that update() has answered: for most as near to the device as it
+    /// gets.
+    [[nodiscard]] virtual glm::dvec3 cutTowards(const glm::dvec3& device) const noexcept { return device; }
+
     /// Puts the anchor where cutting has advanced the bur to.
     virtual void moveTo(const glm::dvec3& anchor) noexcept = 0;
 

@@ -7,17 +7,21 @@ namespace core::contact {
 
 /// The anchor of CEDS (Hunt 2011, after Williams's surface dragging): a point of the lattice that never enters the
 /// tooth. Each tick it moves to whichever of itself and its 26 neighbours is free and nearest to the device. One step a
-/// tick.
+/// tick. Cutting works towards the neighbour nearest to the device; the anchor goes there once all of it is free.
 class LatticeContact final : public ContactMethod
 {
 public:
     [[nodiscard]] std::string_view name() const noexcept override { return "lattice"; }
     glm::dvec3 update(LiveTooth& tooth, const glm::dvec3& device) noexcept override;
-    void moveTo(const glm::dvec3& anchor) noexcept override;
+    [[nodiscard]] glm::dvec3 cutTowards(const glm::dvec3& device) const noexcept override;
+    void moveTo(const glm::dvec3&) noexcept override {}  // between two points of the lattice; update() goes on
+    void toothChanged() noexcept override { m_mayBeInside = true; }
     void restart(const glm::dvec3& device) noexcept override;
 
 private:
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
+    double m_cellMm = 0.0;       ///< of the lattice that m_anchor is on
+    bool m_mayBeInside = false;  ///< the tooth, the bur or the place is another than a tick ago
 };
 
 }  // namespace core::contact

@@ -126,7 +126,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
 
     if (m_state.drillOn && m_state.touching) {
         const double pull = std::min(depth * m_force.settings().stiffnessNPerMm, m_force.settings().clampN);
-        const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, reached, pull, seconds);
+        const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
         m_changed = cut.changed;
         m_state.cutting = !cut.changed.isEmpty();
         double most = 0.0;

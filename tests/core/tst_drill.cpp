@@ -23,10 +23,12 @@ struct Bench
     std::unique_ptr<contact::LiveTooth> tooth;
     std::unique_ptr<session::ServoTick> servo;
 
-    Bench(const support::Block& block, const char* bur)
-        : tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock(block)))),
-          servo(session::makeServoTick({}).value())
+    Bench(const support::Block& block, const char* bur, const std::string& method = "continuous")
+        : tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock(block))))
     {
+        session::ServoSettings settings;
+        settings.method = method;
+        servo = session::makeServoTick(settings).value();
         servo->setBur(drilling::findBur(bur).value());
         servo->swapTooth(tooth.get(), true);
         servo->setDrill(true);
@@ -196,17 +198,20 @@ void TestDrill::perforatedColumnIsGoneFromBothMaps()
 
 void TestDrill::pressedBurNeverStalls_data()
 {
+    QTest::addColumn<QString>("method");
     QTest::addColumn<int>("side");
     QTest::addColumn<int>("bur");
-    for (const int side : {80, 150, 300})
-        for (int bur = 0; bur < 4; ++bur)
-            QTest::addRow("grid %d, bur %d", side, bur) << side << bur;
+    for (const QString& method : {QString("continuous"), QString("lattice")})
+        for (const int side : {80, 150, 300})
+            for (int bur = 0; bur < 4; ++bur)
+                QTest::addRow("%s, grid %d, bur %d", qPrintable(method), side, bur) << method << side << bur;
 }
 
 void TestDrill::pressedBurNeverStalls()
 {
     // A bur that is pressed down with 3 N beside the bottom of a pit first slides there, then bores: it must not come
     // to rest on ground that is felt between the nodes but has no column to cut.
+    QFETCH(QString, method);
     QFETCH(int, side);
     QFETCH(int, bur);
     support::Block block;
@@ -217,7 +222,7 @@ void TestDrill::pressedBurNeverStalls()
         return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
     };
     for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
-        Bench bench(block, "2");
+        Bench bench(block, "2", method.toStdString());
         bench.servo->setBur(static_cast<std::size_t>(bur));
         bench.step({at.x, at.y, 2.0});
         int idle = 0;
