@@ -102,7 +102,7 @@ void ReplayLoop::sendPatches()
 void ReplayLoop::measure()
 {
     m_session.removedMm3 = core::terrain::removedVolumes(m_tooth->tooth());
-    m_session.perforated = core::terrain::isPerforated(m_tooth->tooth());
+    m_session.perforated = !core::terrain::perforations(m_tooth->tooth()).empty();
 }
 
 void ReplayLoop::publish()

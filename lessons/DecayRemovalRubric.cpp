@@ -10,7 +10,7 @@ namespace lessons {
 std::span<const RubricField> decayRemovalFields()
 {
     using Rubric = DecayRemovalRubric;
-    static constexpr std::array<RubricField, 10> kFields{{
+    static constexpr std::array<RubricField, 12> kFields{{
         {"caries_free", "%", &Rubric::cariesFreePercent, 0.0, 100.0, false},
         {"caries_points", "points/%", &Rubric::pointsPerCariesPercent, 0.0, 100.0, false},
         {"caries_max", "points", &Rubric::cariesMaxPoints, 0.0, 100.0, true},
@@ -20,6 +20,8 @@ std::span<const RubricField> decayRemovalFields()
         {"sound_max", "points", &Rubric::soundMaxPoints, 0.0, 100.0, true},
         {"pulp_free", "mm2", &Rubric::pulpFreeMm2, 0.0, 10.0, false},
         {"pulp_max", "points", &Rubric::pulpMaxPoints, 0.0, 100.0, true},
+        {"perforation_free", "mm2", &Rubric::perforationFreeMm2, 0.0, 10.0, false},
+        {"perforation_max", "points", &Rubric::perforationMaxPoints, 0.0, 100.0, true},
         {"pass_mark", "points", &Rubric::passMark, 0.0, 100.0, true},
     }};
     return kFields;
@@ -48,7 +50,7 @@ ScoreSheet grade(const core::grading::Measures& measures, const DecayRemovalRubr
     const double soundFreeMm3 = rubric.soundFreeMm3 + rubric.soundFreePerCavityMm3 * cavityMm3;
     ScoreSheet sheet;
     sheet.rubricId = "decay_removal";
-    sheet.rubricVersion = 1;
+    sheet.rubricVersion = 2;
     sheet.passMark = static_cast<int>(rubric.passMark);
     sheet.criteria = {
         {"caries_left", measures.cariesLeftPercent, "%", rubric.cariesFreePercent, PointRule::PerUnit,
@@ -57,6 +59,8 @@ ScoreSheet grade(const core::grading::Measures& measures, const DecayRemovalRubr
          static_cast<int>(rubric.soundMaxPoints), false, 0},
         {"pulp_exposure", measures.pulpExposedMm2, "mm2", rubric.pulpFreeMm2, PointRule::Once, 0.0,
          static_cast<int>(rubric.pulpMaxPoints), true, 0},
+        {"perforation", measures.perforatedMm2, "mm2", rubric.perforationFreeMm2, PointRule::Once, 0.0,
+         static_cast<int>(rubric.perforationMaxPoints), true, 0},
     };
     addUp(sheet);
     return sheet;

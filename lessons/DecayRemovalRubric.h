@@ -9,8 +9,8 @@
 
 namespace lessons {
 
-/// Remove the decay, spare the tooth, keep away from the pulp. Every number is the teacher's to set; the defaults are
-/// estimates that no study backs yet.
+/// Remove the decay, spare the tooth, keep away from the pulp and do not go through. Every number is the teacher's to
+/// set; the defaults are estimates that no study backs yet.
 struct DecayRemovalRubric
 {
     double cariesFreePercent = 1.0;  ///< of the lesion, may stay
@@ -23,8 +23,10 @@ struct DecayRemovalRubric
     double soundFreePerCavityMm3 = 1.0;
     double pointsPerSoundMm3 = 1.5;
     double soundMaxPoints = 40.0;
-    double pulpFreeMm2 = 0.0;      ///< pulp may be exposed so far without it counting
-    double pulpMaxPoints = 100.0;  ///< lost at once, and the attempt is failed
+    double pulpFreeMm2 = 0.0;             ///< pulp may be exposed so far without it counting
+    double pulpMaxPoints = 100.0;         ///< lost at once, and the attempt is failed
+    double perforationFreeMm2 = 0.0;      ///< hole through the tooth that does not count
+    double perforationMaxPoints = 100.0;  ///< lost at once, and the attempt is failed
     double passMark = 75.0;
     bool operator==(const DecayRemovalRubric&) const = default;
 };
@@ -46,8 +48,8 @@ struct RubricField
 [[nodiscard]] core::Status validate(const DecayRemovalRubric& rubric);
 
 /// Grades an attempt: criteria "caries_left" (% of the lesion), "sound_tissue" (mm3 of enamel and dentin removed beside
-/// and below the lesion; what lies straight above it has to go and is not counted; `free` grows with the lesion) and
-/// "pulp_exposure" (mm2, critical).
+/// and below the lesion; what lies straight above it has to go and is not counted; `free` grows with the lesion),
+/// "pulp_exposure" and "perforation" (mm2, both critical).
 [[nodiscard]] ScoreSheet grade(const core::grading::Measures& measures, const DecayRemovalRubric& rubric = {});
 
 }  // namespace lessons

@@ -16,7 +16,7 @@ enum class PointRule {
 /// ("4.2 % left, free 1.0 %, 2 points per % -> -6") from the id and these numbers.
 struct Criterion
 {
-    std::string id;         ///< "caries_left", "sound_tissue", "pulp_exposure"; the ui translates it
+    std::string id;         ///< "caries_left", "sound_tissue", "pulp_exposure", "perforation"; the ui translates it
     double measured = 0.0;  ///< in `unit`
     std::string unit;       ///< "%", "mm3", "mm2"
     double free = 0.0;      ///< up to here nothing is lost, in `unit`

@@ -77,6 +77,10 @@
         <extracomment>%1 is the sum, %2 what it comes to below zero; the score itself stops at 0</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Error</name>

@@ -111,6 +111,7 @@ QJsonObject toJson(const core::grading::Measures& measures)
         {QStringLiteral("overcut_mm3"), measures.overcutMm3},
         {QStringLiteral("deepest_cut_mm"), measures.deepestCutMm},
         {QStringLiteral("pulp_exposed_mm2"), measures.pulpExposedMm2},
+        {QStringLiteral("perforated_mm2"), measures.perforatedMm2},
         {QStringLiteral("remaining_over_pulp_mm"),
          measures.hasRemainingOverPulp ? QJsonValue(measures.remainingOverPulpMm) : QJsonValue()},
         {QStringLiteral("not_measured"),

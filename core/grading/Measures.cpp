@@ -208,6 +208,7 @@ Measures measure(const Tooth& tooth)
     result.removedMm3 = terrain::removedVolumes(tooth);
     bool anyCut = false;
     bool anyPulp = false;
+    const std::vector<std::uint8_t> holes = terrain::perforations(tooth);
     for (std::size_t k = 0; k < anatomy.top.size(); ++k) {
         if (!wasSolid(anatomy, k))
             continue;
@@ -234,6 +235,8 @@ Measures measure(const Tooth& tooth)
             result.overcutMm3 += soundOf(terrain::lengthsBetween(column, now, needed)) * area;
         if (hasPulp(anatomy, k) && now <= column.pulpRoof)
             result.pulpExposedMm2 += area;
+        if (!holes.empty() && holes[k] != 0)
+            result.perforatedMm2 += area;
     }
     if (result.lesionMm3 > 0.0) {
         result.cariesLeftPercent = 100.0 * result.cariesLeftMm3 / result.lesionMm3;

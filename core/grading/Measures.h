@@ -32,6 +32,8 @@ struct Measures
     double deepestCutMm = 0.0;
     /// mm2, area of the columns, seen from above, that were cut down to pulp or through it.
     double pulpExposedMm2 = 0.0;
+    /// mm2, area of the columns of holes that go right through the tooth, seen from above.
+    double perforatedMm2 = 0.0;
     /// True if there is a pulp and a cut; only then does remainingOverPulpMm say anything.
     bool hasRemainingOverPulp = false;
     /// mm, shortest straight distance in any direction from a cut surface to the pulp; 0 where it is exposed. What lies

@@ -200,7 +200,7 @@ void SessionLoop::publish()
     if (m_anatomy) {
         out.removedMm3 = m_removed.of(m_mirror);
         if (const int gone = m_removed.columnsGone(); gone != m_columnsGone) {
-            m_perforated = terrain::isPerforated(terrain::restored(m_anatomy, m_mirror.flat()));
+            m_perforated = !terrain::perforations(terrain::restored(m_anatomy, m_mirror.flat())).empty();
             m_columnsGone = gone;
         }
         out.perforated = m_perforated;

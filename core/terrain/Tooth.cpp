@@ -41,7 +41,7 @@ Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> t
     return tooth;
 }
 
-bool isPerforated(const Tooth& tooth)
+std::vector<std::uint8_t> perforations(const Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
     const ToothAnatomy& anatomy = *tooth.anatomy;
@@ -59,7 +59,7 @@ bool isPerforated(const Tooth& tooth)
         }
     }
     if (!anyGone)
-        return false;
+        return {};
     const auto side = static_cast<std::size_t>(grid.side);
     while (!reached.empty()) {
         const std::size_t k = reached.back();
@@ -77,10 +77,13 @@ bool isPerforated(const Tooth& tooth)
                 }
             }
     }
-    for (std::size_t k = 0; k < grid.count(); ++k)
-        if (outside[k] == 0 && !tooth.isSolid(k))
-            return true;
-    return false;
+    std::vector<std::uint8_t> holes(grid.count(), 0);
+    bool any = false;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        holes[k] = outside[k] == 0 && !tooth.isSolid(k) ? 1 : 0;
+        any = any || holes[k] != 0;
+    }
+    return any ? holes : std::vector<std::uint8_t>{};
 }
 
 Material materialAt(const ColumnLayers& column, float z)

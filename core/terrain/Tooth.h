@@ -97,8 +97,9 @@ struct Tooth
 /// Adds to `sum` what is gone of column k when its top is at `top` (kEmptyTop if all of it), mm3.
 void addRemoved(const ToothAnatomy& anatomy, std::size_t k, float top, PerMaterial& sum);
 
-/// True if the tooth has a hole through it that has tooth all around. What is ground off its outside is none.
-[[nodiscard]] bool isPerforated(const Tooth& tooth);
+/// The columns of holes through the tooth, 1 each, [side * side]; empty if there is none. A hole has tooth all around:
+/// what is ground off the outside is none.
+[[nodiscard]] std::vector<std::uint8_t> perforations(const Tooth& tooth);
 
 /// 64-bit FNV-1a over grid and both maps, bit for bit. Two teeth are the same if and only if (short of a collision)
 /// their hashes are: what `cusp replay` prints.

@@ -71,6 +71,7 @@ private slots:
     void remainingAgreesWithASlowSearch();
     void exposureIsTheAreaCutDownToPulp();
     void aColumnCutThroughCountsToItsBottom();
+    void aPerforationIsTheAreaOfItsHole();
     void aToothWithoutLesionOrPulpGivesZeros();
     void volumesAddUpOnRandomCuts();
 };
@@ -203,6 +204,20 @@ void TestMeasures::aColumnCutThroughCountsToItsBottom()
     QVERIFY(near(m.pulpExposedMm2, 0.01));
     QVERIFY(near(m.cariesLeftMm3, m.lesionMm3 - 0.02));
     QVERIFY(near(m.overcutMm3, 0.01 * (10.0 - 3.0 - 2.0)));
+}
+
+void TestMeasures::aPerforationIsTheAreaOfItsHole()
+{
+    Tooth tooth(block());
+    const auto goThrough = [&](int i, int j) {
+        tooth.top[tooth.grid().index(i, j)] = kEmptyTop;
+        tooth.bottom[tooth.grid().index(i, j)] = kEmptyBottom;
+    };
+    for (int i = 10; i < 13; ++i)
+        goThrough(i, 50);
+    QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.03));
+    cut(tooth, 40, 45, 40, 45, -9.5F);  // deep, not through
+    QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.03));
 }
 
 void TestMeasures::aToothWithoutLesionOrPulpGivesZeros()

@@ -216,11 +216,11 @@ void TestSessionLoop::aSideGroundOffIsNoHole()
                     tooth.bottom[tooth.grid().index(i, j)] = terrain::kEmptyBottom;
                 }
     };
-    QVERIFY(!terrain::isPerforated(tooth));
+    QVERIFY(terrain::perforations(tooth).empty());
     remove(3.0, 0.0, 1.0);
-    QVERIFY(!terrain::isPerforated(tooth));
+    QVERIFY(terrain::perforations(tooth).empty());
     remove(-1.0, 0.0, 0.2);
-    QVERIFY(terrain::isPerforated(tooth));
+    QVERIFY(!terrain::perforations(tooth).empty());
 }
 
 void TestSessionLoop::depthIsToldOverTheToothOnly()

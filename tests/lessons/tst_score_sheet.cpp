@@ -59,6 +59,7 @@ private slots:
     void aLargerLesionAllowsALargerCavity();
     void exposedPulpFailsWhateverTheTotal();
     void pointsBelowZeroAreShown();
+    void aPerforationFailsToo();
     void whatWasNotMeasuredEarnsNothing();
     void agreesWithASecondImplementation();
     void moreDamageNeverEarnsPoints();
@@ -129,6 +130,20 @@ void TestScoreSheet::pointsBelowZeroAreShown()
     QCOMPARE(sheet.pointsBelowZero(), 100);
 }
 
+void TestScoreSheet::aPerforationFailsToo()
+{
+    Measures measures = attempt(0.0, 0.0, 0.0);
+    measures.perforatedMm2 = 0.02;
+    QCOMPARE(grade(measures).criteria.at(3).pointsLost, 100);
+    QCOMPARE(grade(measures).total, 0);
+    DecayRemovalRubric lenient;
+    lenient.perforationMaxPoints = 5.0;
+    QCOMPARE(grade(measures, lenient).total, 95);
+    QVERIFY(!grade(measures, lenient).passed());
+    lenient.perforationFreeMm2 = 0.02;
+    QVERIFY(grade(measures, lenient).passed());
+}
+
 void TestScoreSheet::whatWasNotMeasuredEarnsNothing()
 {
     const ScoreSheet sheet = grade(attempt(std::nan(""), std::numeric_limits<double>::infinity(), 0.0));
@@ -150,7 +165,9 @@ void TestScoreSheet::agreesWithASecondImplementation()
             overcut = std::floor(4.0 * overcut) / 4.0;
         }
         const double exposed = rng.uniform() < 0.7 ? 0.0 : rng.uniform(0.0, 3.0);
-        const ScoreSheet sheet = grade(attempt(caries, overcut, exposed), rubric);
+        Measures measures = attempt(caries, overcut, exposed);
+        measures.perforatedMm2 = rng.uniform() < 0.7 ? 0.0 : rng.uniform(0.0, 3.0);
+        const ScoreSheet sheet = grade(measures, rubric);
 
         int left = 100;
         for (const Criterion& criterion : sheet.criteria) {
@@ -159,7 +176,8 @@ void TestScoreSheet::agreesWithASecondImplementation()
         }
         QCOMPARE(sheet.total, left > 0 ? left : 0);
         QCOMPARE(100 - sheet.pointsLost() + sheet.pointsBelowZero(), sheet.total);
-        QCOMPARE(sheet.passed(), sheet.total >= sheet.passMark && sheet.criteria.back().pointsLost == 0);
+        const bool harmless = sheet.criteria.at(2).pointsLost == 0 && sheet.criteria.at(3).pointsLost == 0;
+        QCOMPARE(sheet.passed(), sheet.total >= sheet.passMark && harmless);
     }
 }
 

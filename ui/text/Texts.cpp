@@ -283,6 +283,8 @@ QString criterionName(const lessons::Criterion& criterion)
         return QCoreApplication::translate("Criterion", "Sound tissue removed");
     if (criterion.id == "pulp_exposure")
         return QCoreApplication::translate("Criterion", "Pulp opened");
+    if (criterion.id == "perforation")
+        return QCoreApplication::translate("Criterion", "Tooth perforated");
     return QString::fromStdString(criterion.id);
 }
 
