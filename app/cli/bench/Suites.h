@@ -37,6 +37,8 @@ struct Context
 [[nodiscard]] core::Result<Figures> loadSuite(const Context& context);
 /// Thread CPU time of a servo tick, by method and grid.
 [[nodiscard]] core::Result<Figures> tickSuite(const Context& context);
+/// Distance of each method's anchor from where geometry puts it, over surfaces whose offset is known.
+[[nodiscard]] core::Result<Figures> contactSuite(const Context& context);
 /// Minutes of continuous drilling: ticks and memory.
 [[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
 

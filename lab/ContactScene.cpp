@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/ContactScene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "core/drilling/Bur.h"
+#include "haptics/simulated/Simulation.h"
+#include "haptics/simulated/TickTimes.h"
+
+namespace lab {
+namespace {
+
+using core::drilling::Bur;
+using core::terrain::ToothAnatomy;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kExtentMm = 10.5;
+constexpr double kPushTicks = 150;
+constexpr double kPushMm = 0.5;
+constexpr double kWallMm = 3.0;
+
+using Profile = std::function<double(double)>;
+
+/// A surface made of one profile, swept along a line or turned about the origin.
+struct Surface
+{
+    enum class Kind { Ruled, Round };
+    Kind kind = Kind::Ruled;
+    glm::dvec2 across{1.0, 0.0};  ///< of a ruled surface: the direction its profile runs in
+    Profile height;
+    Profile clearance;  ///< of the bur, exactly: the profile's own offset
+
+    [[nodiscard]] double along(glm::dvec2 at) const
+    {
+        return kind == Kind::Ruled ? glm::dot(at, across) : std::sqrt(glm::dot(at, at));
+    }
+    [[nodiscard]] glm::dvec2 direction(glm::dvec2 at) const
+    {
+        const double length = std::sqrt(glm::dot(at, at));
+        return kind == Kind::Ruled || length <= 0.0 ? across : at / length;
+    }
+};
+
+/// max over 0 <= r <= R of slope * r - underside(r): what a bur stands above a plane under its axis.
+double standOff(const Bur& bur, double slope)
+{
+    constexpr int kSteps = 200'000;
+    double most = -1.0e9;
+    for (int k = 0; k <= kSteps; ++k) {
+        const double r = bur.headRadiusMm * k / kSteps;
+        most = std::max(most, slope * r - bur.undersideMm(r));
+    }
+    return most;
+}
+
+/// The offset of a smooth profile, as a table.
+Profile offsetOf(const Profile& height, const Bur& bur)
+{
+    constexpr int kPlaces = 8192;
+    constexpr int kSteps = 2000;
+    constexpr double kFrom = -4.0;
+    constexpr double kTo = 4.0;
+    auto table = std::make_shared<std::vector<double>>();
+    const auto over = [&](double u, double r) { return height(u + r) - bur.undersideMm(std::abs(r)); };
+    for (int place = 0; place <= kPlaces; ++place) {
+        const double u = kFrom + (kTo - kFrom) * place / kPlaces;
+        double best = -1.0e9;
+        double bestR = 0.0;
+        for (int k = 0; k <= kSteps; ++k) {
+            const double r = bur.headRadiusMm * (2.0 * k / kSteps - 1.0);
+            if (over(u, r) > best) {
+                best = over(u, r);
+                bestR = r;
+            }
+        }
+        double low = std::max(-bur.headRadiusMm, bestR - 2.0 * bur.headRadiusMm / kSteps);
+        double high = std::min(bur.headRadiusMm, bestR + 2.0 * bur.headRadiusMm / kSteps);
+        for (int k = 0; k < 40; ++k) {
+            const double a = low + (high - low) / 3.0;
+            const double b = high - (high - low) / 3.0;
+            (over(u, a) < over(u, b) ? low : high) = over(u, a) < over(u, b) ? a : b;
+        }
+        table->push_back(std::max(best, over(u, 0.5 * (low + high))));
+    }
+    return [table](double u) {
+        const double at = std::clamp((u - kFrom) / (kTo - kFrom) * kPlaces, 0.0, kPlaces - 1.0e-9);
+        const auto k = static_cast<std::size_t>(at);
+        const double share = at - static_cast<double>(k);
+        return (*table)[k] * (1.0 - share) + (*table)[k + 1] * share;
+    };
+}
+
+/// Where a bur without friction is while the hand moves: it walks downhill in distance to the hand, along the offset
+/// surface, a micrometre at a time, and so passes over nothing.
+class Slider
+{
+public:
+    Slider(const Surface& surface, const glm::dvec3& start) : m_surface(surface), m_u(surface.along(start)) {}
+
+    glm::dvec3 follow(const glm::dvec3& device)
+    {
+        const double deviceU = m_surface.along(device);
+        const auto far2 = [&](double u) {
+            const double rise = std::max(0.0, m_surface.clearance(u) - device.z);
+            return (u - deviceU) * (u - deviceU) + rise * rise;
+        };
+        constexpr double kStepMm = 1.0e-3;
+        for (const double step : {kStepMm, -kStepMm})
+            while (far2(m_u + step) < far2(m_u))
+                m_u += step;
+        double low = m_u - kStepMm;
+        double high = m_u + kStepMm;
+        for (int k = 0; k < 40; ++k) {
+            const double a = low + (high - low) / 3.0;
+            const double b = high - (high - low) / 3.0;
+            (far2(a) > far2(b) ? low : high) = far2(a) > far2(b) ? a : b;
+        }
+        // At an edge the middle may lie beyond it.
+        m_u = far2(low) < far2(high) ? low : high;
+        const glm::dvec2 place = glm::dvec2(device) + m_surface.direction(device) * (m_u - deviceU);
+        return {place, std::max(device.z, m_surface.clearance(m_u))};
+    }
+
+private:
+    const Surface& m_surface;
+    double m_u;
+};
+
+std::shared_ptr<const ToothAnatomy> anatomyOf(int side, glm::dvec2 shift,
+                                              const std::function<double(glm::dvec2)>& heightMm)
+{
+    auto tooth = std::make_shared<ToothAnatomy>();
+    tooth->name = "scene";
+    tooth->grid.side = side;
+    tooth->grid.cellMm = kExtentMm / side;
+    tooth->grid.originMm = glm::dvec2(-0.5 * tooth->grid.cellMm * (side - 1)) + shift * tooth->grid.cellMm;
+    const std::size_t count = tooth->grid.count();
+    tooth->top.resize(count);
+    tooth->bottom.assign(count, -60.0F);
+    tooth->areaMm2.assign(count, static_cast<float>(tooth->grid.cellMm * tooth->grid.cellMm));
+    tooth->layers.assign(count, core::terrain::ColumnLayers{0.0F, 0.0F, -100.0F, 0.0F, 0.0F});
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i)
+            tooth->top[tooth->grid.index(i, j)] = static_cast<float>(heightMm(tooth->grid.nodeMm(i, j)));
+    return tooth;
+}
+
+/// How the lattice lies under a scene: turned and moved by parts of a cell.
+struct Lie
+{
+    double turnDeg;
+    glm::dvec2 shift;
+};
+constexpr std::array<Lie, 6> kLies{{{0.0, {0.0, 0.0}},
+                                    {0.0, {0.5, 0.5}},
+                                    {0.0, {0.25, 0.25}},
+                                    {15.0, {0.1, 0.4}},
+                                    {33.0, {0.7, 0.2}},
+                                    {45.0, {0.3, 0.9}}}};
+
+glm::dvec2 turned(double degrees)
+{
+    return {std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
+}
+
+/// The hand presses into the surface where `place(0)` is, along `inwards`, then goes where place() says.
+/// @param place   path over the surface, mm, of the travel so far
+/// @param ground  height that the hand takes for that of the surface, over u
+ContactScene slide(const Surface& surface, const Profile& ground, int side, glm::dvec2 shift, std::size_t bur,
+                   const glm::dvec3& inwards, const std::function<glm::dvec2(double)>& place, double lengthMm,
+                   double mmPerS)
+{
+    ContactScene scene;
+    scene.anatomy = anatomyOf(side, shift, [&](glm::dvec2 at) { return surface.height(surface.along(at)); });
+    scene.burIndex = bur;
+    const auto onSurface = [&](glm::dvec2 at) { return glm::dvec3(at, ground(surface.along(at))); };
+    Slider slider(surface, onSurface(place(0.0)));
+    const auto travelTicks = static_cast<std::size_t>(lengthMm / (mmPerS * 1.0e-3));
+    const auto pushTicks = static_cast<std::size_t>(kPushTicks);
+    scene.counted = pushTicks + 10;
+    for (std::size_t tick = 0; tick < pushTicks + 10 + travelTicks; ++tick) {
+        const double depth = kPushMm * std::min(1.0, static_cast<double>(tick) / kPushTicks - 0.1);
+        const double travel = tick < scene.counted ? 0.0 : static_cast<double>(tick - scene.counted) * mmPerS * 1.0e-3;
+        const glm::dvec3 device = onSurface(place(travel)) + inwards * depth;
+        scene.device.push_back(device);
+        scene.right.push_back(slider.follow(device));
+    }
+    return scene;
+}
+
+ContactFamily planes(double degrees, int side, std::size_t bur)
+{
+    const double slope = std::tan(degrees * kDegree);
+    const double stand = standOff(core::drilling::burs()[bur], slope);
+    ContactFamily family;
+    family.name = "plane " + std::to_string(static_cast<int>(degrees));
+    const auto row = [&](double rms, double most, double jump) {
+        family.reachRmsUm = rms;
+        family.reachMostUm = most;
+        family.reachJumpN = jump;
+    };
+    if (degrees < 50.0)
+        row(1.0, 5.0, 0.01);
+    else if (degrees < 70.0)
+        row(3.0, 15.0, 0.05);
+    else
+        row(15.0, 60.0, 0.05);
+    for (const Lie& lie : kLies) {
+        Surface surface;
+        surface.across = turned(lie.turnDeg);
+        surface.height = [slope](double u) { return slope * u; };
+        surface.clearance = [slope, stand](double u) { return slope * u + stand; };
+        const glm::dvec3 inwards = -glm::normalize(glm::dvec3(-slope * surface.across, 1.0));
+        for (const double speed : {20.0, 100.0, 300.0}) {
+            const glm::dvec2 heading = turned(lie.turnDeg + 40.0) * std::cos(degrees * kDegree);
+            const auto place = [&](double travel) { return heading * (travel - 1.5); };
+            family.scenes.push_back(
+                slide(surface, surface.clearance, side, lie.shift, bur, inwards, place, 3.0, speed));
+        }
+    }
+    return family;
+}
+
+ContactFamily bowls(bool isFossa, int side, std::size_t bur)
+{
+    const double radius = isFossa ? 3.0 : 2.0;
+    // Beyond 60 degrees the sphere goes on as its tangent cone.
+    const double edge = radius * std::sin(60.0 * kDegree);
+    const Profile cap = [radius, edge](double u) {
+        const double r = std::min(std::abs(u), edge);
+        const double depth = std::sqrt(radius * radius - r * r);
+        return radius - depth + std::tan(60.0 * kDegree) * (std::abs(u) - r);
+    };
+    Surface surface;
+    surface.kind = Surface::Kind::Round;
+    surface.height = isFossa ? cap : Profile([cap](double u) { return -cap(u); });
+    surface.clearance = offsetOf(surface.height, core::drilling::burs()[bur]);
+    ContactFamily family{isFossa ? "fossa" : "cusp", {}, 3.0, 10.0, 0.02};
+    for (const Lie& lie : kLies) {
+        for (const double speed : {20.0, 100.0}) {
+            const glm::dvec2 heading = turned(lie.turnDeg + 25.0);
+            const glm::dvec2 aside(-heading.y, heading.x);
+            // Beside the axis, where a cusp has a nearest point.
+            const auto place = [&](double travel) { return heading * (travel - 0.8) + aside * 0.5; };
+            family.scenes.push_back(
+                slide(surface, surface.clearance, side, lie.shift, bur, {0.0, 0.0, -1.0}, place, 1.6, speed));
+        }
+    }
+    return family;
+}
+
+ContactFamily grooves(double degrees, bool creaseOnNodes, int side, std::size_t bur)
+{
+    const double slope = std::tan(degrees * kDegree);
+    const double stand = standOff(core::drilling::burs()[bur], slope);
+    ContactFamily family;
+    family.name = "groove " + std::to_string(static_cast<int>(degrees)) + (creaseOnNodes ? "" : " anywhere");
+    const double cell = kExtentMm / side;
+    family.reachRmsUm = creaseOnNodes ? 5.0 : 500.0 * slope * cell;
+    family.reachMostUm = creaseOnNodes ? 15.0 : 750.0 * slope * cell;
+    family.reachJumpN = 0.05;
+    for (const Lie& lie : kLies) {
+        Surface surface;
+        // A row of nodes lies at the origin with an odd side or half a cell of shift.
+        const double onNodes = side % 2 == 0 ? 0.5 : 0.0;
+        surface.across = creaseOnNodes ? glm::dvec2(1.0, 0.0) : turned(lie.turnDeg);
+        const glm::dvec2 shift = creaseOnNodes ? glm::dvec2(onNodes, lie.shift.y) : lie.shift;
+        surface.height = [slope](double u) { return slope * std::abs(u); };
+        surface.clearance = [slope, stand](double u) { return slope * std::abs(u) + stand; };
+        const glm::dvec2 along(-surface.across.y, surface.across.x);
+        for (const double speed : {20.0, 100.0}) {
+            // A hand that weaves a little across while it slides along.
+            const auto place = [&](double travel) {
+                return along * (travel - 1.5) + surface.across * (0.1 * std::sin(4.0 * travel));
+            };
+            family.scenes.push_back(
+                slide(surface, surface.clearance, side, shift, bur, {0.0, 0.0, -1.0}, place, 3.0, speed));
+        }
+    }
+    return family;
+}
+
+/// The offset of a step from 0 up to `heightMm` at u = 0.
+Profile overStep(double heightMm, const Bur& bur)
+{
+    return [heightMm, bur](double u) {
+        if (u >= 0.0)
+            return heightMm;
+        return -u > bur.headRadiusMm ? 0.0 : std::max(0.0, heightMm - bur.undersideMm(-u));
+    };
+}
+
+ContactFamily walls(int side, std::size_t bur)
+{
+    const Bur& shape = core::drilling::burs()[bur];
+    const double cell = kExtentMm / side;
+    ContactFamily family{"wall", {}, 500.0 * cell, 1000.0 * cell, 0.1};
+    for (const Lie& lie : kLies) {
+        Surface surface;
+        surface.across = turned(lie.turnDeg);
+        surface.height = [](double u) { return u > 0.0 ? kWallMm : 0.0; };
+        surface.clearance = overStep(kWallMm, shape);
+        const glm::dvec2 along(-surface.across.y, surface.across.x);
+        // Onto the floor 0.5 mm before the wall, then 0.4 mm too far into it, then along it.
+        const double before = shape.headRadiusMm + 0.5;
+        const auto place = [&](double travel) {
+            return along * (std::max(0.0, travel - 1.5) - 0.7) + surface.across * (std::min(travel, 0.9) - before);
+        };
+        for (const double speed : {20.0, 100.0})
+            family.scenes.push_back(slide(
+                surface, [](double) { return 0.0; }, side, lie.shift, bur, {0.0, 0.0, -1.0}, place, 3.5, speed));
+    }
+    return family;
+}
+
+ContactFamily corners(int side, std::size_t bur)
+{
+    const Bur& shape = core::drilling::burs()[bur];
+    const double cell = kExtentMm / side;
+    const double radius = shape.headRadiusMm;
+    ContactFamily family{"pit corner", {}, 500.0 * cell, 1000.0 * cell, 0.1};
+    for (const Lie& lie : kLies) {
+        const glm::dvec2 x = turned(lie.turnDeg);
+        const glm::dvec2 y(-x.y, x.x);
+        ContactScene scene;
+        scene.burIndex = bur;
+        scene.anatomy = anatomyOf(side, lie.shift, [&](glm::dvec2 at) {
+            return glm::dot(at, x) > 0.0 || glm::dot(at, y) > 0.0 ? kWallMm : 0.0;
+        });
+        scene.counted = 100;
+        for (int tick = 0; tick < 1500; ++tick) {
+            // Down onto the floor, then into the corner and a little to and fro in it.
+            const double depth = 0.3 * std::min(1.0, tick / 80.0 - 0.1);
+            const double far = std::clamp((tick - 100) * 0.002, 0.0, 0.9);
+            const double sway = 0.05 * std::sin(0.02 * tick);
+            const double u = -radius - 0.5 + far + sway;
+            const double v = -radius - 0.5 + far - sway;
+            scene.device.emplace_back(x * u + y * v, -depth);
+            scene.right.emplace_back(x * std::min(u, -radius) + y * std::min(v, -radius), std::max(0.0, -depth));
+        }
+        family.scenes.push_back(std::move(scene));
+    }
+    return family;
+}
+
+ContactFamily steps(double heightMm, int side, std::size_t bur)
+{
+    const Bur& shape = core::drilling::burs()[bur];
+    const double cell = kExtentMm / side;
+    char name[32];
+    std::snprintf(name, sizeof name, "step %.2f", heightMm);
+    ContactFamily family{name, {}, 500.0 * cell, 1000.0 * cell, 0.1};
+    for (const Lie& lie : kLies) {
+        Surface surface;
+        surface.across = turned(lie.turnDeg);
+        surface.height = [heightMm](double u) { return u > 0.0 ? heightMm : 0.0; };
+        surface.clearance = overStep(heightMm, shape);
+        for (const bool up : {true, false}) {
+            ContactScene scene;
+            scene.burIndex = bur;
+            scene.anatomy =
+                anatomyOf(side, lie.shift, [&](glm::dvec2 at) { return surface.height(surface.along(at)); });
+            scene.counted = 60;
+            const double from = up ? -1.2 : 1.2;
+            const double low = up ? 0.0 : heightMm;
+            Slider slider(surface, {surface.across * from, low});
+            for (int tick = 0; tick < 1300; ++tick) {
+                const double depth = 0.25 * std::min(1.0, tick / 50.0 - 0.1);
+                const double travel = 0.002 * std::max(0, tick - 60);
+                const double u = from + (up ? travel : -travel);
+                // The hand keeps its height until the bur is over the edge, then follows the new ground.
+                const double ground = up ? heightMm * std::clamp((u + 0.4) / 0.8, 0.0, 1.0)
+                                         : heightMm * std::clamp((u + shape.headRadiusMm) / 0.8, 0.0, 1.0);
+                const glm::dvec3 device(surface.across * u, ground - depth);
+                scene.device.push_back(device);
+                scene.right.push_back(slider.follow(device));
+            }
+            family.scenes.push_back(std::move(scene));
+        }
+    }
+    return family;
+}
+
+}  // namespace
+
+std::vector<ContactFamily> contactFamilies(int side, std::size_t bur)
+{
+    std::vector<ContactFamily> families;
+    for (const double degrees : {0.0, 10.0, 20.0, 27.0, 45.0, 60.0, 75.0})
+        families.push_back(planes(degrees, side, bur));
+    families.push_back(bowls(true, side, bur));
+    families.push_back(bowls(false, side, bur));
+    for (const double degrees : {30.0, 45.0})
+        for (const bool onNodes : {true, false})
+            families.push_back(grooves(degrees, onNodes, side, bur));
+    families.push_back(walls(side, bur));
+    families.push_back(corners(side, bur));
+    for (const double height : {0.07, 0.2, 0.5})
+        families.push_back(steps(height, side, bur));
+    return families;
+}
+
+double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double stiffnessNPerMm)
+{
+    constexpr int kSide = 150;
+    constexpr double kStepN = 0.25;
+    constexpr double kMostN = 6.0;
+    const double cell = kExtentMm / kSide;
+    const double half = 0.5 * cell * cells;
+    const double radius = core::drilling::burs()[bur].headRadiusMm;
+    double least = kMostN;
+    for (const Lie& lie : kLies) {
+        const glm::dvec2 across = turned(lie.turnDeg);
+        const auto anatomy = anatomyOf(kSide, lie.shift, [&](glm::dvec2 at) {
+            return std::abs(glm::dot(at, across)) < half + 0.01 * cell ? kWallMm : 0.0;
+        });
+        for (const double mmPerS : {1.0, 20.0, 200.0}) {
+            core::contact::LiveTooth tooth{core::terrain::Tooth(anatomy)};
+            tooth.selectBur(bur);
+            const auto contact = core::contact::makeContactMethod(method).value();
+            const double start = -radius - 0.3;
+            contact->restart({across * start, 0.5});
+            const double reach = kMostN / stiffnessNPerMm - radius - half;
+            double held = 0.0;
+            for (double u = start; u < reach; u += mmPerS * 1.0e-3) {
+                const glm::dvec3 anchor = contact->update(tooth, {across * u, 0.5});
+                if (glm::dot(glm::dvec2(anchor), across) > 0.0 || anchor.z > 1.0)
+                    break;
+                held = std::max(held, stiffnessNPerMm * (u + radius + half));
+            }
+            least = std::min(least, std::floor(held / kStepN + 1.0e-9) * kStepN);
+        }
+    }
+    return least;
+}
+
+ContactErrors measureContact(const ContactFamily& family, const std::string& method, double stiffnessNPerMm)
+{
+    ContactErrors errors;
+    double sum2 = 0.0;
+    double count = 0.0;
+    haptics::TickTimes times;
+    for (const ContactScene& scene : family.scenes) {
+        core::contact::LiveTooth tooth{core::terrain::Tooth(scene.anatomy)};
+        tooth.selectBur(scene.burIndex);
+        const auto contact = core::contact::makeContactMethod(method).value();
+        contact->restart(scene.device.front());
+        glm::dvec3 before{0.0};
+        for (std::size_t tick = 0; tick < scene.device.size(); ++tick) {
+            const double started = haptics::threadCpuUs();
+            const glm::dvec3 anchor = contact->update(tooth, scene.device[tick]);
+            const double took = haptics::threadCpuUs() - started;
+            const glm::dvec3 apart = anchor - scene.right[tick];
+            if (tick >= scene.counted) {
+                times.add(took);
+                const double far = 1000.0 * std::sqrt(glm::dot(apart, apart));
+                sum2 += far * far;
+                count += 1.0;
+                errors.mostUm = std::max(errors.mostUm, far);
+                const glm::dvec3 jump = apart - before;
+                errors.jumpN = std::max(errors.jumpN, stiffnessNPerMm * std::sqrt(glm::dot(jump, jump)));
+            }
+            before = apart;
+        }
+    }
+    errors.rmsUm = std::sqrt(sum2 / std::max(1.0, count));
+    errors.tickUs = times.percentileUs(0.99);
+    return errors;
+}
+
+}  // namespace lab

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/contact/ContactMethod.h"
+#include "core/terrain/Tooth.h"
+
+namespace lab {
+
+/// A surface, a bur, a path of the hand, and where geometry puts the bur at each tick of it: the point of the offset
+/// surface that a bur without friction slides to (haptics.md 8.4, 1). One tick a millisecond; tooth frame, mm.
+struct ContactScene
+{
+    std::string family;  ///< the row of the table it belongs to: "plane 27"
+    std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
+    std::size_t burIndex = 0;
+    std::vector<glm::dvec3> device;
+    std::vector<glm::dvec3> right;
+    std::size_t counted = 0;  ///< ticks from here on are judged: before, the bur is on its way to the surface
+};
+
+/// What a method made of scenes.
+struct ContactErrors
+{
+    double rmsUm = 0.0;  ///< distance of the anchor from where it should be
+    double mostUm = 0.0;
+    double jumpN = 0.0;   ///< largest change of force in a tick beyond that of the path itself
+    double tickUs = 0.0;  ///< thread CPU time of update(), 99th percentile
+};
+
+/// One row of the table: the same surface in several places and directions on the lattice.
+struct ContactFamily
+{
+    std::string name;
+    std::vector<ContactScene> scenes;
+    double reachRmsUm = 0.0;  ///< what issue and haptics.md ask of a method
+    double reachMostUm = 0.0;
+    double reachJumpN = 0.0;
+};
+
+/// The families on a grid of `side` x `side` over 10.5 mm: planes, fossa, cusp, groove, wall, corner, steps.
+/// @param bur  index into drilling::burs()
+[[nodiscard]] std::vector<ContactFamily> contactFamilies(int side, std::size_t bur);
+
+/// Runs a method over all scenes of a family.
+/// @param method  "continuous" and so on; must exist
+[[nodiscard]] ContactErrors measureContact(const ContactFamily& family, const std::string& method,
+                                           double stiffnessNPerMm);
+
+/// Largest push, N, of those tried (0.25 N apart up to 6) with which a method is held by a wall `cells` cells thick.
+[[nodiscard]] double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double stiffnessNPerMm);
+
+}  // namespace lab
