@@ -2,34 +2,27 @@
 #include "core/contact/ContinuousContact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
+#include "core/contact/HalfSpaces.h"
+#include "core/contact/RoofSearch.h"
+
 namespace core::contact {
 namespace {
 
-constexpr double kMaxSlope = 4.0;  ///< steepest climb of one step
-constexpr int kFinestLevel = 7;    ///< smallest step: cell / 2^7
-constexpr int kFinestLevelOnCut = 5;
-constexpr int kMaxLooks = 48;           ///< places looked at in a tick; the next tick goes on from there
+constexpr int kMaxSlides = 8;           ///< places looked at in a tick; the next tick goes on from there
+constexpr double kLongestShare = 0.5;   ///< of the radius, in one move: it ends inside whatever it would pass through
 constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
+constexpr double kStillMm = 1.0e-4;     ///< a move shorter than that is none
+constexpr double kSlackMm = 1.0e-5;     ///< a bur this far above the ground stands on it
+constexpr double kSteepest = 20.0;      ///< ground steeper than that is an upright side
+constexpr double kSmoothShare = 0.001;  ///< of a move, by which a tangent plane may cut off the place it began at
+constexpr int kHalvings = 14;           ///< in looking for the place where the bur met the tooth
 constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
 constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
 constexpr int kMaxFreeSamples = 128;    ///< points looked at along a move through the air
-
-constexpr double kDiagonal = 0.7071067811865476;
-/// The four along the lattice first: only the finest step tries the others, unless one of them helped last.
-constexpr std::size_t kAlong = 4;
-constexpr std::array<glm::dvec2, 8> kDirections{{{1.0, 0.0},
-                                                 {0.0, 1.0},
-                                                 {-1.0, 0.0},
-                                                 {0.0, -1.0},
-                                                 {kDiagonal, kDiagonal},
-                                                 {-kDiagonal, kDiagonal},
-                                                 {-kDiagonal, -kDiagonal},
-                                                 {kDiagonal, -kDiagonal}}};
 
 double distance2(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -37,43 +30,56 @@ double distance2(const glm::dvec3& a, const glm::dvec3& b)
     return glm::dot(apart, apart);
 }
 
-/// Where a step comes from and what it may do.
-struct Step
+/// A half-space: normal . x >= offset, normal of length 1.
+struct Plane
 {
-    double deviceZ = 0.0;
-    double fromZ = 0.0;
-    double climb = 0.0;      ///< most it may rise over ground, or sink under a roof
-    double highest = 0.0;    ///< standing above this would be no nearer to the device
-    bool underRoof = false;  ///< the anchor is beneath an overhang
-    bool inNotch = false;    ///< the anchor has some columns beneath it and others above
+    glm::dvec3 normal;
+    double offset;
 };
 
-/// Height at which the anchor would stand at `at`; false if nothing that the step can reach is free there.
-bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexcept
+Plane through(const glm::dvec3& point, const glm::dvec3& upwards)
 {
-    const double reach = step.fromZ + step.climb;
-    if (step.inNotch) {
-        const Room room = tooth.roomAt(at, step.fromZ);
-        if (room.floorMm > room.roofMm || room.floorMm > reach || room.roofMm < step.fromZ - step.climb)
-            return false;
-        z = std::clamp(step.deviceZ, room.floorMm, room.roofMm);
-        return true;
+    const glm::dvec3 normal = upwards / std::sqrt(glm::dot(upwards, upwards));
+    return {normal, glm::dot(normal, point)};
+}
+
+/// What the ground over a point lets the tip have, as its tangent plane.
+Plane tangentAt(glm::dvec2 at, const Touch& touch)
+{
+    return through({at, touch.heightMm}, {-touch.slope, 1.0});
+}
+
+/// The plane that keeps a tip at `from`, which is free, out of what it would enter on its straight way to `to`: the
+/// tangent at `to` where the ground is smooth, else where the bur meets the point that carries it.
+Plane planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
+{
+    const Plane tangent = tangentAt(glm::dvec2(to), touch);
+    const glm::dvec3 way = to - from;
+    const double length = std::sqrt(glm::dot(way, way));
+    if (glm::dot(tangent.normal, from) >= tangent.offset - kRounding - kSmoothShare * length)
+        return tangent;
+    const auto radiusMm = static_cast<double>(mask.radiusMm);
+    const auto radiusAt = [&](const glm::dvec3& tip) {
+        const glm::dvec2 apart = glm::dvec2(touch.onMm) - glm::dvec2(tip);
+        return std::sqrt(glm::dot(apart, apart));
+    };
+    const auto meets = [&](const glm::dvec3& tip) {
+        const double r = radiusAt(tip);
+        return r < radiusMm && tip.z + mask.heightAt(r) < touch.onMm.z;
+    };
+    double free = 0.0;
+    double met = 1.0;
+    for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (free + met);
+        (meets(from + way * middle) ? met : free) = middle;
     }
-    const double limit = std::min(step.underRoof ? reach : std::max(step.deviceZ, reach), step.highest);
-    const double above = tooth.clearanceAt(at, limit);
-    if (above <= limit) {
-        z = std::max(step.deviceZ, above);
-        return true;
-    }
-    // Ground too high. From beside or beneath, the way under it may be open; pressed down from above it is not.
-    if (step.fromZ > step.deviceZ + step.climb)
-        return false;
-    const double lowest = step.fromZ - step.climb;
-    const double beneath = tooth.undersideAt(at, lowest);
-    if (beneath < lowest)
-        return false;
-    z = std::min(step.deviceZ, beneath);
-    return true;
+    const glm::dvec3 entry = from + way * free;
+    const double r = radiusAt(entry);
+    const glm::dvec2 outwards = r > 0.0 ? (glm::dvec2(entry) - glm::dvec2(touch.onMm)) / r : glm::dvec2(0.0);
+    const double slope = mask.slopeAt(std::min(r, radiusMm));
+    if (r > 0.0 && (slope > kSteepest || r >= radiusMm))
+        return through(entry, {outwards, 0.0});
+    return through(entry, {outwards * slope, 1.0});
 }
 
 /// True if the straight way from the anchor to a free device meets nothing.
@@ -81,7 +87,7 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
 {
     const glm::dvec2 flat(to.x - from.x, to.y - from.y);
     const double length = std::sqrt(glm::dot(flat, flat));
-    const int samples = static_cast<int>(length / (0.5 * tooth.grid().cellMm)) + 1;
+    const int samples = static_cast<int>(length / (kLongestShare * static_cast<double>(tooth.mask().radiusMm))) + 1;
     if (samples > kMaxFreeSamples)
         return false;
     for (int k = 1; k <= samples; ++k) {
@@ -91,6 +97,51 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
             return false;
     }
     return true;
+}
+
+/// Slides an anchor that has no tooth above it to the nearest place to the device (god-object, Zilles & Salisbury
+/// 1995, over the clearance field): ask for the nearest point in the half-spaces known so far, go there; if the tooth
+/// is in the way, what it is met by is one half-space more.
+void slide(LiveTooth& tooth, const glm::dvec3& device, const Touch& ground, glm::dvec3& anchor) noexcept
+{
+    HalfSpaces planes;
+    const auto add = [&](const Plane& plane) { planes.add(plane.normal, plane.offset); };
+    if (anchor.z <= ground.heightMm + kSlackMm && glm::dot(ground.slope, ground.slope) < kSteepest * kSteepest)
+        add(tangentAt(glm::dvec2(anchor), ground));
+    const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
+    double best = distance2(anchor, device);
+    for (int looks = 0; looks < kMaxSlides; ++looks) {
+        glm::dvec3 next{0.0};
+        if (!planes.nearest(device, next))
+            return;
+        const glm::dvec3 move = next - anchor;
+        const double length = std::sqrt(glm::dot(move, move));
+        if (length < kStillMm)
+            return;
+        if (length > longest)
+            next = anchor + move * (longest / length);
+        const double far = distance2(next, device);
+        if (far >= best)
+            return;
+        const glm::dvec2 at(next);
+        const Touch touch = tooth.touchAt(at);
+        if (touch.heightMm > next.z + kRounding) {
+            if (tooth.undersideAt(at, next.z) >= next.z) {  // the way under an overhang is open
+                anchor = next;
+                return;
+            }
+            add(planeBetween(tooth.mask(), anchor, next, touch));
+            continue;
+        }
+        // Planes that hold the tip off the ground are tangents of a hump that it has left: they cut off what is free.
+        if (next.z > touch.heightMm + kSlackMm)
+            planes.clear();
+        anchor = {at, std::max(next.z, touch.heightMm)};
+        best = far;
+        if (touch.heightMm > static_cast<double>(terrain::kEmptyTop) &&
+            glm::dot(touch.slope, touch.slope) < kSteepest * kSteepest)
+            add(tangentAt(at, touch));
+    }
 }
 
 }  // namespace
@@ -117,17 +168,17 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         return m_anchor;
     }
 
-    const double cell = tooth.grid().cellMm;
-    bool underRoof = false;
     bool inNotch = false;
-    const double ground = tooth.clearanceAt({m_anchor.x, m_anchor.y});
-    if (ground > m_anchor.z + kRounding) {
+    bool underRoof = false;
+    const Touch ground = tooth.touchAt({m_anchor.x, m_anchor.y});
+    if (ground.heightMm > m_anchor.z + kRounding) {
         const double roof = tooth.undersideAt({m_anchor.x, m_anchor.y});
         underRoof = roof >= m_anchor.z - kRounding;
         if (underRoof) {
             m_anchor.z = std::min(device.z, roof);
-        } else if (m_mayBeInside || ground <= m_anchor.z + kTouchedMm) {
-            m_anchor.z = std::max(device.z, ground);  // undo, or another bur: out by the way that is always open
+        } else if (m_mayBeInside || ground.heightMm <= m_anchor.z + kTouchedMm) {
+            // Undo, or another bur: out by the way that is always open.
+            m_anchor.z = std::max(device.z, ground.heightMm);
         } else {
             // It was free a tick ago and still is, column by column, or all but a rim that cutting will take.
             inNotch = true;
@@ -137,61 +188,13 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
                 m_anchor.z = std::clamp(device.z, room.floorMm, room.roofMm);
         }
     } else {
-        m_anchor.z = std::max(device.z, ground);
+        m_anchor.z = std::max(device.z, ground.heightMm);
     }
     m_mayBeInside = false;
-
-    // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels.
-    const double reach = std::sqrt(glm::dot(moved, moved)) + cell / 32.0;
-    double step = cell;
-    int level = 0;
-    while (level < kFinestLevelOnCut - 1 && step > 2.0 * reach) {
-        step *= 0.5;
-        ++level;
-    }
-    double best = distance2(m_anchor, device);
-    std::size_t heading = 0;  // the direction that helped last is tried first
-    int streak = 0;
-    // Cut ground is felt column by column, rough by more than the last halvings resolve.
-    const int finest = tooth.isFeltByColumns({m_anchor.x, m_anchor.y}) ? kFinestLevelOnCut : kFinestLevel;
-    for (int looks = 0; level <= finest && looks < kMaxLooks;) {
-        bool found = false;
-        const std::size_t turns = 1 + (level == finest ? kDirections.size() : kAlong);
-        for (std::size_t turn = 0; turn < turns && !found; ++turn) {
-            const std::size_t now = turn == 0 ? heading : turn - 1;
-            if (turn > 0 && now == heading)
-                continue;
-            const glm::dvec2& direction = kDirections[now];
-            const glm::dvec2 at(m_anchor.x + direction.x * step, m_anchor.y + direction.y * step);
-            // A place whose own column is already farther than the best needs no clearance.
-            const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
-            if (flat >= best)
-                continue;
-            const Step to{device.z,  m_anchor.z, kMaxSlope * step, device.z + std::sqrt(best - flat),
-                          underRoof, inNotch};
-            double z = 0.0;
-            ++looks;
-            if (!standAt(tooth, at, to, z))
-                continue;
-            const glm::dvec3 candidate(at.x, at.y, z);
-            const double far = distance2(candidate, device);
-            if (far < best) {
-                best = far;
-                m_anchor = candidate;
-                heading = now;
-                found = true;
-            }
-        }
-        if (!found) {
-            step *= 0.5;
-            ++level;
-            streak = 0;
-        } else if (++streak == 2 && level > 0) {  // a long way to go: longer steps
-            step *= 2.0;
-            --level;
-            streak = 0;
-        }
-    }
+    if (underRoof || inNotch)
+        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, m_anchor);
+    else
+        slide(tooth, device, ground, m_anchor);
     return m_anchor;
 }
 

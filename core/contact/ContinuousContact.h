@@ -5,15 +5,13 @@
 
 namespace core::contact {
 
-/// The bur as a point over the clearance field: the anchor is the nearest free point to the device that can be reached
-/// from the last anchor without climbing a wall.
+/// The bur as a point over the clearance field: the anchor is the nearest free point to the device that it can slide to
+/// from the last anchor.
 ///
-/// Only (x, y) is searched, for over a point the best height is known: max(device z, C). Eight directions, steps
-/// from about the device's last move down to 1/128 cell (haptics.md 3.2). A step that would climb more than four cells
-/// a cell is refused, so the anchor neither hops onto a wall nor through a ridge. Beneath an overhang the same search
-/// runs along the underside, min(device z, D), and in a notch cut from the side, with floor beneath one part of the bur
-/// and overhang above another, column by column (LiveTooth::roomAt). An anchor that is free stays where it is reached
-/// from: it is put on top of the tooth only if the tooth or the bur has changed.
+/// Above the tooth it slides on the tangent planes of what it meets, as a god-object does. No move is longer than half
+/// the bur's radius, and all that the tooth forbids the tip is wider than the radius to either side: it neither hops
+/// onto a wall nor through a ridge. Beneath an overhang and in a notch searchUnderRoof() takes over. An anchor that is
+/// free stays where it is reached from: it is put on top of the tooth only if the tooth or the bur has changed.
 class ContinuousContact final : public ContactMethod
 {
 public:

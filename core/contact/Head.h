@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "core/drilling/BurMask.h"
 
 /// A bur's head over the columns around it. One formula for every kernel, for contact and for cutting: what stops the
@@ -17,14 +19,25 @@ struct Head
     float u;
     float v;
     float cell;  ///< mm
+    float radius2;
+    float flat;
+    float corner;
+    float corner2;
 };
 
-/// The table step that says "not under the head".
-inline constexpr auto kOutside = static_cast<float>(drilling::BurMask::kOutside);
+inline constexpr auto kLastStep = static_cast<float>(drilling::BurMask::kTableSteps);
 
 [[maybe_unused]] static inline Head headAt(const drilling::BurMask& mask, double cellMm, double u, double v) noexcept
 {
-    return {mask, static_cast<float>(u), static_cast<float>(v), static_cast<float>(cellMm)};
+    const auto corner = static_cast<float>(mask.cornerMm);
+    return {mask,
+            static_cast<float>(u),
+            static_cast<float>(v),
+            static_cast<float>(cellMm),
+            mask.radiusMm * mask.radiusMm,
+            static_cast<float>(mask.flatMm),
+            corner,
+            corner * corner};
 }
 
 /// Squared distance, mm2, of any column of row j from the head's axis along +y.
@@ -34,12 +47,31 @@ inline constexpr auto kOutside = static_cast<float>(drilling::BurMask::kOutside)
     return dy * dy;
 }
 
-/// Where column i of that row is looked up in the head's tables.
-[[maybe_unused]] static inline std::size_t stepOf(int i, float dy2, const Head& head) noexcept
+/// Squared distance, mm2, of column i of that row from the axis.
+[[maybe_unused]] static inline float r2Of(int i, float dy2, const Head& head) noexcept
 {
     const float dx = (static_cast<float>(i) - head.u) * head.cell;
-    const float step = (dx * dx + dy2) * head.mask.r2ToStep;
-    return static_cast<std::size_t>(step < kOutside ? step : kOutside);
+    return dx * dx + dy2;
+}
+
+/// Height of the head's underside above its tip.
+[[maybe_unused]] static inline float underAt(float r2, const Head& head) noexcept
+{
+    if (!(r2 <= head.radius2))
+        return drilling::BurMask::kAbsent;
+    const float past = std::sqrt(r2) - head.flat;
+    const float out = past > 0.0F ? past : 0.0F;
+    const float down2 = head.corner2 - out * out;
+    return head.corner - std::sqrt(down2 > 0.0F ? down2 : 0.0F);
+}
+
+/// Height of the head's upper side above its tip.
+[[maybe_unused]] static inline float upperAt(float r2, const Head& head) noexcept
+{
+    if (!(r2 <= head.radius2))
+        return -drilling::BurMask::kAbsent;
+    const float step = r2 * head.mask.r2ToStep;
+    return head.mask.upperOfR2[static_cast<std::size_t>(step < kLastStep ? step : kLastStep)];
 }
 
 /// How high its tip the head must keep to clear one column from above (Above, with the column's top), and the negative
@@ -49,8 +81,8 @@ enum class Side { Above, Beneath };
 template <Side side>
 [[maybe_unused]] static inline float valueOver(float height, int i, float dy2, const Head& head) noexcept
 {
-    const std::size_t step = stepOf(i, dy2, head);
-    return side == Side::Above ? height - head.mask.underOfR2[step] : head.mask.upperOfR2[step] - height;
+    const float r2 = r2Of(i, dy2, head);
+    return side == Side::Above ? height - underAt(r2, head) : upperAt(r2, head) - height;
 }
 
 }  // namespace core::contact

@@ -1,40 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/drilling/BurMask.h"
 
 /// The innermost loops of contact: maxima and minima over a bur's footprint. One source, compiled for the plain
 /// architecture and for AVX2; every element goes through the same IEEE operations in both, so they agree to the bit.
 namespace core::contact {
 
-/// The heights a kernel reads: a square map, row by row.
+/// Columns a side of the blocks that kernels work through.
+inline constexpr int kBlock = 8;
+
+/// The heights a kernel reads: a square map, row by row, at least a block a side.
 struct HeightView
 {
     const float* heights = nullptr;
     int side = 0;
+    const float* blocks = nullptr;  ///< no column of a block is higher, [blockSide * blockSide]; tops only
+    int blockSide = 0;
+};
+
+/// What is known beforehand of a maximum, and what need not be found out. Neither changes an answer that matters.
+struct Search
+{
+    float atLeast = -drilling::BurMask::kAbsent;  ///< some column under the head gives this much
+    float spread = 0.0F;                          ///< columns this much below the largest, and lower, may be left out
+    float enough = drilling::BurMask::kAbsent;    ///< any value above this may be given as any other above it
 };
 
 /// A maximum over columns, and one that gave it.
 struct Peak
 {
-    float value = 0.0F;
+    float value = -drilling::BurMask::kAbsent;
     int i = -1;  ///< -1 if there was none
     int j = -1;
 };
 
+/// One for each quarter of the bur: a bur in a groove stands on two, one to either side.
+using Peaks = std::array<Peak, 4>;
+
 struct Kernels
 {
     const char* name;  ///< "plain" or "avx2"
-    /// max over the mask of H(i + di, j + dj) - underside(di, dj); very low where the mask meets no node.
-    float (*highestAtNode)(HeightView top, const drilling::BurMask& mask, int i, int j) noexcept;
-    /// min over the mask of bottom(i + di, j + dj) - upperSide(di, dj); very high where the mask meets no node.
-    float (*lowestAtNode)(HeightView bottom, const drilling::BurMask& mask, int i, int j) noexcept;
-    /// The largest valueOver() of the nodes within the head, p = (u, v) in lattice units, at a point between nodes:
-    /// from the top map and from the bottom map. May stop early and return any value above `enough`.
-    Peak (*highestAtPoint)(HeightView top, const drilling::BurMask& mask, double cellMm, double u, double v,
-                           float enough) noexcept;
-    Peak (*lowestAtPoint)(HeightView bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
-                          float enough) noexcept;
+    /// The largest valueOver() in each quarter of the head, with its axis at (u, v) in lattice units: from the top map
+    /// and from the bottom map.
+    Peaks (*highestAtPoint)(const HeightView& top, const drilling::BurMask& mask, double cellMm, double u, double v,
+                            const Search& wanted) noexcept;
+    Peaks (*lowestAtPoint)(const HeightView& bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
+                           const Search& wanted) noexcept;
 };
 
 extern const Kernels kPlainKernels;

@@ -5,8 +5,7 @@
 
 namespace core::contact {
 
-const Kernels kPlainKernels{"plain", highestAtNode, lowestAtNode, mostInTheWay<Side::Above>,
-                            mostInTheWay<Side::Beneath>};
+const Kernels kPlainKernels{"plain", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>};
 
 #ifdef CUSP_HAVE_AVX2
 extern const Kernels kAvx2Kernels;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace core::contact {
@@ -11,21 +12,21 @@ namespace {
 constexpr double kRounding = 1.0e-5;  ///< mm: heights are floats
 
 /// The bur collides where its underside is below the top and its upper side above the bottom.
-bool isFree(LiveTooth& tooth, int i, int j, double z) noexcept
+/// @param fromAbove  the anchor is above everything: no neighbour of it is in a notch
+bool isFree(LiveTooth& tooth, const glm::dvec3& place, bool fromAbove) noexcept
 {
-    const glm::dvec2 place = tooth.grid().nodeMm(i, j);
-    if (!tooth.grid().contains(i, j))
-        return z >= tooth.clearanceAt(place);
-    if (z >= static_cast<double>(tooth.clearanceAtNode(i, j)) - kRounding ||
-        z <= static_cast<double>(tooth.undersideAtNode(i, j)) + kRounding)
+    const glm::dvec2 at(place);
+    if (place.z >= tooth.clearanceAt(at, place.z + kRounding) - kRounding)
         return true;
-    if (!tooth.isFeltByColumns(place))
+    if (place.z <= tooth.undersideAt(at, place.z - kRounding) + kRounding)
+        return true;
+    if (fromAbove)
         return false;
-    const Room room = tooth.roomAt(place, z);  // a notch: some columns beneath the bur, others above
-    return z >= room.floorMm - kRounding && z <= room.roofMm + kRounding;
+    const Room room = tooth.roomAt(at, place.z);  // a notch: some columns beneath the bur, others above
+    return place.z >= room.floorMm - kRounding && place.z <= room.roofMm + kRounding;
 }
 
-/// The nearest to `device` of the neighbours that `isAllowed(di, dj, place)`; the anchor itself if there is none.
+/// The nearest to `device` of the neighbours that `isAllowed(place)`; the anchor itself if there is none.
 template <class IsAllowed>
 glm::dvec3 nearestNeighbour(const glm::dvec3& anchor, double cell, const glm::dvec3& device,
                             IsAllowed&& isAllowed) noexcept
@@ -38,7 +39,7 @@ glm::dvec3 nearestNeighbour(const glm::dvec3& anchor, double cell, const glm::dv
                 const glm::dvec3 place = anchor + cell * glm::dvec3(di, dj, dk);
                 const glm::dvec3 apart = place - device;
                 const double distance = glm::dot(apart, apart);
-                if (distance < bestDistance && isAllowed(di, dj, place)) {
+                if (distance < bestDistance && isAllowed(place)) {
                     best = place;
                     bestDistance = distance;
                 }
@@ -60,26 +61,24 @@ glm::dvec3 LatticeContact::update(LiveTooth& tooth, const glm::dvec3& device) no
 {
     const terrain::Grid& grid = tooth.grid();
     m_cellMm = grid.cellMm;
-    const glm::dvec2 at = grid.latticeOf({m_anchor.x, m_anchor.y});
-    const int i = static_cast<int>(std::lround(at.x));
-    const int j = static_cast<int>(std::lround(at.y));
     if (m_mayBeInside) {
         // Snap to the lattice, then out by the way that is always open.
-        int k = static_cast<int>(std::ceil(m_anchor.z / m_cellMm - 1.0e-9));
-        for (int climb = 0; climb < grid.side && !isFree(tooth, i, j, k * m_cellMm); ++climb)
-            ++k;
-        m_anchor = {grid.nodeMm(i, j), k * m_cellMm};
+        const glm::dvec2 at = glm::round(grid.latticeOf({m_anchor.x, m_anchor.y}));
+        const double level = std::ceil(m_anchor.z / m_cellMm - 1.0e-9);
+        m_anchor = {grid.nodeMm(static_cast<int>(at.x), static_cast<int>(at.y)), level * m_cellMm};
+        for (int climb = 0; climb < grid.side && !isFree(tooth, m_anchor, true); ++climb)
+            m_anchor.z += m_cellMm;
         m_mayBeInside = false;
     }
-    m_anchor = nearestNeighbour(m_anchor, m_cellMm, device, [&](int di, int dj, const glm::dvec3& place) {
-        return isFree(tooth, i + di, j + dj, place.z);
-    });
+    const bool fromAbove = m_anchor.z >= tooth.clearanceAt(glm::dvec2(m_anchor), m_anchor.z + kRounding) - kRounding;
+    m_anchor = nearestNeighbour(m_anchor, m_cellMm, device,
+                                [&](const glm::dvec3& place) { return isFree(tooth, place, fromAbove); });
     return m_anchor;
 }
 
 glm::dvec3 LatticeContact::cutTowards(const glm::dvec3& device) const noexcept
 {
-    return nearestNeighbour(m_anchor, m_cellMm, device, [](int, int, const glm::dvec3&) { return true; });
+    return nearestNeighbour(m_anchor, m_cellMm, device, [](const glm::dvec3&) { return true; });
 }
 
 }  // namespace core::contact

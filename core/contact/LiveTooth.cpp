@@ -4,16 +4,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "core/contact/Head.h"
 
 namespace core::contact {
 namespace {
 
-double bilinear(float a, float b, float c, float d, double fx, double fy)
+constexpr double kRounding = 1.0e-9;
+constexpr double kFloatMm = 1.0e-6;  ///< heights are floats
+/// Of a cell, by which columns under a bur stand lower than the ground between them at most, where it is not steep.
+constexpr float kSpikeShare = 0.35F;
+
+/// Ground that bends more than this, along itself, is an edge.
+constexpr double kSharpestPerMm = 2.0;
+constexpr int kBowlRounds = 4;
+constexpr int kFootRounds = 4;
+
+const Peak& highestOf(const Peaks& peaks)
 {
-    const double low = static_cast<double>(a) + (static_cast<double>(b) - static_cast<double>(a)) * fx;
-    const double high = static_cast<double>(c) + (static_cast<double>(d) - static_cast<double>(c)) * fx;
-    return low + (high - low) * fy;
+    return *std::max_element(peaks.begin(), peaks.end(),
+                             [](const Peak& a, const Peak& b) { return a.value < b.value; });
+}
+
+/// Where ground with `slope` carries a bur whose axis is at p.
+glm::dvec2 footOn(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
+{
+    const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
+    return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
+}
+
+double lengthOf(glm::dvec2 v)
+{
+    return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
 }  // namespace
@@ -28,137 +52,162 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
         m_masks.emplace_back(bur, grid().cellMm);
     std::size_t widest = 0;
     for (const drilling::BurMask& mask : m_masks)
-        widest = std::max(widest, static_cast<std::size_t>(mask.width));
+        widest = std::max(widest, 2 * static_cast<std::size_t>(mask.spanOfRow.front()) + 3);
     m_columnsRoom.resize((widest + 2) * (widest + 2));  // and those that a cell's advance adds
-    m_blocks = (grid().side + kBlock - 1) / kBlock;
-    m_cutBlock.resize(static_cast<std::size_t>(m_blocks) * static_cast<std::size_t>(m_blocks), 0);
-    for (int j = 0; j < grid().side; ++j)
-        for (int i = 0; i < grid().side; ++i)
-            if (m_tooth.top[grid().index(i, j)] < m_tooth.anatomy->top[grid().index(i, j)])
-                m_cutBlock[blockOf(i, j)] = 1;
-    const std::size_t count = grid().count();
-    for (Field* field : {&m_above, &m_below}) {
-        field->value.resize(count);
-        field->stamp.resize(count, 0);
-    }
-}
-
-void LiveTooth::selectBur(std::size_t index) noexcept
-{
-    m_bur = index;
-    ++m_epoch;
-}
-
-float LiveTooth::clearanceAtNode(int i, int j) noexcept
-{
-    const std::size_t k = grid().index(i, j);
-    if (m_above.stamp[k] != m_epoch) {
-        m_above.value[k] = m_kernels.highestAtNode({m_tooth.top.data(), grid().side}, mask(), i, j);
-        m_above.stamp[k] = m_epoch;
-    }
-    return m_above.value[k];
-}
-
-float LiveTooth::undersideAtNode(int i, int j) noexcept
-{
-    const std::size_t k = grid().index(i, j);
-    if (m_below.stamp[k] != m_epoch) {
-        m_below.value[k] = m_kernels.lowestAtNode({m_tooth.bottom.data(), grid().side}, mask(), i, j);
-        m_below.stamp[k] = m_epoch;
-    }
-    return m_below.value[k];
-}
-
-bool LiveTooth::corners(glm::dvec2 lattice, int& i, int& j, double& fx, double& fy) const noexcept
-{
-    const double last = grid().side - 1;
-    if (!(lattice.x >= 0.0 && lattice.y >= 0.0 && lattice.x <= last && lattice.y <= last))
-        return false;
-    i = std::min(static_cast<int>(lattice.x), grid().side - 2);
-    j = std::min(static_cast<int>(lattice.y), grid().side - 2);
-    fx = lattice.x - i;
-    fy = lattice.y - j;
-    return true;
-}
-
-template <Side side>
-float LiveTooth::mostInTheWay(glm::dvec2 lattice, float enough) noexcept
-{
-    const std::vector<float>& map = side == Side::Above ? m_tooth.top : m_tooth.bottom;
-    std::array<Peak, 4>& peaks = side == Side::Above ? m_peaksAbove : m_peaksBeneath;
-    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    for (std::size_t k = 0; k < peaks.size() && peaks[k].i >= 0; ++k) {
-        const Peak known = peaks[k];
-        const float value = valueOver<side>(map[grid().index(known.i, known.j)], known.i, dy2Of(known.j, head), head);
-        if (value > enough) {
-            const auto at = peaks.begin() + static_cast<std::ptrdiff_t>(k);
-            std::rotate(peaks.begin(), at, at + 1);
-            return value;
+    m_blockSide = (grid().side + kBlock - 1) / kBlock;
+    m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
+    for (int j = 0; j < grid().side; ++j) {
+        for (int i = 0; i < grid().side; ++i) {
+            float& highest = m_blocks[static_cast<std::size_t>(j / kBlock * m_blockSide + i / kBlock)];
+            highest = std::max(highest, m_tooth.top[grid().index(i, j)]);
         }
     }
-    const auto search = side == Side::Above ? m_kernels.highestAtPoint : m_kernels.lowestAtPoint;
-    const Peak peak = search({map.data(), grid().side}, mask(), grid().cellMm, lattice.x, lattice.y, enough);
-    const auto isSame = [&](const Peak& known) { return known.i == peak.i && known.j == peak.j; };
-    if (peak.i >= 0 && std::none_of(peaks.begin(), peaks.end(), isSame)) {
-        std::copy_backward(peaks.begin(), peaks.end() - 1, peaks.end());
-        peaks.front() = peak;
+}
+
+bool LiveTooth::isWhole(std::size_t k) const noexcept
+{
+    return m_tooth.isSolid(k) && m_tooth.top[k] >= m_tooth.anatomy->top[k];
+}
+
+bool LiveTooth::bowlAt(int i, int j, Bowl& bowl) const noexcept
+{
+    if (i < 1 || j < 1 || i > grid().side - 2 || j > grid().side - 2)
+        return false;
+    std::array<std::array<double, 3>, 3> height{};
+    for (int dj = -1; dj <= 1; ++dj) {
+        for (int di = -1; di <= 1; ++di) {
+            const std::size_t k = grid().index(i + di, j + dj);
+            if (!isWhole(k))
+                return false;
+            height[static_cast<std::size_t>(dj + 1)][static_cast<std::size_t>(di + 1)] =
+                static_cast<double>(m_tooth.top[k]);
+        }
     }
-    return peak.value;
+    const auto& [low, mid, high] = height;
+    const double cell = grid().cellMm;
+    const double bendX = (mid[0] - 2.0 * mid[1] + mid[2]) / (cell * cell);
+    const double bendY = (low[1] - 2.0 * mid[1] + high[1]) / (cell * cell);
+    const double twist = (low[0] - low[2] - high[0] + high[2]) / (4.0 * cell * cell);
+    bowl = {{grid().nodeMm(i, j), mid[1]},
+            {(mid[2] - mid[0]) / (2.0 * cell), (high[1] - low[1]) / (2.0 * cell)},
+            {bendX, bendY},
+            twist};
+    // An edge has two slopes: the gentler of them says how steep the ground is.
+    const double steepX = std::min(std::abs(mid[2] - mid[1]), std::abs(mid[1] - mid[0])) / cell;
+    const double steepY = std::min(std::abs(high[1] - mid[1]), std::abs(mid[1] - low[1])) / cell;
+    const double steep2 = 1.0 + steepX * steepX + steepY * steepY;
+    return std::max({std::abs(bendX), std::abs(bendY), std::abs(twist)}) < kSharpestPerMm * steep2;
 }
 
-double LiveTooth::clearanceAt(glm::dvec2 pointMm, double enough) noexcept
+Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough) noexcept
 {
-    int i = 0;
-    int j = 0;
-    double fx = 0.0;
-    double fy = 0.0;
-    // Beside the grid there are no nodes, but the bur may still reach the tooth.
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
-    if (!corners(lattice, i, j, fx, fy) || isCutNear(lattice))
-        return static_cast<double>(mostInTheWay<Side::Above>(lattice, static_cast<float>(enough)));
-    return bilinear(clearanceAtNode(i, j), clearanceAtNode(i + 1, j), clearanceAtNode(i, j + 1),
-                    clearanceAtNode(i + 1, j + 1), fx, fy);
+    const float spread = kSpikeShare * static_cast<float>(grid().cellMm);
+    Search wanted{-drilling::BurMask::kAbsent, spread, static_cast<float>(enough)};
+    if (m_peak.i >= 0) {  // the bur has moved by a fraction of a cell: mostly it is still near the highest
+        const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+        m_peak.value = valueOver<Side::Above>(m_tooth.top[grid().index(m_peak.i, m_peak.j)], m_peak.i,
+                                              dy2Of(m_peak.j, head), head);
+        wanted.atLeast = m_peak.value;
+        if (m_peak.value > wanted.enough)
+            return touchOn(m_peak, pointMm);
+    }
+    const Peaks peaks = m_kernels.highestAtPoint({m_tooth.top.data(), grid().side, m_blocks.data(), m_blockSide},
+                                                 mask(), grid().cellMm, lattice.x, lattice.y, wanted);
+    if (const Peak& highest = highestOf(peaks); highest.i >= 0)
+        m_peak = highest;
+    Touch best{static_cast<double>(terrain::kEmptyTop), {0.0, 0.0}, {pointMm, static_cast<double>(terrain::kEmptyTop)}};
+    // A column that stands a little lower than another may lie on ground that is higher.
+    const float least = highestOf(peaks).value - spread;
+    for (const Peak& peak : peaks) {
+        if (peak.i < 0 || peak.value < least)
+            continue;
+        const Touch touch = touchOn(peak, pointMm);
+        if (touch.heightMm > best.heightMm)
+            best = touch;
+    }
+    return best;
 }
 
-bool LiveTooth::isCutNear(glm::dvec2 lattice) const noexcept
+Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
 {
-    const double reach = static_cast<double>(mask().radiusMm) / grid().cellMm + 1.0;
-    const auto block = [&](double at) {
-        return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(grid().side - 1))) / kBlock;
+    Touch smooth{};
+    if (touchOnBowl(peak, pointMm, smooth))
+        return smooth;
+    const std::size_t at = grid().index(peak.i, peak.j);
+    const glm::dvec2 node = grid().nodeMm(peak.i, peak.j);
+    const auto top = static_cast<double>(m_tooth.top[at]);
+    const auto slopeTowards = [&](glm::dvec2 foot) {
+        const glm::dvec2 out = foot - pointMm;
+        const double r = lengthOf(out);
+        return r > 0.0 ? out * (mask().slopeAt(r) / r) : glm::dvec2(0.0);
     };
-    // Mostly the bur stands in its own cut.
-    if (m_cutBlock[blockOf(block(lattice.x) * kBlock, block(lattice.y) * kBlock)] != 0)
-        return true;
-    const int lastI = block(lattice.x + reach);
-    const int lastJ = block(lattice.y + reach);
-    for (int j = block(lattice.y - reach); j <= lastJ; ++j)
-        for (int i = block(lattice.x - reach); i <= lastI; ++i)
-            if (m_cutBlock[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_blocks) +
-                           static_cast<std::size_t>(i)] != 0)
-                return true;
+    Touch best{static_cast<double>(peak.value), slopeTowards(node), {node, top}};
+    const double cell = grid().cellMm;
+    for (const int dj : {-1, 1}) {
+        for (const int di : {-1, 1}) {
+            if (!grid().contains(peak.i + di, peak.j + dj))
+                continue;
+            const std::size_t besideX = grid().index(peak.i + di, peak.j);
+            const std::size_t besideY = grid().index(peak.i, peak.j + dj);
+            if (!isWhole(at) || !isWhole(besideX) || !isWhole(besideY))
+                continue;
+            const glm::dvec2 slope((static_cast<double>(m_tooth.top[besideX]) - top) / (di * cell),
+                                   (static_cast<double>(m_tooth.top[besideY]) - top) / (dj * cell));
+            const glm::dvec2 wanted = footOn(mask(), pointMm, slope);
+            const glm::dvec2 next = node + glm::dvec2(di, dj) * cell;
+            const glm::dvec2 foot = glm::clamp(wanted, glm::min(node, next), glm::max(node, next));
+            const double ground = top + slope.x * (foot.x - node.x) + slope.y * (foot.y - node.y);
+            const double r = lengthOf(foot - pointMm);
+            if (r > static_cast<double>(mask().radiusMm) + kRounding)
+                continue;
+            const double height = ground - mask().heightAt(r);
+            if (height > best.heightMm)
+                best = {height, foot == wanted ? slope : slopeTowards(foot), {foot, ground}};
+        }
+    }
+    return best;
+}
+
+/// The bur stands where bur and ground have the same slope. From the highest column go there, and from the node that is
+/// nearest to it again: on steep ground the highest column may be some cells to the side.
+bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch) const noexcept
+{
+    int i = peak.i;
+    int j = peak.j;
+    for (int round = 0; round < kBowlRounds; ++round) {
+        Bowl bowl{};
+        if (!bowlAt(i, j, bowl))
+            return false;
+        glm::dvec2 out(0.0);
+        glm::dvec2 slope = bowl.slope;
+        const bool bends = bowl.twist != 0.0 || bowl.bend.x != 0.0 || bowl.bend.y != 0.0;
+        for (int k = 0; k < (bends ? kFootRounds : 1); ++k) {
+            out = footOn(mask(), pointMm, slope) - glm::dvec2(bowl.nodeMm);
+            slope = bowl.slope + bowl.bend * out + glm::dvec2(out.y, out.x) * bowl.twist;
+        }
+        const glm::dvec2 foot = glm::dvec2(bowl.nodeMm) + out;
+        const glm::dvec2 nearest = glm::round(grid().latticeOf(foot));
+        if (static_cast<int>(nearest.x) == i && static_cast<int>(nearest.y) == j) {
+            const double ground = bowl.nodeMm.z + glm::dot(bowl.slope, out) + 0.5 * glm::dot(bowl.bend, out * out) +
+                                  bowl.twist * out.x * out.y;
+            const double r = std::min(lengthOf(foot - pointMm), static_cast<double>(mask().radiusMm));
+            touch = {ground - mask().heightAt(r), slope, {foot, ground}};
+            return touch.heightMm >= static_cast<double>(peak.value) - kFloatMm;
+        }
+        i = static_cast<int>(nearest.x);
+        j = static_cast<int>(nearest.y);
+    }
     return false;
 }
 
-bool LiveTooth::isFeltByColumns(glm::dvec2 pointMm) const noexcept
+double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) const noexcept
 {
-    return isCutNear(grid().latticeOf(pointMm));
-}
-
-double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
-{
-    int i = 0;
-    int j = 0;
-    double fx = 0.0;
-    double fy = 0.0;
-    if (!corners(grid().latticeOf(pointMm), i, j, fx, fy)) {
-        // Beside the grid: open if the bur reaches nothing, else no room beneath is promised.
-        const bool open = clearanceAt(pointMm) <= static_cast<double>(terrain::kEmptyTop);
-        return static_cast<double>(open ? terrain::kEmptyBottom : terrain::kEmptyTop);
-    }
-    if (const glm::dvec2 lattice = grid().latticeOf(pointMm); isCutNear(lattice))
-        return -static_cast<double>(mostInTheWay<Side::Beneath>(lattice, static_cast<float>(-enough)));
-    return bilinear(undersideAtNode(i, j), undersideAtNode(i + 1, j), undersideAtNode(i, j + 1),
-                    undersideAtNode(i + 1, j + 1), fx, fy);
+    const glm::dvec2 lattice = grid().latticeOf(pointMm);
+    const Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
+    const Peaks peaks = m_kernels.lowestAtPoint({m_tooth.bottom.data(), grid().side, nullptr, 0}, mask(), grid().cellMm,
+                                                lattice.x, lattice.y, wanted);
+    return -static_cast<double>(highestOf(peaks).value);
 }
 
 Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
@@ -193,27 +242,12 @@ Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
 void LiveTooth::lower(int i, int j, float heightMm) noexcept
 {
     const std::size_t index = grid().index(i, j);
-    m_cutBlock[blockOf(i, j)] = 1;
     if (heightMm > m_tooth.bottom[index]) {
         m_tooth.top[index] = heightMm;
         return;
     }
     m_tooth.top[index] = terrain::kEmptyTop;
     m_tooth.bottom[index] = terrain::kEmptyBottom;
-}
-
-void LiveTooth::markCut(int i0, int j0, int i1, int j1) noexcept
-{
-    const int reach = mask().reach;
-    const int last = grid().side - 1;
-    const int left = std::max(0, i0 - reach);
-    const int right = std::min(last, i1 + reach);
-    for (int j = std::max(0, j0 - reach); j <= std::min(last, j1 + reach); ++j) {
-        const auto from = static_cast<std::ptrdiff_t>(grid().index(left, j));
-        const auto to = static_cast<std::ptrdiff_t>(grid().index(right, j)) + 1;
-        std::fill(m_above.stamp.begin() + from, m_above.stamp.begin() + to, 0U);
-        std::fill(m_below.stamp.begin() + from, m_below.stamp.begin() + to, 0U);
-    }
 }
 
 }  // namespace core::contact

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
@@ -23,15 +24,24 @@ struct Room
     double roofMm;
 };
 
-/// The tooth the servo works on: the height maps with, for the bur in hand, the clearance field
+/// What a bur let down over a point comes to stand on.
+struct Touch
+{
+    double heightMm;   ///< of the tip: the clearance C; kEmptyTop or less if there is nothing
+    glm::dvec2 slope;  ///< dC/dx and dC/dy, mm a mm; kUpright and more at an upright side
+    glm::dvec3 onMm;   ///< the point of the tooth that carries the bur
+};
+
+/// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
+/// dilation,
 ///
 ///     C(p) = max over |q - p| <= R of (H(q) - b(|q - p|)),   the tip (p, z) is free above if z >= C(p)
 ///
 /// and its mirror image from below, D(p) = min (bottom(q) - u(|q - p|)), free beneath if z <= D(p)
 /// (design section 2; inverse tool offset of CAM, tip dilation of Villarrubia 1997).
 ///
-/// Values at nodes are computed when first asked for and kept until a cut dirties them. Built outside the servo thread
-/// (it allocates); afterwards owned by the servo thread alone, and no member below allocates.
+/// Built outside the servo thread (it allocates); afterwards owned by the servo thread alone, and no member below
+/// allocates.
 class LiveTooth
 {
 public:
@@ -45,26 +55,25 @@ public:
     /// Deepest the tip gets anywhere, mm: there the head of the handpiece lies on the highest cusp of the uncut crown.
     [[nodiscard]] double floorMm() const noexcept { return m_floorMm; }
 
-    /// Takes another bur in hand: index into drilling::burs(). Constant time, all clearances become stale.
-    void selectBur(std::size_t index) noexcept;
+    /// Takes another bur in hand: index into drilling::burs().
+    void selectBur(std::size_t index) noexcept { m_bur = index; }
 
-    /// C at a node; kEmptyTop or less where the bur meets no material. Node must be on the grid.
-    [[nodiscard]] float clearanceAtNode(int i, int j) noexcept;
-    /// D at a node; kEmptyBottom or more where the bur meets no material.
-    [[nodiscard]] float undersideAtNode(int i, int j) noexcept;
-
-    /// Least height at which the tip is free above everything, at any point of the tooth frame, mm.
+    /// C at any point of the tooth frame, and what gives it.
     ///
-    /// Over uncut surface bilinear between nodes, which is exact on planes and does not cog (haptics.md 3.1). Where the
-    /// bur covers columns that have been cut, the maximum over the columns themselves: a pocket as wide as the bur that
-    /// made it lies between the nodes, none of them sees it, and the bur could rest on ground it can never cut.
+    /// The maximum over the columns, and from the highest of them over the surface around it: whole ground is a plane
+    /// between any three of its nodes, and a ball let down on a plane finds its own place between the columns, which
+    /// alone are a bed of spikes (haptics.md 3.1). Cut ground is its columns and no more: a pocket must be as wide as
+    /// the bur that made it.
     /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
-    [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept;
-    /// Whether clearanceAt() takes the columns themselves here.
-    [[nodiscard]] bool isFeltByColumns(glm::dvec2 pointMm) const noexcept;
-    /// Greatest height at which the tip is free beneath everything, at any point, mm. By nodes or columns, as above.
+    [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept;
+    /// C alone.
+    [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept
+    {
+        return touchAt(pointMm, enough).heightMm;
+    }
+    /// D: greatest height at which the tip is free beneath everything, over the columns.
     /// @param enough  any answer below this may be given as any other below it
-    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) noexcept;
+    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) const noexcept;
 
     /// The room around height `z` at a point, column by column: a column whose middle the bur is above is floor, any
     /// other roof. There is none if the floor is above the roof. For the notch that a bur makes in from the side, where
@@ -72,48 +81,37 @@ public:
     [[nodiscard]] Room roomAt(glm::dvec2 pointMm, double z) const noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
-    /// Clearances go stale only with markCut().
     void lower(int i, int j, float heightMm) noexcept;
-    /// Says that columns i0..i1 x j0..j1 (on the grid) were lowered: dirties the clearances within the bur's reach.
-    void markCut(int i0, int j0, int i1, int j1) noexcept;
 
     /// Room for every column that any bur covers, for whoever cuts to make a list in. Not part of the tooth's state.
     [[nodiscard]] std::span<terrain::ColumnAt> columnsRoom() noexcept { return m_columnsRoom; }
 
 private:
-    struct Field
-    {
-        std::vector<float> value;
-        std::vector<std::uint32_t> stamp;  ///< value is fresh if this equals m_epoch
-    };
+    /// The bur over p carried by the highest of a quarter, and by the surface around it.
+    [[nodiscard]] Touch touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept;
+    /// The same on ground that bends without an edge; false if it does not.
+    [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch) const noexcept;
 
-    [[nodiscard]] std::size_t blockOf(int i, int j) const noexcept
+    /// Ground around a node, to the second order.
+    struct Bowl
     {
-        return static_cast<std::size_t>(j / kBlock) * static_cast<std::size_t>(m_blocks) +
-               static_cast<std::size_t>(i / kBlock);
-    }
-    [[nodiscard]] bool isCutNear(glm::dvec2 lattice) const noexcept;
-    /// Largest valueOver() at a point in lattice units, from the columns themselves: C, or -D. Any answer above
-    /// `enough` may be any other above it.
-    template <Side side>
-    [[nodiscard]] float mostInTheWay(glm::dvec2 lattice, float enough) noexcept;
-    [[nodiscard]] bool corners(glm::dvec2 lattice, int& i, int& j, double& fx, double& fy) const noexcept;
+        glm::dvec3 nodeMm;
+        glm::dvec2 slope;
+        glm::dvec2 bend;  ///< of slope.x along x and of slope.y along y, 1 / mm
+        double twist;     ///< of slope.x along y, 1 / mm
+    };
+    /// False beside an edge, a cut or the end of the tooth.
+    [[nodiscard]] bool bowlAt(int i, int j, Bowl& bowl) const noexcept;
+    [[nodiscard]] bool isWhole(std::size_t k) const noexcept;
 
     terrain::Tooth m_tooth;
     std::vector<drilling::BurMask> m_masks;
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
-    Field m_above;
-    Field m_below;
-    std::uint32_t m_epoch = 1;
     std::vector<terrain::ColumnAt> m_columnsRoom;
-    static constexpr int kBlock = 8;
-    int m_blocks = 0;                      ///< a side
-    std::vector<std::uint8_t> m_cutBlock;  ///< 1 if a column of that block of kBlock x kBlock has been cut
-    /// Columns that the bur met in the last looks, newest first. The next look, a fraction of a cell away, mostly meets
-    /// one of them again, which settles it. They save time and change no answer.
-    std::array<Peak, 4> m_peaksAbove;
-    std::array<Peak, 4> m_peaksBeneath;
+    std::vector<float> m_blocks;  ///< highest top of kBlock x kBlock columns as they began
+    int m_blockSide = 0;
+    Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer
     const Kernels& m_kernels;
 };
 

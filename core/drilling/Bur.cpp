@@ -29,7 +29,7 @@ Bur::Point unitArc(int step)
 /// Ball of radius R whose equator is at height R, cut by the neck above.
 Bur roundBur(std::string_view id, std::string_view name, double radius, double neck)
 {
-    Bur bur{id, name, radius, 2.0 * radius, neck, {}};
+    Bur bur{id, name, radius, 2.0 * radius, neck, radius, {}};
     for (int k = 0; k <= kArcSteps; ++k) {
         const Bur::Point p = unitArc(k);
         bur.outline.push_back({radius * p.radiusMm, radius * (1.0 + p.heightMm)});
@@ -49,7 +49,7 @@ Bur roundBur(std::string_view id, std::string_view name, double radius, double n
 /// side). The end is a flat disc joined to the side by a quarter circle of radius `corner`.
 Bur pearBur(std::string_view id, std::string_view name, double radius, double length, double corner, double taper)
 {
-    Bur bur{id, name, radius, length, radius - taper * (length - corner), {}};
+    Bur bur{id, name, radius, length, radius - taper * (length - corner), corner, {}};
     bur.outline.push_back({0.0, 0.0});
     for (int k = 0; k <= kArcSteps; ++k) {
         const Bur::Point p = unitArc(k);
@@ -62,7 +62,7 @@ Bur pearBur(std::string_view id, std::string_view name, double radius, double le
 /// Straight fissure: a cylinder with a flat end.
 Bur fissureBur(std::string_view id, std::string_view name, double radius, double length, double neck)
 {
-    return Bur{id, name, radius, length, neck, {{0.0, 0.0}, {radius, 0.0}, {radius, length}}};
+    return Bur{id, name, radius, length, neck, 0.0, {{0.0, 0.0}, {radius, 0.0}, {radius, length}}};
 }
 
 double heightOn(const Bur::Point& a, const Bur::Point& b, double radiusMm)
@@ -87,10 +87,10 @@ const std::array<Bur, 4>& table()
 
 double Bur::undersideMm(double radiusMm) const
 {
-    for (std::size_t k = 1; k < outline.size(); ++k)
-        if (outline[k].radiusMm >= radiusMm && outline[k].radiusMm > outline[k - 1].radiusMm)
-            return heightOn(outline[k - 1], outline[k], radiusMm);
-    return outline.back().heightMm;
+    const double out = radiusMm - flatRadiusMm();
+    if (!(out > 0.0))
+        return 0.0;
+    return cornerMm - std::sqrt(std::max(0.0, cornerMm * cornerMm - out * out));
 }
 
 double Bur::upperSideMm(double radiusMm) const

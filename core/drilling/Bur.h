@@ -25,6 +25,9 @@ struct Bur
     double headRadiusMm = 0.0;
     double headLengthMm = 0.0;
     double shankRadiusMm = 0.0;  ///< neck just above the head
+    /// The end: a flat disc whose rim is rounded with this radius, up to headRadiusMm. A ball is all corner, a straight
+    /// fissure bur has none.
+    double cornerMm = 0.0;
     /// Half outline of the head from (0, 0) at the tip to the shank, as points (radius, height), heights never falling.
     struct Point
     {
@@ -33,6 +36,7 @@ struct Bur
     };
     std::vector<Point> outline;
 
+    [[nodiscard]] double flatRadiusMm() const { return headRadiusMm - cornerMm; }
     /// Height of the underside at radius r <= headRadiusMm: the lowest point of the head there.
     [[nodiscard]] double undersideMm(double radiusMm) const;
     /// Height of the upper side at radius r <= headRadiusMm; kShankTopMm where the shank continues it.

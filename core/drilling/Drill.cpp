@@ -41,7 +41,7 @@ std::size_t listColumns(const contact::LiveTooth& live, const glm::dvec3& from, 
     // (r - sideways)^2 is no less than r^2 - 2 radius sideways anywhere in the circle: no square root a column.
     const auto nearer = static_cast<float>(2.0 * radius * sideways);
     const auto lowestZ = static_cast<float>(from.z + std::min(0.0, reachMm * towards.z) - kRoundingMm);
-    const float last2 = mask.radiusMm * mask.radiusMm;
+    const contact::Head head = contact::headAt(mask, grid.cellMm, at.x, at.y);
     const auto cell = static_cast<float>(grid.cellMm);
     const double cells = radius / grid.cellMm + kRoundingMm;
     const int firstRow = std::max(0, static_cast<int>(std::ceil(at.y - cells)));
@@ -59,8 +59,7 @@ std::size_t listColumns(const contact::LiveTooth& live, const glm::dvec3& from, 
             if (!(top > lowestZ))
                 continue;
             const float dx = static_cast<float>(i - at.x) * cell;
-            const auto step = static_cast<std::size_t>(std::clamp(dx * dx + dy2, 0.0F, last2) * mask.r2ToStep);
-            if (!(top > lowestZ + mask.underOfR2[step]))
+            if (!(top > lowestZ + contact::underAt(std::clamp(dx * dx + dy2, 0.0F, head.radius2), head)))
                 continue;
             if (count == room.size())
                 return count + 1;
@@ -83,20 +82,19 @@ template <class Visit>
 void forEachColumn(const Advance& advance, const glm::dvec3& tip, Visit&& visit) noexcept
 {
     const terrain::Grid& grid = advance.tooth.grid();
-    const BurMask& mask = advance.tooth.mask();
     const terrain::Tooth& tooth = advance.tooth.tooth();
     const glm::dvec2 at = grid.latticeOf({tip.x, tip.y});
-    const contact::Head head = contact::headAt(mask, grid.cellMm, at.x, at.y);
+    const contact::Head head = contact::headAt(advance.tooth.mask(), grid.cellMm, at.x, at.y);
     const auto tipZ = static_cast<float>(tip.z);
     // The head has been everywhere on its way down: thin material is not spared because its far side was reached.
     const auto highestZ = static_cast<float>(std::max(tip.z, advance.beginZ));
     for (const terrain::ColumnAt column : advance.columns) {
-        const std::size_t step = contact::stepOf(column.i, contact::dy2Of(column.j, head), head);
+        const float r2 = contact::r2Of(column.i, contact::dy2Of(column.j, head), head);
         const std::size_t k = grid.index(column.i, column.j);
-        const float limit = tipZ + mask.underOfR2[step];
+        const float limit = tipZ + contact::underAt(r2, head);
         if (!(tooth.top[k] > limit))
             continue;
-        if (!(highestZ + mask.upperOfR2[step] > tooth.bottom[k]))
+        if (!(highestZ + contact::upperAt(r2, head) > tooth.bottom[k]))
             continue;
         if (!visit(k, column.i, column.j, limit))
             return;
@@ -243,8 +241,6 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         }
     }
     m_leftS = std::min(seconds, granted - spent);
-    if (!done.changed.isEmpty())
-        tooth.markCut(done.changed.i0, done.changed.j0, done.changed.i1, done.changed.j1);
     return done;
 }
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/RoofSearch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace core::contact {
+namespace {
+
+constexpr double kMaxSlope = 4.0;  ///< steepest climb of one step
+constexpr int kFinestLevel = 5;    ///< smallest step: cell / 2^5
+constexpr int kMaxLooks = 48;      ///< places looked at in a tick; the next tick goes on from there
+
+constexpr double kDiagonal = 0.7071067811865476;
+/// The four along the lattice first: only the finest step tries the others, unless one of them helped last.
+constexpr std::size_t kAlong = 4;
+constexpr std::array<glm::dvec2, 8> kDirections{{{1.0, 0.0},
+                                                 {0.0, 1.0},
+                                                 {-1.0, 0.0},
+                                                 {0.0, -1.0},
+                                                 {kDiagonal, kDiagonal},
+                                                 {-kDiagonal, kDiagonal},
+                                                 {-kDiagonal, -kDiagonal},
+                                                 {kDiagonal, -kDiagonal}}};
+
+double distance2(const glm::dvec3& a, const glm::dvec3& b)
+{
+    const glm::dvec3 apart = a - b;
+    return glm::dot(apart, apart);
+}
+
+/// Where a step comes from and what it may do.
+struct Step
+{
+    double deviceZ = 0.0;
+    double fromZ = 0.0;
+    double climb = 0.0;    ///< most it may rise over ground, or sink under a roof
+    double highest = 0.0;  ///< standing above this would be no nearer to the device
+    bool inNotch = false;  ///< the anchor has some columns beneath it and others above
+};
+
+/// Height at which the anchor would stand at `at`; false if nothing that the step can reach is free there.
+bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexcept
+{
+    const double reach = step.fromZ + step.climb;
+    if (step.inNotch) {
+        const Room room = tooth.roomAt(at, step.fromZ);
+        if (room.floorMm > room.roofMm || room.floorMm > reach || room.roofMm < step.fromZ - step.climb)
+            return false;
+        z = std::clamp(step.deviceZ, room.floorMm, room.roofMm);
+        return true;
+    }
+    const double limit = std::min(reach, step.highest);
+    const double above = tooth.clearanceAt(at, limit);
+    if (above <= limit) {
+        z = std::max(step.deviceZ, above);
+        return true;
+    }
+    const double lowest = step.fromZ - step.climb;
+    const double beneath = tooth.undersideAt(at, lowest);
+    if (beneath < lowest)
+        return false;
+    z = std::min(step.deviceZ, beneath);
+    return true;
+}
+
+}  // namespace
+
+void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, bool inNotch,
+                     glm::dvec3& anchor) noexcept
+{
+    const double cell = tooth.grid().cellMm;
+    // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels.
+    const double reach = movedMm + cell / 32.0;
+    double step = cell;
+    int level = 0;
+    while (level < kFinestLevel - 1 && step > 2.0 * reach) {
+        step *= 0.5;
+        ++level;
+    }
+    double best = distance2(anchor, device);
+    std::size_t heading = 0;  // the direction that helped last is tried first
+    int streak = 0;
+    for (int looks = 0; level <= kFinestLevel && looks < kMaxLooks;) {
+        bool found = false;
+        const std::size_t turns = 1 + (level == kFinestLevel ? kDirections.size() : kAlong);
+        for (std::size_t turn = 0; turn < turns && !found; ++turn) {
+            const std::size_t now = turn == 0 ? heading : turn - 1;
+            if (turn > 0 && now == heading)
+                continue;
+            const glm::dvec2& direction = kDirections[now];
+            const glm::dvec2 at(anchor.x + direction.x * step, anchor.y + direction.y * step);
+            // A place whose own column is already farther than the best needs no clearance.
+            const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
+            if (flat >= best)
+                continue;
+            const Step to{device.z, anchor.z, kMaxSlope * step, device.z + std::sqrt(best - flat), inNotch};
+            double z = 0.0;
+            ++looks;
+            if (!standAt(tooth, at, to, z))
+                continue;
+            const glm::dvec3 candidate(at.x, at.y, z);
+            const double far = distance2(candidate, device);
+            if (far < best) {
+                best = far;
+                anchor = candidate;
+                heading = now;
+                found = true;
+            }
+        }
+        if (!found) {
+            step *= 0.5;
+            ++level;
+            streak = 0;
+        } else if (++streak == 2 && level > 0) {  // a long way to go: longer steps
+            step *= 2.0;
+            --level;
+            streak = 0;
+        }
+    }
+}
+
+}  // namespace core::contact
