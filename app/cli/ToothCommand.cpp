@@ -160,7 +160,8 @@ int toothCommand(const QStringList& arguments)
     const QString named = parser.positionalArguments().value(0);
     if (parser.positionalArguments().size() != 1 || named.trimmed().isEmpty())
         return wrongUsage(QStringLiteral("one mesh file or tooth number is wanted; usage: ") + usage);
-    const auto options = toothOptions(parser);
+    const auto source = core::teeth::parseSource(named.toStdString());
+    const auto options = toothOptions(parser, source);
     if (!options)
         return wrongUsage(QString::fromStdString(options.error().detail));
 
@@ -170,7 +171,6 @@ int toothCommand(const QStringList& arguments)
     if (!exported.isEmpty() && core::isSameFile(exported.toStdString(), named.toStdString()))
         return wrongUsage(QStringLiteral("--export would overwrite the mesh that is read; name another file"));
 
-    const auto source = core::teeth::parseSource(named.toStdString());
     const auto tooth = core::teeth::buildTooth(source, *options);
     if (!tooth)
         return failed(tooth.error());

@@ -229,6 +229,8 @@ void TestSimulateCommand::wrongUsage_data()
     QTest::newRow("trace over the path") << QStringList{"--path", m_path, "--out", m_path};
     QTest::newRow("recording over the path") << QStringList{"--path", m_path, "--out", "t.csv", "--record", m_path};
     QTest::newRow("unknown option") << QStringList{"--path", m_path, "--out", "t.csv", "--fast"};
+    QTest::newRow("rate twice") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "500", "--rate", "1000"};
+    QTest::newRow("unit of no file") << QStringList{"--path", m_path, "--out", "t.csv", "--unit", "mm"};
     QTest::newRow("unknown bur") << QStringList{"--path", m_path, "--out", "t.csv", "--bur", "9"};
     QTest::newRow("unknown method") << QStringList{"--path", m_path, "--out", "t.csv", "--method", "magic"};
     QTest::newRow("rate 0") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "0"};
