@@ -191,6 +191,12 @@ int failed(const core::Error& error)
     return kFailed;
 }
 
+void warn(const std::vector<std::string>& warnings)
+{
+    for (const std::string& warning : warnings)
+        explain(QStringLiteral("warning: ") + QString::fromStdString(warning));
+}
+
 void printText(const QString& text)
 {
     printTo(stdout, text);
@@ -199,6 +205,14 @@ void printText(const QString& text)
 void printJson(const QJsonObject& object)
 {
     printTo(stdout, QString::fromUtf8(QJsonDocument(object).toJson()));
+}
+
+QJsonArray toJsonArray(const std::vector<std::string>& sentences)
+{
+    QJsonArray array;
+    for (const std::string& sentence : sentences)
+        array.append(QString::fromStdString(sentence));
+    return array;
 }
 
 }  // namespace app::cli

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <QCommandLineParser>
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QStringList>
 
@@ -36,7 +39,11 @@ void addToothOptions(QCommandLineParser& parser);
 int wrongUsage(const QString& sentence);
 int failed(const core::Error& error);
 
+/// Prints each to stderr, on a line of its own: what went well enough to go on.
+void warn(const std::vector<std::string>& warnings);
+
 void printText(const QString& text);
 void printJson(const QJsonObject& object);
+[[nodiscard]] QJsonArray toJsonArray(const std::vector<std::string>& sentences);
 
 }  // namespace app::cli

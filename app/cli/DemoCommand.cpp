@@ -96,6 +96,7 @@ int demoCommand(const QStringList& arguments)
     const auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
+    warn(tooth->report.warnings);
     printText(QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
                   .arg(QString::fromStdString(tooth->anatomy->name)));
     const auto outcome = drillOutTheDecay(*tooth);

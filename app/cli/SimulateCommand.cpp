@@ -231,9 +231,11 @@ int simulateCommand(const QStringList& arguments)
                    {QStringLiteral("tick_us"), tickUs},
                    {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
                    {QStringLiteral("state_hash"), hash},
+                   {QStringLiteral("warnings"), toJsonArray(tooth->report.warnings)},
                    {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}});
         return kDone;
     }
+    warn(tooth->report.warnings);
     const auto& removed = outcome->last.removedMm3;
     printText(QStringLiteral("ticks          %1 at %2 Hz\n"
                              "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"

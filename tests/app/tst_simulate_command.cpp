@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -30,6 +31,7 @@ private slots:
     void otherRatesAndGrids_data();
     void otherRatesAndGrids();
     void frameOfTheFileIsKept();
+    void warningsOfTheScanAreShown();
     void badPresetsSayWhatToDo_data();
     void badPresetsSayWhatToDo();
     void aFailureLeavesTheOlderTrace();
@@ -147,6 +149,22 @@ void TestSimulateCommand::frameOfTheFileIsKept()
     const QList<QByteArray> moved = lastRow({"--up", "+z"});
     QCOMPARE(moved.size(), 15);
     QCOMPARE(moved[10], QByteArray("0"));
+}
+
+void TestSimulateCommand::warningsOfTheScanAreShown()
+{
+    // A millimetre wide, it can be no tooth in millimetres: the importer guesses a unit and says so.
+    const QString scan =
+        write("cap.stl", QByteArray::fromStdString(support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10))));
+    const QStringList arguments{"simulate", "--tooth", scan, "--path", m_path, "--out", m_folder.filePath("t.csv")};
+    const Ending text = runCusp(arguments);
+    QCOMPARE(text.exitCode, 0);
+    const QJsonArray listed = runCusp(arguments + QStringList{"--json"}).json()["warnings"].toArray();
+    QVERIFY(!listed.isEmpty());
+    QCOMPARE(text.error.count('\n'), static_cast<int>(listed.size()));
+    for (const QJsonValue& warning : listed)
+        QVERIFY2(text.error.contains("cusp: warning: " + warning.toString().toLocal8Bit()), text.error);
+    QCOMPARE(runCusp({"tooth", scan, "--json"}).json()["warnings"].toArray(), listed);
 }
 
 void TestSimulateCommand::badPresetsSayWhatToDo_data()
