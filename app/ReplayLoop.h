@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "core/history/TiledHeights.h"
+#include "core/history/RemovedTally.h"
 #include "core/recording/Recording.h"
 #include "core/rt/Loop.h"
 
@@ -35,7 +35,6 @@ private:
 
     void play(const core::session::ServoEvent& event);
     void sendPatches();
-    void measure();
     void publish();
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
@@ -50,11 +49,11 @@ private:
     std::uint64_t m_tick = 0;
     core::history::TiledHeights m_shown;   ///< what the view has been sent
     core::history::TiledHeights m_newest;  ///< the tooth, as tiles
-    std::set<std::uint64_t> m_restored;    ///< ticks that some undo goes back to
+    core::history::RemovedTally m_removed;
+    std::set<std::uint64_t> m_restored;  ///< ticks that some undo goes back to
     std::vector<std::pair<std::uint64_t, core::history::TiledHeights>> m_moments;
     std::deque<core::session::TilePatch> m_toSend;
     core::session::SessionState m_session;
-    int m_beat = 0;
     std::atomic<bool> m_paused{false};
     std::atomic<bool> m_finished{false};
 };

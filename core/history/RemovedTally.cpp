@@ -9,23 +9,27 @@ using session::kTileSide;
 
 RemovedTally::RemovedTally(std::shared_ptr<const terrain::ToothAnatomy> anatomy) : m_anatomy(std::move(anatomy)) {}
 
-const terrain::PerMaterial& RemovedTally::of(const TiledHeights& top)
+const Removed& RemovedTally::of(const TiledHeights& top)
 {
     const int side = top.tilesPerSide();
     m_known.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-    m_sumMm3 = {};
-    m_columnsGone = 0;
+    m_removed.volumesMm3 = {};
+    int columnsGone = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             Known& known = m_known[static_cast<std::size_t>(y * side + x)];
             if (const std::shared_ptr<const Tile>& tile = top.tile(x, y); known.tile != tile)
                 known = reckon(x, y, tile);
-            for (std::size_t m = 0; m < m_sumMm3.size(); ++m)
-                m_sumMm3[m] += known.removedMm3[m];
-            m_columnsGone += known.columnsGone;
+            for (std::size_t m = 0; m < known.removedMm3.size(); ++m)
+                m_removed.volumesMm3[m] += known.removedMm3[m];
+            columnsGone += known.columnsGone;
         }
     }
-    return m_sumMm3;
+    // A search over the whole map, so only when it may have another end than before.
+    if (columnsGone != m_columnsGone)
+        m_removed.perforated = !terrain::perforations(terrain::restored(m_anatomy, top.flat())).empty();
+    m_columnsGone = columnsGone;
+    return m_removed;
 }
 
 RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared_ptr<const Tile>& tile) const

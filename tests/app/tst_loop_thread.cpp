@@ -123,6 +123,9 @@ void TestLoopThread::replayLoopShowsWhatWasRecorded()
     QVERIFY(loop->isFinished());
     QCOMPARE(view.flat(), rig.live().top);
     QCOMPARE(links.servo.latest().tick, rig.servo->state().tick);
+    const core::terrain::PerMaterial removed = core::terrain::removedVolumes(rig.live());
+    for (std::size_t m = 0; m < removed.size(); ++m)
+        QVERIFY(std::abs(links.session.latest().removedMm3[m] - removed[m]) < 1.0e-9);
 }
 
 void TestLoopThread::replayLoopShowsLargeChangesToo()
@@ -159,6 +162,7 @@ void TestLoopThread::replayLoopShowsLargeChangesToo()
     QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
     QVERIFY(loop->isFinished());
     QCOMPARE(view.flat(), outcome->tooth.top);
+    QVERIFY(links.session.latest().perforated);
 }
 
 void TestLoopThread::replayLoopHoldsWhilePaused()
