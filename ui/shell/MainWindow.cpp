@@ -143,7 +143,10 @@ void MainWindow::connectActions()
         askForFile(m_actions->openRecording->text(), recordingFilter(),
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
-    on(m_actions->pauseReplay, [this](bool paused) { emit replayPauseRequested(paused); });
+    on(m_actions->pauseReplay, [this] {
+        setReplayPaused(!m_replayPaused);
+        emit replayPauseRequested(m_replayPaused);
+    });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -395,9 +398,15 @@ void MainWindow::setReplaying(bool replaying, double lengthS)
     m_replaying = replaying;
     m_replayLengthS = lengthS;
     m_room->setReplayTime(0.0, lengthS);
-    m_actions->pauseReplay->setChecked(false);
+    setReplayPaused(false);
     m_room->setReplaying(replaying);
     enableActions();
+}
+
+void MainWindow::setReplayPaused(bool paused)
+{
+    m_replayPaused = paused;
+    m_actions->showReplayPaused(paused);
 }
 
 void MainWindow::showReplayEnd()

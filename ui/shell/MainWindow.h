@@ -114,6 +114,7 @@ private:
     /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
     void leaveWork(const std::function<void()>& what);
     void askToSave();
+    void setReplayPaused(bool paused);
     /// Says a sentence about the replay, with a button that stops it.
     void offerToStop(const QString& sentence);
     void enableActions();
@@ -148,6 +149,7 @@ private:
     Wish m_burWish;
     bool m_standsIn = false;  ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
+    bool m_replayPaused = false;
     double m_replayLengthS = 0.0;
     bool m_mayClose = false;
     bool m_hasCut = false;
