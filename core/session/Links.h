@@ -35,7 +35,8 @@ struct ServoState
     glm::dvec3 forceN{0.0};               ///< on the hand
     bool touching = false;
     bool drillOn = false;
-    bool cutting = false;  ///< material came away this tick
+    bool cutting = false;           ///< material came away this tick
+    bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;
     terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
     double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside

@@ -71,6 +71,7 @@ private slots:
     void figuresComeFromTheLoops();
     void depthBesideTheToothShowsADash();
     void aWallThatPressesIsTold();
+    void aHandpieceOnTheCrownIsTold();
     void harmIsToldWhenItHappens();
     void noDecayShowsADash();
     void theHintGoesWithTheFirstCut();
@@ -477,6 +478,23 @@ void TestMainWindow::aWallThatPressesIsTold()
     servo.forceN = {0.0, 0.0, 0.8};
     publish(servo, {});
     QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString("N"));
+}
+
+void TestMainWindow::aHandpieceOnTheCrownIsTold()
+{
+    // The force is there and the bur touches nothing: it hangs beside the tooth.
+    ServoState servo;
+    servo.tick = 5;
+    servo.handpieceOnCrown = true;
+    servo.forceN = {0.0, 0.0, 0.8};
+    publish(servo, {});
+    QTRY_COMPARE(figure("materialFigure"), QString("Handpiece"));
+    auto* sentence = child<QLabel>("health");
+    QTRY_VERIFY(sentence->text().startsWith("The handpiece lies on the crown"));
+    servo.touching = true;
+    publish(servo, {});
+    QTRY_COMPARE(figure("materialFigure"), QString("Enamel"));
+    QTRY_VERIFY(!sentence->isVisible());
 }
 
 void TestMainWindow::harmIsToldWhenItHappens()

@@ -102,6 +102,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_health = new QLabel(content);
     m_health->setFont(typeface(kSmall, QFont::Medium));
     m_health->setWordWrap(true);
+    m_health->setObjectName(QStringLiteral("health"));
     m_health->hide();
     column->addWidget(m_health);
 
@@ -218,6 +219,8 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     if (servo.touching)
         setFigure(m_material, capitalised(text::materialName(servo.materialUnderBur)), {},
                   inPulp ? tone.harmText : QColor());
+    else if (servo.handpieceOnCrown)
+        setFigure(m_material, tr("Handpiece"), {}, quiet);
     else
         setFigure(m_material, tr("Air", "the bur touches nothing"), {}, quiet);
     const double sidewaysN = glm::length(glm::dvec2(servo.forceN));
@@ -250,7 +253,9 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
-    const QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
+    QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
+    if (health.isEmpty() && servo.handpieceOnCrown && !servo.touching)
+        health = tr("The handpiece lies on the crown: the bur cannot reach deeper.");
     const bool lost = (servo.health & core::session::kDeviceLost) != 0;
     QPalette words = palette();
     words.setColor(QPalette::WindowText, lost ? tone.harmText : tone.attentionText);
