@@ -76,6 +76,7 @@ private slots:
     void noDecayShowsADash();
     void theHintGoesWithTheFirstCut();
     void pushForceGoesBothWays();
+    void whyNothingIsDrilledFromBelowIsToldOnce();
     void troubleStaysOutOfTheWayUntilItIsThere();
 
     void errorsStayAndComeBackAfterNews();
@@ -554,6 +555,15 @@ void TestMainWindow::pushForceGoesBothWays()
     emit m_window->view().pushForceChanged(0.5);
     QCOMPARE(slider->value(), 5);
     QCOMPARE(child<SidePanel>()->pushForce(), 0.5);
+}
+
+void TestMainWindow::whyNothingIsDrilledFromBelowIsToldOnce()
+{
+    emit m_window->view().pushRefused();
+    QVERIFY(message().startsWith("From below"));
+    press(Qt::Key_Escape);
+    emit m_window->view().pushRefused();
+    QVERIFY(message().isEmpty());
 }
 
 void TestMainWindow::troubleStaysOutOfTheWayUntilItIsThere()

@@ -349,12 +349,19 @@ void TestToothView::aClickFromBelowDoesNotDrill()
 {
     m_view->setCamera(0.0, -45.0, m_view->camera().fittingMm());
     const QPoint middle = m_view->rect().center();
+    QSignalSpy refused(m_view.get(), &ToothView::pushRefused);
     QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle);
     QVERIFY(!pointer().pushing);
+    QCOMPARE(refused.size(), 1);
     QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, middle);
+    QTest::keyPress(m_view.get(), Qt::Key_PageDown);
+    QVERIFY(!pointer().pushing);
+    QCOMPARE(refused.size(), 2);
+    QTest::keyRelease(m_view.get(), Qt::Key_PageDown);
     m_view->setCamera(0.0, 45.0, m_view->camera().fittingMm());
     QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle);
     QVERIFY(pointer().pushing);
+    QCOMPARE(refused.size(), 2);
 }
 
 void TestToothView::theToothAloneIsDrawnWithoutTheInstrument()

@@ -161,6 +161,11 @@ void MainWindow::connectView()
 {
     connect(m_view.get(), &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
     connect(m_view.get(), &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
+    connect(m_view.get(), &tooth::ToothView::pushRefused, this, [this] {
+        if (!std::exchange(m_knowsTheFarSide, true))
+            showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
+                           "or press V."));
+    });
     connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view.get(), &tooth::ToothView::setPushForce);
     m_room->panel().setPushForce(m_view->pushForce());
 }

@@ -153,6 +153,7 @@ private:
     double m_replayLengthS = 0.0;
     bool m_mayClose = false;
     bool m_hasCut = false;
+    bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below
 };
 
 }  // namespace ui::shell

@@ -495,15 +495,22 @@ void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
     update();
 }
 
+/// Mouse and pen. Seen from below, the bur is on the far side of the tooth.
+void ToothView::pushAt(QPointF position)
+{
+    const render::Ray ray = rayAt(position);
+    if (ray.direction.z >= 0.0) {
+        emit pushRefused();
+        return;
+    }
+    m_control.moveTo(ray, m_servo.anchorMm);
+    m_control.push(true);
+}
+
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
-        const render::Ray ray = rayAt(event->position());
-        // Seen from below the bur is on the far side: a click would drill where nobody looks.
-        if (ray.direction.z >= 0.0)
-            return;
-        m_control.moveTo(ray, m_servo.anchorMm);
-        m_control.push(true);
+        pushAt(event->position());
         publishPointer();
     } else if (m_turning == Qt::NoButton &&
                (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton)) {
@@ -562,8 +569,7 @@ void ToothView::wheelEvent(QWheelEvent* event)
 void ToothView::tabletEvent(QTabletEvent* event)
 {
     if (event->type() == QEvent::TabletPress && event->button() == Qt::LeftButton) {
-        m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
-        m_control.push(true);
+        pushAt(event->position());
     } else if (event->type() == QEvent::TabletRelease && event->button() == Qt::LeftButton) {
         m_control.push(false);
     } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton) {
@@ -605,8 +611,12 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         }
         break;
     case Qt::Key_PageDown:
-        if (!event->isAutoRepeat())
-            m_control.push(true);
+        if (!event->isAutoRepeat()) {
+            if (m_camera.elevationDeg() > 0.0)
+                m_control.push(true);
+            else
+                emit pushRefused();
+        }
         publishPointer();
         break;
     case Qt::Key_PageUp:

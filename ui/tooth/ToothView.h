@@ -76,6 +76,8 @@ signals:
     /// Once a frame, with the newest state of the servo.
     void frameAdvanced(const core::session::ServoState& state);
     void pushForceChanged(double newtons);
+    /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
+    void pushRefused();
     /// The view cannot be used; the sentence says why and what to do.
     void failed(const QString& sentence);
 
@@ -99,6 +101,7 @@ private:
     void takeChanges();
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
+    void pushAt(QPointF position);
     void publishPointer();
     void turnCamera(double azimuthDeg, double elevationDeg);
     void release();
