@@ -103,6 +103,7 @@ private slots:
 
     void everyControlHasAName();
     void everyActionIsFitToBeRead();
+    void longTooltipsAreBrokenIntoLines();
     void tabReachesEveryButtonOfTheRoom();
     void nothingIsClipped_data();
     void nothingIsClipped();
@@ -594,7 +595,7 @@ void TestMainWindow::errorsStayAndComeBackAfterNews()
     bool exact = false;
     for (const QLabel* label : child<MessageBar>()->findChildren<QLabel*>()) {
         named = named || (label->isVisible() && label->text() == "molar.stl");
-        exact = exact || label->toolTip() == "molar.stl: ends after 84 bytes.";
+        exact = exact || label->toolTip().contains("molar.stl: ends after 84 bytes.");
     }
     QVERIFY(named);
     QVERIFY(exact);
@@ -1010,6 +1011,19 @@ void TestMainWindow::everyActionIsFitToBeRead()
                 keys << key.toString();
             }
         }
+}
+
+void TestMainWindow::longTooltipsAreBrokenIntoLines()
+{
+    m_window->showScore(sheet(3.2, 9.81, 0.5), {});
+    int longOnes = 0;
+    for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
+        if (widget->toolTip().size() < 80)
+            continue;
+        QVERIFY2(Qt::mightBeRichText(widget->toolTip()), qPrintable(widget->toolTip()));
+        ++longOnes;
+    }
+    QVERIFY(longOnes >= 3);
 }
 
 void TestMainWindow::tabReachesEveryButtonOfTheRoom()

@@ -216,10 +216,10 @@ void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
         measured->setFont(typeface(kBody));
         measured->setAlignment(Qt::AlignRight);
         measured->setText(text::criterionMeasured(criterion));
-        if (criterion.unit == "mm2")
+        if (criterion.id == "pulp_exposure")
             measured->setToolTip(
-                tr("The area that lies open, seen from above. The volume that was cut away stands beside "
-                   "the tooth, in mm³."));
+                brokenIntoLines(tr("The area that lies open, seen from above. The volume that was cut away stands "
+                                   "beside the tooth, in mm³.")));
         auto* lost = new TabularLabel(m_criteria);
         lost->setFont(typeface(kTitle, QFont::DemiBold));
         lost->setAlignment(Qt::AlignRight);

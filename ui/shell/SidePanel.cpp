@@ -92,8 +92,9 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     auto* pair = new QHBoxLayout;
     pair->setSpacing(kSpace2);
     m_depth = addFigure(pair, tr("Depth"), "depthFigure");
-    m_depth.block->setToolTip(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
-                                 "the tooth, where straight down says little."));
+    m_depth.block->setToolTip(
+        brokenIntoLines(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
+                           "the tooth, where straight down says little.")));
     m_decay = addFigure(pair, tr("Decay left"), "decayFigure");
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
@@ -123,7 +124,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         row->addWidget(value);
         column->addLayout(row);
         if (material == Material::Pulp)
-            value->setToolTip(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm²."));
+            value->setToolTip(
+                brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
         m_removed.at(at(material)) = value;
     }
     m_removed.at(at(Material::Enamel))->setObjectName(QStringLiteral("enamelRemoved"));

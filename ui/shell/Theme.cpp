@@ -144,6 +144,11 @@ QFont typeface(int pixelSize, QFont::Weight weight)
     return f;
 }
 
+QString brokenIntoLines(const QString& words)
+{
+    return words.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped());
+}
+
 double contrast(const QColor& a, const QColor& b)
 {
     const auto [low, high] = std::minmax({luminance(a), luminance(b)});

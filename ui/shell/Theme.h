@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QFont>
 #include <QPalette>
+#include <QString>
 
 class QApplication;
 class QWidget;
@@ -58,6 +59,9 @@ void dress(QWidget& widget, const QPalette& palette);
 
 /// The application's family at one of the sizes above.
 [[nodiscard]] QFont typeface(int pixelSize, QFont::Weight weight = QFont::Normal);
+
+/// The words of a tooltip that may be long: Qt breaks only rich text into lines, all else runs across the screen.
+[[nodiscard]] QString brokenIntoLines(const QString& words);
 
 /// Ratio of WCAG 2 between two opaque colours, 1 .. 21.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
