@@ -62,6 +62,7 @@ private slots:
     void gradeIsAskedFor();
     void filesAreAskedFor_data();
     void filesAreAskedFor();
+    void eachKindOfFileRemembersItsFolder();
     void droppedFilesAreToldApart();
     void otherHandPanelAndFullScreen();
     void helpListsEveryAction();
@@ -328,6 +329,35 @@ void TestMainWindow::filesAreAskedFor()
     for (std::size_t k = 0; k < spies.size(); ++k)
         QCOMPARE(spies.at(k)->size(), static_cast<int>(k) == which ? 1 : 0);
     QCOMPARE(spies.at(static_cast<std::size_t>(which))->front().front().toString(), path);
+}
+
+void TestMainWindow::eachKindOfFileRemembersItsFolder()
+{
+    QTemporaryDir scans;
+    auto recordings = std::make_unique<QTemporaryDir>();
+    const auto choose = [](MainWindow& window, QAction* action, const QString& path) {
+        action->trigger();
+        auto* dialog = window.findChild<QFileDialog*>();
+        const QString folder = dialog->directory().absolutePath();
+        dialog->setDirectory(QFileInfo(path).path());
+        dialog->selectFile(path);
+        QMetaObject::invokeMethod(dialog, "accept");
+        QTest::qWait(0);  // the dialog deletes itself
+        return folder;
+    };
+    QFile scan(scans.filePath("molar.stl"));
+    QVERIFY(scan.open(QIODevice::WriteOnly));
+    choose(*m_window, actions().openScan, scan.fileName());
+    choose(*m_window, actions().saveRecording, recordings->filePath("mine.cusprec"));
+    // Another window, as of another run.
+    MainWindow next(*m_links);
+    next.showTooth(support::syntheticMolar(), 1, {});
+    const auto* later = next.findChild<Actions*>();
+    QCOMPARE(choose(next, later->openScan, scan.fileName()), scans.path());
+    QCOMPARE(choose(next, later->saveRecording, recordings->filePath("mine.cusprec")), recordings->path());
+    const QString gone = recordings->path();
+    recordings.reset();
+    QVERIFY2(choose(next, later->saveRecording, scans.filePath("mine.cusprec")) != gone, "the folder is not there");
 }
 
 void TestMainWindow::droppedFilesAreToldApart()

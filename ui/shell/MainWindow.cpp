@@ -17,6 +17,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTimer>
@@ -53,9 +54,10 @@ QString patternOf(const QStringList& suffixes)
     return patterns.join(u' ');
 }
 
-QString recordingFilter()
+/// What the window remembers from run to run: ~/.config/cusp/cusp.conf.
+QSettings memory()
 {
-    return MainWindow::tr("Recordings (%1)").arg(patternOf({MainWindow::recordingSuffix()}));
+    return QSettings(QStringLiteral("cusp"), QStringLiteral("cusp"));
 }
 
 /// The file a drag carries, empty when it carries anything else.
@@ -72,8 +74,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, m_view->pane(), m_pages)), m_chooser(new ToothChooser(*m_actions, m_pages)),
       m_scorePage(new ScorePage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
-      m_folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -132,7 +133,7 @@ void MainWindow::connectActions()
     });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
     on(m_actions->openScan, [this] {
-        askForFile(m_actions->openScan->text(), tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes())),
+        askForFile(m_actions->openScan->text(), FileKind::Scan,
                    [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
     on(m_actions->saveRecording, [this] {
@@ -140,7 +141,7 @@ void MainWindow::connectActions()
         askToSave();
     });
     on(m_actions->openRecording, [this] {
-        askForFile(m_actions->openRecording->text(), recordingFilter(),
+        askForFile(m_actions->openRecording->text(), FileKind::Recording,
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
     on(m_actions->pauseReplay, [this] {
@@ -477,7 +478,7 @@ void MainWindow::leaveWork(const std::function<void()>& what)
 void MainWindow::askToSave()
 {
     askForFile(
-        m_actions->saveRecording->text(), recordingFilter(),
+        m_actions->saveRecording->text(), FileKind::Recording,
         [this](const QString& path) {
             m_workBeingSaved = ownWork();
             emit recordingSaveRequested(path);
@@ -496,10 +497,17 @@ void MainWindow::closeEvent(QCloseEvent* event)
     });
 }
 
-void MainWindow::askForFile(const QString& title, const QString& filter,
-                            const std::function<void(const QString&)>& chosen, const QString& newName)
+void MainWindow::askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
+                            const QString& newName)
 {
-    auto* dialog = new QFileDialog(this, title, m_folder);
+    const bool scan = kind == FileKind::Scan;
+    const QString filter = scan ? tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()))
+                                : tr("Recordings (%1)").arg(patternOf({recordingSuffix()}));
+    const QString key = scan ? QStringLiteral("folders/scan") : QStringLiteral("folders/recording");
+    QString folder = memory().value(key).toString();
+    if (!QFileInfo(folder).isDir())
+        folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    auto* dialog = new QFileDialog(this, title, folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (newName.isEmpty()) {
         dialog->setFileMode(QFileDialog::ExistingFile);
@@ -510,8 +518,8 @@ void MainWindow::askForFile(const QString& title, const QString& filter,
         dialog->setNameFilter(filter);
         dialog->selectFile(newName);
     }
-    connect(dialog, &QFileDialog::fileSelected, this, [this, chosen](const QString& path) {
-        m_folder = QFileInfo(path).path();
+    connect(dialog, &QFileDialog::fileSelected, this, [key, chosen](const QString& path) {
+        memory().setValue(key, QFileInfo(path).absolutePath());
         chosen(path);
     });
     // Without a window manager nobody else gives the keys back.

@@ -91,6 +91,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
+    enum class FileKind { Scan, Recording };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -121,7 +123,7 @@ private:
     void placeOverlays();
     /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
-    void askForFile(const QString& title, const QString& filter, const std::function<void(const QString&)>& chosen,
+    void askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
                     const QString& newName = {});
     [[nodiscard]] QString newRecordingName() const;
     void openFile(const QString& path);
@@ -136,7 +138,6 @@ private:
     MessageBar* m_messages;
     BusyCard* m_busy;
     HelpOverlay* m_help;
-    QString m_folder;  ///< where the last file was opened or saved
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
