@@ -420,6 +420,8 @@ void TestMainWindow::helpListsEveryAction()
                 QVERIFY2(words.contains(key.toString(QKeySequence::NativeText)), qPrintable(action->text()));
         }
     }
+    for (const char* gesture : {"Shift + arrows", "right or middle drag"})
+        QVERIFY2(words.contains(gesture), gesture);
     press(Qt::Key_F1);
     QVERIFY(!help->isVisible());
 }
