@@ -21,6 +21,7 @@ private slots:
     void wholeSubjectFits();
     void elevationAndDistanceAreBounded();
     void zoomIsReachedSmoothly();
+    void zoomKeepsWhatIsUnderThePointer();
     void fittedDistanceFollowsTheWindowUntilSomeoneZooms();
     void resetBringsBackTheStart();
 };
@@ -142,6 +143,25 @@ void TestCamera::zoomIsReachedSmoothly()
     QVERIFY(frames < 60);
     QVERIFY(last < 0.72 * before);
     QVERIFY(!camera.advance(0.016));
+}
+
+void TestCamera::zoomKeepsWhatIsUnderThePointer()
+{
+    Camera camera = molarCamera();
+    const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
+    const glm::dvec3 cusp(3.0, 2.0, -0.5);
+    const glm::dvec2 before = camera.pixelOf(cusp);
+    camera.zoom(6.0, cusp);
+    while (camera.advance(0.016))
+        QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
+    QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
+    // Away again, wherever the pointer is, the whole crown comes back to the middle.
+    camera.zoom(-9.0, glm::dvec3(-3.0, 1.0, -2.0));
+    camera.settle();
+    QVERIFY(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6);
+    camera.zoom(4.0);
+    camera.settle();
+    QVERIFY2(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6, "by the keys: straight ahead");
 }
 
 void TestCamera::fittedDistanceFollowsTheWindowUntilSomeoneZooms()

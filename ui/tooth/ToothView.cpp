@@ -558,7 +558,10 @@ void ToothView::wheelEvent(QWheelEvent* event)
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         setPushForce(m_control.forceN() + kForceStepN * notches);
     } else {
-        m_camera.zoom(notches);
+        glm::dvec3 under(0.0);
+        const bool onTooth =
+            m_surface && m_surface->meet(rayAt(event->position()), under) && m_surface->isTooth(glm::dvec2(under));
+        m_camera.zoom(notches, onTooth ? std::optional(under) : std::nullopt);
         if (m_reducedMotion)
             m_camera.settle();
         update();
