@@ -85,6 +85,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         if (m_replay)
             m_replay->setPaused(paused);
     });
+    connect(m_window.get(), &MainWindow::replaySpeedChosen, this, [this](int times) {
+        if (m_replay)
+            m_replay->setSpeed(times);
+    });
     m_replayWatch.setInterval(kReplayWatchMs);
     connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 

@@ -37,7 +37,7 @@ ReplayLoop::ReplayLoop(const core::recording::Recording& recording, UiLinks& lin
 void ReplayLoop::tick(std::chrono::microseconds dt)
 {
     if (!m_paused.load(std::memory_order_relaxed))
-        m_due += dt;
+        m_due += dt * m_speed.load(std::memory_order_relaxed);
     while (m_next < m_events.size() && m_played < m_due)
         play(m_events[m_next++]);
     sendPatches();

@@ -12,8 +12,8 @@
 
 namespace app {
 
-/// Plays a recording into the view at the speed at which it was made. It stands in for the servo and the session loop,
-/// which must rest meanwhile: like them it writes states and patches, and only those.
+/// Plays a recording into the view, at first at the speed at which it was made. It stands in for the servo and the
+/// session loop, which must rest meanwhile: like them it writes states and patches, and only those.
 class ReplayLoop final : public core::rt::Loop
 {
 public:
@@ -24,6 +24,8 @@ public:
 
     void tick(std::chrono::microseconds dt) override;
 
+    /// Any thread: plays so many times as fast as it was made.
+    void setSpeed(int times) { m_speed.store(times, std::memory_order_relaxed); }
     /// Any thread: holds the recording where it is, or lets it go on.
     void setPaused(bool paused) { m_paused.store(paused, std::memory_order_relaxed); }
     /// Any thread: the last event has been played.
@@ -54,6 +56,7 @@ private:
     std::vector<std::pair<std::uint64_t, core::history::TiledHeights>> m_moments;
     std::deque<core::session::TilePatch> m_toSend;
     core::session::SessionState m_session;
+    std::atomic<int> m_speed{1};
     std::atomic<bool> m_paused{false};
     std::atomic<bool> m_finished{false};
 };

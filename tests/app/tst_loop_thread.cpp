@@ -53,6 +53,7 @@ private slots:
     void replayLoopShowsWhatWasRecorded();
     void replayLoopShowsLargeChangesToo();
     void replayLoopHoldsWhilePaused();
+    void replayLoopPlaysFaster();
 };
 
 void TestLoopThread::beatsUntilItIsAskedToStop()
@@ -183,6 +184,19 @@ void TestLoopThread::replayLoopHoldsWhilePaused()
     for (int n = 0; n < 100; ++n)
         loop->tick(10ms);
     QVERIFY(loop->isFinished());
+}
+
+void TestLoopThread::replayLoopPlaysFaster()
+{
+    support::Rig rig;
+    rig.open(support::makeBlock({}));
+    rig.run(1000);
+    core::session::UiLinks links;
+    auto loop = app::ReplayLoop::make(rig.session->recordingSoFar().value(), links, 1).value();
+    loop->setSpeed(8);
+    for (int n = 0; n < 10; ++n)
+        loop->tick(10ms);
+    QVERIFY(std::abs(links.session.latest().recordedS - 0.8) < 1.0e-9);
 }
 
 QTEST_GUILESS_MAIN(TestLoopThread)

@@ -88,6 +88,7 @@ private slots:
     void workIsShownAndHoldsBackTheRest();
     void aReplayRestsTheControls();
     void aReplayTellsItsTimeAndPauses();
+    void aReplayHasFourSpeeds();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
 
@@ -768,6 +769,22 @@ void TestMainWindow::aReplayTellsItsTimeAndPauses()
     QVERIFY2(actions().pauseReplay->text().startsWith("Pause"), "the next replay begins by running");
     press(Qt::Key_Space);
     QCOMPARE(sent().size(), 1);
+}
+
+void TestMainWindow::aReplayHasFourSpeeds()
+{
+    QSignalSpy speed(m_window.get(), &MainWindow::replaySpeedChosen);
+    m_window->setReplaying(true, 95.0);
+    auto* button = child<QPushButton>("replaySpeed");
+    for (const char* shown : {"2×", "4×", "8×", "1×", "2×"}) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(button->text(), QString::fromUtf8(shown));
+    }
+    QCOMPARE(speed.size(), 5);
+    QCOMPARE(speed[2].front().toInt(), 8);
+    m_window->setReplaying(false);
+    m_window->setReplaying(true, 95.0);
+    QCOMPARE(button->text(), QString::fromUtf8("1×"));
 }
 
 void TestMainWindow::escapeEndsAReplayAtOnce()

@@ -94,6 +94,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
+    connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);

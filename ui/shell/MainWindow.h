@@ -82,6 +82,8 @@ signals:
     void gradeRequested();
     void replayStopRequested();
     void replayPauseRequested(bool paused);
+    /// So many times as fast as the recording was made. Every replay begins with 1.
+    void replaySpeedChosen(int times);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -28,11 +28,11 @@ namespace ui::tooth {
 /// The tooth under the operating light, the bur at its anchor, and the hand: mouse, pen and keys become what the
 /// pointer device asks for.
 ///
-/// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms to what is under
-/// the pointer, Ctrl + wheel sets how hard to push; a double click of the right or middle button, or of the left beside
-/// the tooth, resets the view. Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts
-/// while held, comma and full stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home
-/// resets the view.
+/// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms to what is under the
+/// pointer, Ctrl + wheel sets how hard to push; a double click of the right or middle button, or of the left beside the
+/// tooth, resets the view.
+/// Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full
+/// stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home resets the view.
 ///
 /// Ui thread. It is the one reader of `servo` and `patches` and the one writer of `pointer`; it polls them 60 times a
 /// second and repaints only when something that shows has changed.
