@@ -100,6 +100,7 @@ void ReplayLoop::publish()
     m_links.servo.publish();
     const core::history::Removed& removed = m_removed.of(m_newest);
     m_session.removedMm3 = removed.volumesMm3;
+    m_session.overcutMm3 = removed.overcutMm3;
     m_session.perforated = removed.perforated;
     m_session.recordedS = std::chrono::duration<double>(m_played).count();
     m_links.session.publish(m_session);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/grading/Measures.h"
+
 namespace core::history {
 
 using session::kTileSide;
@@ -14,6 +16,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
     const int side = top.tilesPerSide();
     m_known.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     m_removed.volumesMm3 = {};
+    m_removed.overcutMm3 = 0.0;
     int columnsGone = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
@@ -22,6 +25,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
                 known = reckon(x, y, tile);
             for (std::size_t m = 0; m < known.removedMm3.size(); ++m)
                 m_removed.volumesMm3[m] += known.removedMm3[m];
+            m_removed.overcutMm3 += known.overcutMm3;
             columnsGone += known.columnsGone;
         }
     }
@@ -35,7 +39,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
 RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared_ptr<const Tile>& tile) const
 {
     const terrain::Grid& grid = m_anatomy->grid;
-    Known known{tile, {}, 0};
+    Known known{tile, {}, 0.0, 0};
     const int endI = std::min((tileX + 1) * kTileSide, grid.side);
     const int endJ = std::min((tileY + 1) * kTileSide, grid.side);
     for (int j = tileY * kTileSide; j < endJ; ++j) {
@@ -43,6 +47,7 @@ RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared
             const auto inTile = static_cast<std::size_t>((j % kTileSide) * kTileSide + i % kTileSide);
             const std::size_t k = grid.index(i, j);
             terrain::addRemoved(*m_anatomy, k, (*tile)[inTile], known.removedMm3);
+            known.overcutMm3 += grading::overcutOf(*m_anatomy, k, (*tile)[inTile]);
             if ((*tile)[inTile] <= terrain::kEmptyTop && m_anatomy->top[k] > m_anatomy->bottom[k])
                 ++known.columnsGone;
         }

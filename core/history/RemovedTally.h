@@ -13,6 +13,7 @@ namespace core::history {
 struct Removed
 {
     terrain::PerMaterial volumesMm3{};
+    double overcutMm3 = 0.0;  ///< of these, what grading::Measures counts as overcut
     bool perforated = false;  ///< a hole goes right through
     bool operator==(const Removed&) const = default;
 };
@@ -34,6 +35,7 @@ private:
     {
         std::shared_ptr<const Tile> tile;  ///< held, so that no other tile can take its address
         terrain::PerMaterial removedMm3{};
+        double overcutMm3 = 0.0;
         int columnsGone = 0;
     };
 

@@ -105,7 +105,8 @@ struct SessionState
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
     terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all
-    bool perforated = false;            ///< there is a hole through the tooth, after undo and all
+    double overcutMm3 = 0.0;  ///< of these, what the grade counts: enamel and dentin beside or below the decay
+    bool perforated = false;  ///< there is a hole through the tooth, after undo and all
     double recordedS = 0.0;
 };
 

@@ -198,6 +198,7 @@ void SessionLoop::publish()
     if (m_anatomy) {
         const history::Removed& removed = m_removed.of(m_mirror);
         out.removedMm3 = removed.volumesMm3;
+        out.overcutMm3 = removed.overcutMm3;
         out.perforated = removed.perforated;
     }
     out.recordedS = m_recording ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/Rng.h"
+#include "core/grading/Measures.h"
 #include "core/history/RemovedTally.h"
 #include "core/teeth/ToothBuilder.h"
 
@@ -72,6 +73,7 @@ void TestRemovedTally::agreesWithTheSumOverColumns()
         for (std::size_t m = 0; m < right.size(); ++m)
             QVERIFY2(std::abs(found[m] - right[m]) < 1.0e-9,
                      qPrintable(QString("material %1: %2, not %3").arg(m).arg(found[m]).arg(right[m])));
+        QVERIFY(std::abs(tally.of(tiles).overcutMm3 - grading::measure(tooth).overcutMm3) < 1.0e-9);
         QCOMPARE(tally.of(tiles).perforated, !terrain::perforations(tooth).empty());
     }
     QVERIFY(!terrain::perforations(tooth).empty());

@@ -14,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QScrollArea>
 #include <QSet>
 #include <QSignalSpy>
 #include <QSlider>
@@ -473,6 +474,7 @@ void TestMainWindow::figuresComeFromTheLoops()
     SessionState session;
     session.wholeMm3 = {20.0, 200.0, 250.0, 20.0};
     session.removedMm3 = {5.0, 12.314, 4.0, 0.25};
+    session.overcutMm3 = 9.806;
     publish(servo, session);
     QTRY_COMPARE(figure("materialFigure"), QString("Dentin"));
     QTRY_COMPARE(figure("depthFigure"), QString("1.42"));
@@ -481,6 +483,7 @@ void TestMainWindow::figuresComeFromTheLoops()
     QCOMPARE(figure("enamelRemoved"), QString("12.31"));
     QCOMPARE(figure("dentinRemoved"), QString("4.00"));
     QCOMPARE(figure("pulpRemoved"), QString("0.25"));
+    QCOMPARE(figure("overcut"), QString("9.81"));
     servo.touching = false;
     session.removedMm3[0] = 19.95;
     publish(servo, session);
@@ -1133,7 +1136,15 @@ void TestMainWindow::nothingIsClipped()
         }
     };
     auto* a = window.findChild<Actions*>();
+    SessionState session;
+    session.removedMm3 = {0.0, 188.88, 188.88, 18.88};
+    session.overcutMm3 = 188.88;
+    publish({}, session);
+    QTRY_COMPARE(window.findChild<TabularLabel*>("overcut")->text(), QLocale().toString(188.88, 'f', 2));
     check("practice");
+    const auto* figures = window.findChild<SidePanel*>()->findChild<QScrollArea*>();
+    QVERIFY2(figures->widget()->width() <= figures->viewport()->width(),
+             qPrintable(QString::number(figures->widget()->width())));
     window.showError({core::ErrorCode::WrongKind, {}}, Failed::KeepingGrades,
                      "a_file_with_a_name_as_long_as_names_can_be_which_has_to_go_to_a_second_line.sqlite");
     check("error");

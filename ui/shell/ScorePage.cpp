@@ -216,6 +216,8 @@ void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
         measured->setFont(typeface(kBody));
         measured->setAlignment(Qt::AlignRight);
         measured->setText(text::criterionMeasured(criterion));
+        if (criterion.id == "sound_tissue")
+            measured->setToolTip(brokenIntoLines(text::soundTissueCounted()));
         if (criterion.id == "pulp_exposure")
             measured->setToolTip(
                 brokenIntoLines(tr("The area that lies open, seen from above. The volume that was cut away stands "

@@ -28,6 +28,7 @@ namespace {
 using core::terrain::Material;
 
 constexpr int kWidthPx = 272;
+constexpr int kSwatchPx = 18;
 /// Words and digits change this often at most; faster than that, the last digit is a blur.
 constexpr qint64 kWordsEveryMs = 80;
 /// Less than this is friction, and not what a person wonders about.
@@ -110,27 +111,38 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
     column->addWidget(quietLabel(tr("Removed"), content));
-    for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp}) {
+    const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace2);
-        auto* swatch = new MaterialSwatch(18, content);
-        swatch->setMaterial(material);
         auto* value = new TabularLabel(content);
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
-        row->addWidget(swatch);
-        row->addWidget(new QLabel(capitalised(text::materialName(material)), content));
+        value->setObjectName(QString::fromLatin1(objectName));
+        row->addWidget(before);
+        row->addWidget(words);
         row->addStretch(1);
         row->addWidget(value);
         column->addLayout(row);
-        if (material == Material::Pulp)
-            value->setToolTip(
-                brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
+        return value;
+    };
+    const auto addMaterial = [&](Material material, const char* objectName) {
+        auto* swatch = new MaterialSwatch(kSwatchPx, content);
+        swatch->setMaterial(material);
+        TabularLabel* value =
+            addVolume(swatch, new QLabel(capitalised(text::materialName(material)), content), objectName);
         m_removed.at(at(material)) = value;
-    }
-    m_removed.at(at(Material::Enamel))->setObjectName(QStringLiteral("enamelRemoved"));
-    m_removed.at(at(Material::Dentin))->setObjectName(QStringLiteral("dentinRemoved"));
-    m_removed.at(at(Material::Pulp))->setObjectName(QStringLiteral("pulpRemoved"));
+        return value;
+    };
+    addMaterial(Material::Enamel, "enamelRemoved");
+    addMaterial(Material::Dentin, "dentinRemoved");
+    auto* indent = new QWidget(content);
+    indent->setFixedWidth(kSwatchPx);
+    //: Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
+    m_overcut = addVolume(indent, quietLabel(tr("beside the decay"), content), "overcut");
+    m_overcut->setToolTip(brokenIntoLines(text::soundTissueCounted()));
+    addMaterial(Material::Pulp, "pulpRemoved")
+        ->setToolTip(
+            brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
 
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
@@ -253,6 +265,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
     }
+    m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
     QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});

@@ -61,6 +61,7 @@ private:
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    TabularLabel* m_overcut = nullptr;
     QLabel* m_health = nullptr;
     QSlider* m_push = nullptr;
     TabularLabel* m_pushText = nullptr;

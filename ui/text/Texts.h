@@ -43,6 +43,8 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 
 /// "Decay left"; the id itself for a criterion we have no word for.
 [[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
+/// What "sound_tissue" counts, two sentences: the same beside the tooth and in the grade.
+[[nodiscard]] QString soundTissueCounted();
 /// "12.4 %", "1.84 mm³".
 [[nodiscard]] QString criterionMeasured(const lessons::Criterion& criterion);
 /// The formula with its numbers: "(12.40 − 5.00 free) % × 0.5 points = 3.70, rounded 4".
