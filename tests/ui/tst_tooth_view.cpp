@@ -77,7 +77,6 @@ void TestToothView::init()
     m_links = std::make_unique<UiLinks>();
     m_view = std::make_unique<ToothView>(*m_links);
     QVERIFY(m_view->isUsable());
-    m_view->setReducedMotion(true);
     m_view->resize(640, 480);
     m_view->setTooth(m_tooth, 1);
     m_view->show();
@@ -258,7 +257,7 @@ void TestToothView::wheelZoomsAndWithControlSetsTheForce()
     };
     const double far = m_view->camera().distanceMm();
     wheel(2, Qt::NoModifier);
-    QVERIFY(m_view->camera().distanceMm() < 0.9 * far);
+    QTRY_VERIFY(m_view->camera().distanceMm() < 0.9 * far);
     QSignalSpy changed(m_view.get(), &ToothView::pushForceChanged);
     wheel(3, Qt::ControlModifier);
     QVERIFY(std::abs(m_view->pushForce() - PointerControl::kFirstN - 0.3) < 1e-9);

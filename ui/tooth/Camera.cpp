@@ -88,7 +88,7 @@ bool Camera::advance(double seconds)
         return false;
     moveTo(m_distanceMm + (m_wantedMm - m_distanceMm) * (1.0 - std::exp(-seconds / kFollowS)));
     if (std::abs(m_distanceMm - m_wantedMm) < 0.002 * m_wantedMm)
-        settle();
+        moveTo(m_wantedMm);
     return true;
 }
 

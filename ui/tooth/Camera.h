@@ -30,7 +30,6 @@ public:
     void setViewport(glm::dvec2 sizePx);
     /// Looks from the other side: the scene turned by 180 degrees.
     void setTurned(bool turned) { m_turned = turned; }
-    [[nodiscard]] bool isTurned() const { return m_turned; }
 
     /// The azimuth that reset() goes back to; goes there at once if it is another than before.
     void setStart(double azimuthDeg);
@@ -44,8 +43,6 @@ public:
     void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
     /// Lets the distance follow the zoom for a time. True while it still moves.
     bool advance(double seconds);
-    /// Finishes any movement now.
-    void settle() { moveTo(m_wantedMm); }
 
     [[nodiscard]] double azimuthDeg() const { return m_azimuthDeg; }
     [[nodiscard]] double elevationDeg() const { return m_elevationDeg; }

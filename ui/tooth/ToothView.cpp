@@ -217,14 +217,6 @@ void ToothView::setLeftHanded(bool leftHanded)
     update();
 }
 
-void ToothView::setReducedMotion(bool reduced)
-{
-    m_reducedMotion = reduced;
-    if (reduced)
-        m_camera.settle();
-    update();
-}
-
 void ToothView::resetCamera()
 {
     m_camera.reset();
@@ -285,7 +277,7 @@ void ToothView::paintGL()
         m_surfaceIsNew = false;
         m_changes = {};
     }
-    if (m_drillOn && !m_reducedMotion)
+    if (m_drillOn)
         m_turnRad += 0.9;
     drawScene();
     drawForce();
@@ -418,13 +410,10 @@ void ToothView::advanceFrame()
     takePatches();
     moveByKeys(seconds);
     publishPointer();
-    if (m_camera.advance(seconds)) {
-        if (m_reducedMotion)
-            m_camera.settle();
+    if (m_camera.advance(seconds))
         update();
-    }
     const double lift = wantedLiftMm();
-    const double rest = m_reducedMotion ? 0.0 : (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
+    const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
         m_liftMm = next;
         update();
@@ -562,8 +551,6 @@ void ToothView::wheelEvent(QWheelEvent* event)
         const bool onTooth =
             m_surface && m_surface->meet(rayAt(event->position()), under) && m_surface->isTooth(glm::dvec2(under));
         m_camera.zoom(notches, onTooth ? std::optional(under) : std::nullopt);
-        if (m_reducedMotion)
-            m_camera.settle();
         update();
     }
     event->accept();

@@ -56,8 +56,6 @@ public:
     void setDrillOn(bool on);
     /// The other hand: the scene turned by 180 degrees, the handpiece from the left.
     void setLeftHanded(bool leftHanded);
-    /// Without animation: the view zooms at once.
-    void setReducedMotion(bool reduced);
     void resetCamera();
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// What is shown now, in device pixels.
@@ -133,7 +131,6 @@ private:
     bool m_usable = true;
     bool m_drillOn = false;
     bool m_leftHanded = false;
-    bool m_reducedMotion = false;
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;  ///< of the bur
     double m_liftMm = 0.0;   ///< of shank and handpiece, follows wantedLiftMm()
