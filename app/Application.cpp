@@ -199,6 +199,7 @@ void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anato
 {
     if (m_replay) {
         putReplayAway();
+        m_window->setReplaying(false);
         startLoops();
     }
     m_anatomy = std::move(anatomy);
@@ -347,7 +348,6 @@ void Application::putReplayAway()
     m_replayWatch.stop();
     m_replayThread.reset();
     m_replay.reset();
-    m_window->setReplaying(false);
 }
 
 /// Back to the student's own work as it was left. Who has none gets the tooth of the recording, whole.
@@ -361,6 +361,7 @@ void Application::stopReplay()
         return;
     }
     putReplayAway();
+    m_window->setReplaying(false);
     m_links.servo.back() = m_handAtRest;
     m_links.servo.publish();
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
