@@ -157,8 +157,8 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
     const auto* fdi = std::get_if<int>(&source.what);
     const QString file =
         fdi != nullptr ? QString() : QFileInfo(std::get<std::filesystem::path>(source.what)).filePath();
-    m_window->showBusy(
-        fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi) : tr("Reading %1 …").arg(QFileInfo(file).fileName()), -1);
+    m_window->showBusy(fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi)
+                                      : tr("Reading %1 …").arg(QFileInfo(file).fileName()));
     core::teeth::BuildOptions build = m_options.build;
     if (unit)
         build.placement.unit = unit;
@@ -272,7 +272,7 @@ void Application::saveRecording(const QString& path)
 void Application::openRecording(const QString& path)
 {
     const int load = ++m_loading;
-    m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()), -1);
+    m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
         [this, load, path](const core::Result<core::recording::Recording>& recording) {

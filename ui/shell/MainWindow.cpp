@@ -350,12 +350,9 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_messages->say(message);
 }
 
-void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
+void MainWindow::showBusy(const QString& what)
 {
-    if (what.isEmpty())
-        m_busy->done();
-    else
-        m_busy->work(what, percentOrMinusOne);
+    m_busy->work(what);
     enableActions();
     placeOverlays();
 }

@@ -57,8 +57,8 @@ public slots:
     /// @param unitInDoubt  a unit can be chosen beside the notes
     void showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
                    const QStringList& notes, bool unitInDoubt = false);
-    /// Work is going on. It ends with showTooth, showScore, showError, or with an empty `what`.
-    void showBusy(const QString& what, int percentOrMinusOne);
+    /// Work is going on. It ends with showTooth, showScore or showError.
+    void showBusy(const QString& what);
     /// @param file  its path, where there is one
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
     void showMessage(const QString& sentence);
