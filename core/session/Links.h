@@ -110,7 +110,7 @@ struct SessionState
     double recordedS = 0.0;
 };
 
-/// The four channels between ui and the loops, owned by the application, handed by reference.
+/// The channels between ui and the loops, owned by the application, handed by reference.
 struct UiLinks
 {
     rt::TripleBuffer<ServoState> servo;          ///< servo -> ui

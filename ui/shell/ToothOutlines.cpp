@@ -123,7 +123,7 @@ Size sizeOf(bool upper, int position)
 CrownPicture crownPicture(bool upper, int position)
 {
     const Size size = sizeOf(upper, position);
-    CrownPicture picture{size.mesioDistalMm, smoothThrough(outlinePoints(upper, position), size, true), {}};
+    CrownPicture picture{smoothThrough(outlinePoints(upper, position), size, true), {}};
     for (const Points& groove : groovePoints(upper, position))
         picture.grooves.addPath(smoothThrough(groove, size, false));
     return picture;

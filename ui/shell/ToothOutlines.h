@@ -10,7 +10,6 @@ namespace ui::shell {
 /// +x distal, +y towards cheek or lip. Sizes: mean crown diameters (Wheeler); shapes simplified by eye.
 struct CrownPicture
 {
-    double widthMm = 0.0;  ///< mesial to distal: the length it takes in the arch
     QPainterPath outline;
     QPainterPath grooves;  ///< fissures, or the incisal edge
 };

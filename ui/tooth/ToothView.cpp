@@ -708,9 +708,6 @@ void ToothView::fail(const QString& detail)
         m_sentence->show();
     }
     setCursor(Qt::ArrowCursor);
-    // Later, so that a failure in the constructor finds someone connected.
-    QMetaObject::invokeMethod(
-        this, [this, sentence] { emit failed(sentence); }, Qt::QueuedConnection);
 }
 
 void ToothView::leaveContext()

@@ -57,6 +57,7 @@ public:
     /// The other hand: the scene turned by 180 degrees, the handpiece from the left.
     void setLeftHanded(bool leftHanded);
     void resetCamera();
+    /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
@@ -77,8 +78,6 @@ signals:
     void pushForceChanged(double newtons);
     /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
     void pushRefused();
-    /// The view cannot be used; the sentence says why and what to do.
-    void failed(const QString& sentence);
 
 protected:
     void initializeGL() override;
