@@ -45,13 +45,6 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
-QFrame* line(QWidget* parent)
-{
-    auto* rule = new QFrame(parent);
-    rule->setProperty("kind", "line");
-    return rule;
-}
-
 QString signedPoints(int lost)
 {
     return lost == 0 ? QStringLiteral("0") : QChar(0x2212) + QString::number(lost);

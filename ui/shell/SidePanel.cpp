@@ -47,23 +47,9 @@ QLabel* quietLabel(const QString& words, QWidget* parent)
     return label;
 }
 
-QFrame* line(QWidget* parent)
-{
-    auto* rule = new QFrame(parent);
-    rule->setProperty("kind", "line");
-    return rule;
-}
-
 QString dash()
 {
     return QStringLiteral("–");
-}
-
-QString capitalised(QString words)
-{
-    if (!words.isEmpty())
-        words[0] = words[0].toUpper();
-    return words;
 }
 
 }  // namespace
@@ -129,7 +115,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         auto* swatch = new MaterialSwatch(kSwatchPx, content);
         swatch->setMaterial(material);
         TabularLabel* value =
-            addVolume(swatch, new QLabel(capitalised(text::materialName(material)), content), objectName);
+            addVolume(swatch, new QLabel(text::capitalised(text::materialName(material)), content), objectName);
         m_removed.at(at(material)) = value;
         return value;
     };
@@ -231,7 +217,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     const bool inPulp = servo.touching && servo.materialUnderBur == Material::Pulp;
     m_swatch->setMaterial(servo.touching ? std::optional(servo.materialUnderBur) : std::nullopt);
     if (servo.touching)
-        setFigure(m_material, capitalised(text::materialName(servo.materialUnderBur)), {},
+        setFigure(m_material, text::capitalised(text::materialName(servo.materialUnderBur)), {},
                   inPulp ? tone.harmText : QColor());
     else if (servo.handpieceOnCrown)
         setFigure(m_material, tr("Handpiece"), {}, quiet);

@@ -7,6 +7,7 @@
 #include <QString>
 
 class QApplication;
+class QFrame;
 class QWidget;
 
 /// The looks of every page, in one place: palettes, a handful of tokens and one style sheet (ui/assets/cusp.qss).
@@ -59,6 +60,9 @@ void dress(QWidget& widget, const QPalette& palette);
 
 /// The application's family at one of the sizes above.
 [[nodiscard]] QFont typeface(int pixelSize, QFont::Weight weight = QFont::Normal);
+
+/// A thin line between two parts of a page.
+[[nodiscard]] QFrame* line(QWidget* parent);
 
 /// The words of a tooltip that may be long: Qt breaks only rich text into lines, all else runs across the screen.
 [[nodiscard]] QString brokenIntoLines(const QString& words);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QPainterPath>
 #include <QPointF>
 
@@ -13,6 +14,9 @@ struct CrownPicture
     QPainterPath outline;
     QPainterPath grooves;  ///< fissures, or the incisal edge
 };
+
+/// A smooth line through the points (Catmull-Rom as cubic pieces).
+[[nodiscard]] QPainterPath smoothThrough(const QList<QPointF>& points, bool closed);
 
 /// @param upper     upper or lower jaw
 /// @param position  1 central incisor .. 8 third molar

@@ -354,6 +354,13 @@ QString number(double value, int decimals)
     return text.replace(u'-', QChar(0x2212));
 }
 
+QString capitalised(QString words)
+{
+    if (!words.isEmpty())
+        words[0] = words[0].toUpper();
+    return words;
+}
+
 QString duration(double seconds)
 {
     const int whole = static_cast<int>(seconds);

@@ -56,6 +56,8 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 [[nodiscard]] QString unitName(std::string_view unit);
 /// A number with fixed decimals as the user's language writes it, with a true minus sign.
 [[nodiscard]] QString number(double value, int decimals);
+/// With a large first letter.
+[[nodiscard]] QString capitalised(QString words);
 /// Minutes and seconds: "1:07".
 [[nodiscard]] QString duration(double seconds);
 
