@@ -21,6 +21,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/PointerControl.h"
 
 namespace ui::shell {
 namespace {
@@ -72,7 +73,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_swatch = new MaterialSwatch(28, content);
     m_material = addFigure(column, tr("Under the bur"), "materialFigure", m_swatch);
     column->addSpacing(kSpace1);
-    m_forceBar = new ForceBar(kMaxPushN, content);
+    m_forceBar = new ForceBar(tooth::PointerControl::kStrongestN, content);
     m_force = addFigure(column, tr("Force"), "forceFigure");
     column->addWidget(m_forceBar);
     column->addSpacing(kSpace1);
@@ -145,8 +146,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     pushRow->addWidget(m_pushText);
     column->addLayout(pushRow);
     m_push = new QSlider(Qt::Horizontal, content);
-    m_push->setRange(static_cast<int>(std::lround(kMinPushN / kPushStepN)),
-                     static_cast<int>(std::lround(kMaxPushN / kPushStepN)));
+    m_push->setRange(static_cast<int>(std::lround(tooth::PointerControl::kWeakestN / tooth::PointerControl::kStepN)),
+                     static_cast<int>(std::lround(tooth::PointerControl::kStrongestN / tooth::PointerControl::kStepN)));
     m_push->setPageStep(5);
     m_push->setFocusPolicy(Qt::TabFocus);
     m_push->setObjectName(QStringLiteral("pushForce"));
@@ -155,7 +156,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_push->setStatusTip(m_push->toolTip());
     pushLabel->setBuddy(m_push);
     connect(m_push, &QSlider::valueChanged, this, [this](int steps) {
-        setPushForce(steps * kPushStepN);
+        setPushForce(steps * tooth::PointerControl::kStepN);
         emit pushForceChosen(m_pushN);
     });
     column->addWidget(m_push);
@@ -269,9 +270,9 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
 
 void SidePanel::setPushForce(double newtons)
 {
-    m_pushN = std::clamp(newtons, kMinPushN, kMaxPushN);
+    m_pushN = std::clamp(newtons, tooth::PointerControl::kWeakestN, tooth::PointerControl::kStrongestN);
     const QSignalBlocker silent(m_push);
-    m_push->setValue(static_cast<int>(std::lround(m_pushN / kPushStepN)));
+    m_push->setValue(static_cast<int>(std::lround(m_pushN / tooth::PointerControl::kStepN)));
     m_pushText->setText(text::number(m_pushN, 1), QStringLiteral("N"));
 }
 

@@ -29,7 +29,6 @@ namespace {
 constexpr int kFrameMs = 16;
 constexpr int kSamples = 4;
 constexpr int kStillMs = 120;  ///< without a change before a software driver is asked for smooth edges
-constexpr double kForceStepN = 0.1;
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr int kForceToldMs = 1200;
@@ -545,7 +544,7 @@ void ToothView::wheelEvent(QWheelEvent* event)
 {
     const double notches = event->angleDelta().y() / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        setPushForce(m_control.forceN() + kForceStepN * notches);
+        setPushForce(m_control.forceN() + PointerControl::kStepN * notches);
     } else {
         glm::dvec3 under(0.0);
         const bool onTooth =
@@ -614,10 +613,10 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         publishPointer();
         break;
     case Qt::Key_Comma:
-        setPushForce(m_control.forceN() - kForceStepN);
+        setPushForce(m_control.forceN() - PointerControl::kStepN);
         break;
     case Qt::Key_Period:
-        setPushForce(m_control.forceN() + kForceStepN);
+        setPushForce(m_control.forceN() + PointerControl::kStepN);
         break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
