@@ -85,6 +85,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         if (m_replay)
             m_replay->setPaused(paused);
     });
+    connect(m_window.get(), &MainWindow::replaySpeedChosen, this, [this](int times) {
+        if (m_replay)
+            m_replay->setSpeed(times);
+    });
     m_replayWatch.setInterval(kReplayWatchMs);
     connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
@@ -153,8 +157,8 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
     const auto* fdi = std::get_if<int>(&source.what);
     const QString file =
         fdi != nullptr ? QString() : QFileInfo(std::get<std::filesystem::path>(source.what)).filePath();
-    m_window->showBusy(
-        fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi) : tr("Reading %1 …").arg(QFileInfo(file).fileName()), -1);
+    m_window->showBusy(fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi)
+                                      : tr("Reading %1 …").arg(QFileInfo(file).fileName()));
     core::teeth::BuildOptions build = m_options.build;
     if (unit)
         build.placement.unit = unit;
@@ -195,6 +199,7 @@ void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anato
 {
     if (m_replay) {
         putReplayAway();
+        m_window->setReplaying(false);
         startLoops();
     }
     m_anatomy = std::move(anatomy);
@@ -267,7 +272,7 @@ void Application::saveRecording(const QString& path)
 void Application::openRecording(const QString& path)
 {
     const int load = ++m_loading;
-    m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()), -1);
+    m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
         [this, load, path](const core::Result<core::recording::Recording>& recording) {
@@ -343,7 +348,6 @@ void Application::putReplayAway()
     m_replayWatch.stop();
     m_replayThread.reset();
     m_replay.reset();
-    m_window->setReplaying(false);
 }
 
 /// Back to the student's own work as it was left. Who has none gets the tooth of the recording, whole.
@@ -357,6 +361,7 @@ void Application::stopReplay()
         return;
     }
     putReplayAway();
+    m_window->setReplaying(false);
     m_links.servo.back() = m_handAtRest;
     m_links.servo.publish();
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {

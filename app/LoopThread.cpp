@@ -10,8 +10,8 @@ namespace app {
 
 using Clock = std::chrono::steady_clock;
 
-LoopThread::LoopThread(core::rt::Loop& loop, std::chrono::microseconds period, Urgency urgency, QObject* parent)
-    : QThread(parent), m_loop(loop), m_period(period), m_urgency(urgency)
+LoopThread::LoopThread(core::rt::Loop& loop, std::chrono::microseconds period, Urgency urgency)
+    : m_loop(loop), m_period(period), m_urgency(urgency)
 {}
 
 LoopThread::~LoopThread()

@@ -18,7 +18,7 @@ public:
     enum class Urgency { Normal, RealTime };
 
     /// @param loop  must outlive the thread
-    LoopThread(core::rt::Loop& loop, std::chrono::microseconds period, Urgency urgency, QObject* parent = nullptr);
+    LoopThread(core::rt::Loop& loop, std::chrono::microseconds period, Urgency urgency);
     /// Asks the loop to stop and waits for it.
     ~LoopThread() override;
 

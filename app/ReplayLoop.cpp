@@ -8,13 +8,6 @@ namespace app {
 using namespace core::session;
 using core::history::TiledHeights;
 
-namespace {
-
-/// Volumes are worked out once in so many beats: ten times a second at 100 Hz.
-constexpr int kBeatsPerMeasure = 10;
-
-}  // namespace
-
 core::Result<std::unique_ptr<ReplayLoop>> ReplayLoop::make(const core::recording::Recording& recording, UiLinks& links,
                                                            std::uint64_t generation)
 {
@@ -28,7 +21,7 @@ ReplayLoop::ReplayLoop(const core::recording::Recording& recording, UiLinks& lin
                        std::unique_ptr<ServoTick> servo)
     : m_anatomy(recording.anatomy()), m_links(links), m_generation(generation), m_servo(std::move(servo)),
       m_tooth(std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(m_anatomy))),
-      m_shown(m_anatomy->grid, m_anatomy->top), m_newest(m_shown)
+      m_shown(m_anatomy->grid, m_anatomy->top), m_newest(m_shown), m_removed(m_anatomy)
 {
     recording.forEach([this](const ServoEvent& event) {
         m_events.push_back(event);
@@ -44,7 +37,7 @@ ReplayLoop::ReplayLoop(const core::recording::Recording& recording, UiLinks& lin
 void ReplayLoop::tick(std::chrono::microseconds dt)
 {
     if (!m_paused.load(std::memory_order_relaxed))
-        m_due += dt;
+        m_due += dt * m_speed.load(std::memory_order_relaxed);
     while (m_next < m_events.size() && m_played < m_due)
         play(m_events[m_next++]);
     sendPatches();
@@ -99,20 +92,16 @@ void ReplayLoop::sendPatches()
         m_toSend.pop_front();
 }
 
-void ReplayLoop::measure()
-{
-    m_session.removedMm3 = core::terrain::removedVolumes(m_tooth->tooth());
-    m_session.perforated = !core::terrain::perforations(m_tooth->tooth()).empty();
-}
-
 void ReplayLoop::publish()
 {
     ServoState& state = m_links.servo.back();
     state = m_servo->state();
     state.toothGeneration = m_generation;
     m_links.servo.publish();
-    if (m_beat++ % kBeatsPerMeasure == 0 || m_next == m_events.size())
-        measure();
+    const core::history::Removed& removed = m_removed.of(m_newest);
+    m_session.removedMm3 = removed.volumesMm3;
+    m_session.overcutMm3 = removed.overcutMm3;
+    m_session.perforated = removed.perforated;
     m_session.recordedS = std::chrono::duration<double>(m_played).count();
     m_links.session.publish(m_session);
 }

@@ -6,14 +6,14 @@
 #include <set>
 #include <vector>
 
-#include "core/history/TiledHeights.h"
+#include "core/history/RemovedTally.h"
 #include "core/recording/Recording.h"
 #include "core/rt/Loop.h"
 
 namespace app {
 
-/// Plays a recording into the view at the speed at which it was made. It stands in for the servo and the session loop,
-/// which must rest meanwhile: like them it writes states and patches, and only those.
+/// Plays a recording into the view, at first at the speed at which it was made. It stands in for the servo and the
+/// session loop, which must rest meanwhile: like them it writes states and patches, and only those.
 class ReplayLoop final : public core::rt::Loop
 {
 public:
@@ -24,6 +24,8 @@ public:
 
     void tick(std::chrono::microseconds dt) override;
 
+    /// Any thread: plays so many times as fast as it was made.
+    void setSpeed(int times) { m_speed.store(times, std::memory_order_relaxed); }
     /// Any thread: holds the recording where it is, or lets it go on.
     void setPaused(bool paused) { m_paused.store(paused, std::memory_order_relaxed); }
     /// Any thread: the last event has been played.
@@ -35,7 +37,6 @@ private:
 
     void play(const core::session::ServoEvent& event);
     void sendPatches();
-    void measure();
     void publish();
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
@@ -50,11 +51,12 @@ private:
     std::uint64_t m_tick = 0;
     core::history::TiledHeights m_shown;   ///< what the view has been sent
     core::history::TiledHeights m_newest;  ///< the tooth, as tiles
-    std::set<std::uint64_t> m_restored;    ///< ticks that some undo goes back to
+    core::history::RemovedTally m_removed;
+    std::set<std::uint64_t> m_restored;  ///< ticks that some undo goes back to
     std::vector<std::pair<std::uint64_t, core::history::TiledHeights>> m_moments;
     std::deque<core::session::TilePatch> m_toSend;
     core::session::SessionState m_session;
-    int m_beat = 0;
+    std::atomic<int> m_speed{1};
     std::atomic<bool> m_paused{false};
     std::atomic<bool> m_finished{false};
 };

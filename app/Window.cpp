@@ -48,6 +48,12 @@ void addOptions(QCommandLineParser& parser)
     cli::addToothOptions(parser);
 }
 
+/// The languages of translations/; one for a country, such as de_AT, is understood too.
+bool isSpoken(const QLocale& locale)
+{
+    return locale.language() == QLocale::English || locale.language() == QLocale::German;
+}
+
 /// Understands what the window was asked for, or explains what is wrong with it and gives the exit code.
 std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& arguments, WindowOptions& options)
 {
@@ -57,16 +63,20 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     if (!parser.positionalArguments().isEmpty())
         return cli::wrongUsage(QStringLiteral("\"%1\" belongs to no option; a scan is opened with --tooth FILE")
                                    .arg(parser.positionalArguments().front()));
-    const auto build = cli::toothOptions(parser);
-    if (!build)
-        return cli::wrongUsage(QString::fromStdString(build.error().detail));
-    const QString theme = parser.value(QStringLiteral("theme"));
-    if (!theme.isEmpty() && theme != u"light" && theme != u"dark")
-        return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
-    options.build = *build;
+    if (parser.isSet(QStringLiteral("recording")) && parser.isSet(QStringLiteral("tooth")))
+        return cli::wrongUsage(QStringLiteral("a recording brings its own tooth; leave out --tooth or --recording"));
     options.source = parser.isSet(QStringLiteral("tooth"))
                          ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
                          : core::teeth::ToothSource{kFirstTooth};
+    const auto build = cli::toothOptions(parser, options.source);
+    if (!build)
+        return cli::wrongUsage(QString::fromStdString(build.error().detail));
+    const QString theme = parser.value(QStringLiteral("theme"));
+    if (parser.isSet(QStringLiteral("theme")) && theme != u"light" && theme != u"dark")
+        return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
+    if (parser.isSet(QStringLiteral("language")) && !isSpoken(QLocale(parser.value(QStringLiteral("language")))))
+        return cli::wrongUsage(QStringLiteral("--language wants en or de"));
+    options.build = *build;
     options.recording = parser.value(QStringLiteral("recording"));
     options.picture = parser.value(QStringLiteral("picture"));
     options.databaseFile = parser.value(QStringLiteral("db"));
@@ -99,6 +109,14 @@ void installLanguage(QApplication& application, const QString& language)
 }
 
 }  // namespace
+
+QString windowOptionsHelp()
+{
+    QCommandLineParser parser;
+    addOptions(parser);
+    // Before them Qt writes a usage line and the description.
+    return parser.helpText().section(QStringLiteral("Options:\n"), 1);
+}
 
 int runWindow(int& argc, char** argv)
 {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 namespace app {
 
-/// Opens the window and runs until it is closed. Options: --tooth FILE|FDI and how to read it, --recording FILE, --db
-/// FILE, --theme light|dark, --language CODE. Returns the exit code; wrong usage is explained on stderr.
+/// Opens the window and runs until it is closed. Returns the exit code; wrong usage is explained on stderr.
 int runWindow(int& argc, char** argv);
+
+/// The options that runWindow() understands, with what each is for, one a line.
+[[nodiscard]] QString windowOptionsHelp();
 
 }  // namespace app

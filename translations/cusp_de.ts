@@ -5,19 +5,19 @@
     <name>Bur</name>
     <message>
         <source>Round, No. 2</source>
-        <translation>Rund, Nr. 2</translation>
+        <translation>Rundbohrer, Nr. 2</translation>
     </message>
     <message>
         <source>Pear, No. 330</source>
-        <translation>Birne, Nr. 330</translation>
+        <translation>Birnenförmig, Nr. 330</translation>
     </message>
     <message>
         <source>Long pear, No. 245</source>
-        <translation>Lange Birne, Nr. 245</translation>
+        <translation>Lang birnenförmig, Nr. 245</translation>
     </message>
     <message>
         <source>Straight fissure, No. 57</source>
-        <translation>Fissurenbohrer, Nr. 57</translation>
+        <translation>Zylindrisch, Nr. 57</translation>
     </message>
 </context>
 <context>
@@ -25,10 +25,6 @@
     <message>
         <source>Decay left</source>
         <translation>Restkaries</translation>
-    </message>
-    <message>
-        <source>Sound tissue removed</source>
-        <translation>Gesundes entfernt</translation>
     </message>
     <message>
         <source>Pulp opened</source>
@@ -52,8 +48,8 @@
     <message numerus="yes">
         <source>Any at all: %n point(s) at once</source>
         <translation>
-            <numerusform>Jede Eröffnung: sofort %n Punkt</numerusform>
-            <numerusform>Jede Eröffnung: sofort %n Punkte</numerusform>
+            <numerusform>Schon die kleinste Stelle: sofort %n Punkt</numerusform>
+            <numerusform>Schon die kleinste Stelle: sofort %n Punkte</numerusform>
         </translation>
     </message>
     <message>
@@ -80,6 +76,14 @@
     <message>
         <source>Tooth perforated</source>
         <translation>Zahn perforiert</translation>
+    </message>
+    <message>
+        <source>Sound tissue removed beside the decay</source>
+        <translation>Gesunde Hartsubstanz neben der Karies</translation>
+    </message>
+    <message>
+        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
+        <translation>Schmelz und Dentin neben und unter der Karies. Was genau über der Karies liegt, muss abgetragen werden und zählt nicht.</translation>
     </message>
 </context>
 <context>
@@ -172,7 +176,7 @@
     <message>
         <source>The tooth cannot be made. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Der Zahn lässt sich nicht herstellen. %1</translation>
+        <translation>Der Zahn lässt sich nicht erzeugen. %1</translation>
     </message>
     <message>
         <source>The recording cannot be played. %1</source>
@@ -187,14 +191,14 @@
     <message>
         <source>Grades will not be kept; drilling and grading work all the same. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Bewertungen werden nicht aufbewahrt; bohren und bewerten lassen können Sie trotzdem. %1</translation>
+        <translation>Bewertungen werden nicht aufbewahrt; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
 </context>
 <context>
     <name>Health</name>
     <message>
         <source>The handpiece is gone: no force. Plug it in again.</source>
-        <translation>Das Handstück fehlt: keine Kraft. Stecken Sie es wieder an.</translation>
+        <translation>Das Handstück ist nicht verbunden: keine Kraft. Stecken Sie es wieder an.</translation>
     </message>
     <message>
         <source>The computer was too slow: the recording has a gap.</source>
@@ -206,7 +210,7 @@
     </message>
     <message>
         <source>Force at its limit</source>
-        <translation>Kraft am Anschlag</translation>
+        <translation>Kraft an der Grenze</translation>
     </message>
 </context>
 <context>
@@ -377,7 +381,7 @@
     <name>app::Application</name>
     <message>
         <source>Making tooth %1 …</source>
-        <translation>Zahn %1 entsteht …</translation>
+        <translation>Zahn %1 wird erzeugt …</translation>
     </message>
     <message>
         <source>Reading %1 …</source>
@@ -385,7 +389,7 @@
     </message>
     <message>
         <source>The tooth is whole, and yours to drill.</source>
-        <translation>Der Zahn ist unversehrt, Sie können jetzt selbst bohren.</translation>
+        <translation>Der Zahn ist unversehrt, Sie können ihn jetzt selbst präparieren.</translation>
     </message>
     <message>
         <source>This is your own work again, as you left it.</source>
@@ -404,15 +408,15 @@
     <name>ui::shell::Actions</name>
     <message>
         <source>Drill</source>
-        <translation>Bohren</translation>
+        <translation>Präparieren</translation>
     </message>
     <message>
         <source>Drill on or off</source>
-        <translation>Bohrer an oder aus</translation>
+        <translation>Handstück an oder aus</translation>
     </message>
     <message>
         <source>Let the bur turn, or stop it</source>
-        <translation>Den Bohrer drehen lassen oder anhalten</translation>
+        <translation>Das Instrument laufen lassen oder anhalten</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -420,7 +424,7 @@
     </message>
     <message>
         <source>Take back the last stroke</source>
-        <translation>Den letzten Zug zurücknehmen</translation>
+        <translation>Den letzten Strich rückgängig machen</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -428,7 +432,7 @@
     </message>
     <message>
         <source>Make the stroke again that was taken back</source>
-        <translation>Den zurückgenommenen Zug noch einmal machen</translation>
+        <translation>Den rückgängig gemachten Strich wiederholen</translation>
     </message>
     <message>
         <source>Start again</source>
@@ -436,7 +440,7 @@
     </message>
     <message>
         <source>Make the tooth whole again; undo brings your work back</source>
-        <translation>Den Zahn wieder ganz machen; Rückgängig bringt Ihre Arbeit zurück</translation>
+        <translation>Mit unversehrtem Zahn neu beginnen; „Rückgängig“ bringt Ihre Arbeit zurück</translation>
     </message>
     <message>
         <source>Grade</source>
@@ -444,7 +448,7 @@
     </message>
     <message>
         <source>Measure what you have cut and explain the grade</source>
-        <translation>Messen, was Sie präpariert haben, und die Note erklären</translation>
+        <translation>Die Präparation messen und die Bewertung erklären</translation>
     </message>
     <message>
         <source>Handpiece</source>
@@ -452,7 +456,7 @@
     </message>
     <message>
         <source>Take this bur</source>
-        <translation>Diesen Bohrer nehmen</translation>
+        <translation>Dieses Instrument nehmen</translation>
     </message>
     <message>
         <source>Other hand</source>
@@ -484,11 +488,11 @@
     </message>
     <message>
         <source>Save the recording</source>
-        <translation>Aufzeichnung sichern</translation>
+        <translation>Aufzeichnung speichern</translation>
     </message>
     <message>
         <source>Save every movement of this attempt to a file</source>
-        <translation>Jede Bewegung dieses Versuchs in eine Datei schreiben</translation>
+        <translation>Jede Bewegung dieses Versuchs in einer Datei speichern</translation>
     </message>
     <message>
         <source>Open a recording</source>
@@ -496,7 +500,7 @@
     </message>
     <message>
         <source>Watch a saved attempt again</source>
-        <translation>Einen gesicherten Versuch noch einmal ansehen</translation>
+        <translation>Einen gespeicherten Versuch noch einmal ansehen</translation>
     </message>
     <message>
         <source>Window</source>
@@ -504,11 +508,11 @@
     </message>
     <message>
         <source>View from the start</source>
-        <translation>Ansicht vom Anfang</translation>
+        <translation>Anfangsansicht</translation>
     </message>
     <message>
         <source>Turn the tooth back to where it began</source>
-        <translation>Den Zahn zurückdrehen wie am Anfang</translation>
+        <translation>Den Zahn wie am Anfang ansehen</translation>
     </message>
     <message>
         <source>Side panel</source>
@@ -516,7 +520,7 @@
     </message>
     <message>
         <source>Show the figures, or put them away</source>
-        <translation>Die Messwerte zeigen oder wegräumen</translation>
+        <translation>Die Messwerte ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -532,7 +536,7 @@
     </message>
     <message>
         <source>Show what every key does</source>
-        <translation>Zeigen, was jede Taste tut</translation>
+        <translation>Zeigen, was jede Taste bewirkt</translation>
     </message>
     <message>
         <source>Back to the tooth</source>
@@ -540,7 +544,7 @@
     </message>
     <message>
         <source>Close what lies over the tooth; nothing is lost</source>
-        <translation>Schließen, was über dem Zahn liegt; nichts geht verloren</translation>
+        <translation>Schließen, was den Zahn verdeckt; nichts geht verloren</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -562,6 +566,10 @@
     <message>
         <source>Hold the recording where it is, or let it go on</source>
         <translation>Die Aufzeichnung anhalten oder weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Resume the replay</source>
+        <translation>Wiedergabe fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -591,7 +599,7 @@
     <name>ui::shell::BurChooser</name>
     <message>
         <source>Burs</source>
-        <translation>Bohrer</translation>
+        <translation>Instrumente</translation>
     </message>
 </context>
 <context>
@@ -609,19 +617,19 @@
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
-        <translation>Bohrer ist an</translation>
+        <translation>Handstück ist an</translation>
     </message>
     <message>
         <source>Drill is off</source>
-        <translation>Bohrer ist aus</translation>
+        <translation>Handstück ist aus</translation>
     </message>
     <message>
         <source>Drill on</source>
-        <translation>Bohrer an</translation>
+        <translation>Handstück an</translation>
     </message>
     <message>
         <source>Drill off</source>
-        <translation>Bohrer aus</translation>
+        <translation>Handstück aus</translation>
     </message>
 </context>
 <context>
@@ -639,7 +647,7 @@
     <name>ui::shell::HelpOverlay</name>
     <message>
         <source>Move the bur</source>
-        <translation>Bohrer führen</translation>
+        <translation>Instrument führen</translation>
     </message>
     <message>
         <source>mouse</source>
@@ -682,10 +690,6 @@
         <translation>Ansicht drehen</translation>
     </message>
     <message>
-        <source>right drag</source>
-        <translation>rechts ziehen</translation>
-    </message>
-    <message>
         <source>Ctrl + arrows</source>
         <translation>Strg + Pfeile</translation>
     </message>
@@ -707,7 +711,7 @@
     </message>
     <message>
         <source>Over the tooth</source>
-        <translation>Über dem Zahn</translation>
+        <translation>Am Zahn</translation>
     </message>
     <message>
         <source>Turn it back</source>
@@ -721,12 +725,24 @@
         <source>Home</source>
         <translation>Pos1</translation>
     </message>
+    <message>
+        <source>Move it finely</source>
+        <translation>In feinen Schritten führen</translation>
+    </message>
+    <message>
+        <source>Shift + arrows</source>
+        <translation>Umschalt + Pfeile</translation>
+    </message>
+    <message>
+        <source>right or middle drag</source>
+        <translation>rechts oder Mitte ziehen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
     <message>
         <source>Last grades, oldest first: %1</source>
-        <translation>Letzte Noten, älteste zuerst: %1</translation>
+        <translation>Letzte Bewertungen, älteste zuerst: %1</translation>
     </message>
     <message>
         <source>pass mark %1</source>
@@ -741,7 +757,7 @@
     </message>
     <message>
         <source>The tooth is whole again.</source>
-        <translation>Der Zahn ist wieder ganz.</translation>
+        <translation>Der Zahn ist wieder unversehrt.</translation>
     </message>
     <message>
         <source>Bring my work back</source>
@@ -776,7 +792,7 @@
     </message>
     <message>
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
-        <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie so etwas herein.</translation>
+        <translation>Das ist weder ein Scan (OBJ, STL, PLY) noch eine Aufzeichnung. Ziehen Sie eine solche Datei herein.</translation>
     </message>
     <message>
         <source>This is a replay. Stop it to be graded on your own work.</source>
@@ -820,7 +836,7 @@
     </message>
     <message>
         <source>Undo takes the stroke back.</source>
-        <translation>Rückgängig nimmt den Zug zurück.</translation>
+        <translation>„Rückgängig“ nimmt den letzten Strich zurück.</translation>
     </message>
     <message>
         <source>Tooth perforated</source>
@@ -850,6 +866,10 @@
         <source>Leave it as it is</source>
         <translation>So lassen</translation>
     </message>
+    <message>
+        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
+        <translation>Von unten wird nicht präpariert: Das Instrument arbeitet auf der anderen Seite des Zahns. Drehen Sie ihn zurück oder drücken Sie V.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -874,7 +894,7 @@
     </message>
     <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
-        <translation>Maus über den Zahn führen, linke Taste bohrt; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
+        <translation>Maus über den Zahn führen, zum Präparieren linke Taste drücken; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
     </message>
     <message>
         <source>You are watching a recording</source>
@@ -882,7 +902,7 @@
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Stop the recording</source>
@@ -900,6 +920,19 @@
         <source>%1 of %2</source>
         <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
+        <translation>Geschwindigkeit der Wiedergabe: 1-, 2-, 4- oder 8-fach</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
     </message>
 </context>
 <context>
@@ -926,7 +959,7 @@
     </message>
     <message>
         <source>How the grade was worked out</source>
-        <translation>So kommt die Note zustande</translation>
+        <translation>So kommt die Bewertung zustande</translation>
     </message>
     <message>
         <source>Sum</source>
@@ -934,7 +967,7 @@
     </message>
     <message>
         <source>Last grades of this tooth</source>
-        <translation>Letzte Noten dieses Zahns</translation>
+        <translation>Letzte Bewertungen dieses Zahns</translation>
     </message>
     <message>
         <source>Grade: %1</source>
@@ -951,7 +984,7 @@
     </message>
     <message>
         <source>Not passed: harm done</source>
-        <translation>Nicht bestanden: Schaden</translation>
+        <translation>Nicht bestanden: Zahn geschädigt</translation>
     </message>
     <message>
         <source>Not passed yet</source>
@@ -960,11 +993,11 @@
     <message>
         <source>At most %1 points can be lost here</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation>Hier gehen höchstens %1 Punkte verloren</translation>
+        <translation>Hier sind höchstens %1 Punkte zu verlieren</translation>
     </message>
     <message>
         <source>This is the first grade of this tooth.</source>
-        <translation>Das ist die erste Note dieses Zahns.</translation>
+        <translation>Das ist die erste Bewertung dieses Zahns.</translation>
     </message>
     <message>
         <source>Grades are not being kept; this one will not be here next time.</source>
@@ -972,7 +1005,7 @@
     </message>
     <message>
         <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
+        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen in mm³ steht in der Seitenleiste.</translation>
     </message>
 </context>
 <context>
@@ -983,7 +1016,7 @@
     </message>
     <message>
         <source>Under the bur</source>
-        <translation>Unter dem Bohrer</translation>
+        <translation>Unter dem Instrument</translation>
     </message>
     <message>
         <source>Force</source>
@@ -999,28 +1032,28 @@
     </message>
     <message>
         <source>Removed</source>
-        <translation>Entfernt</translation>
+        <translation>Abgetragen</translation>
     </message>
     <message>
         <source>Bur</source>
-        <translation>Bohrer</translation>
+        <translation>Instrument</translation>
     </message>
     <message>
         <source>Push with</source>
-        <translation>Drücken mit</translation>
+        <translation>Anpresskraft</translation>
     </message>
     <message>
         <source>Push with, newtons</source>
-        <translation>Drücken mit, Newton</translation>
+        <translation>Anpresskraft in Newton</translation>
     </message>
     <message>
         <source>How hard the mouse and the keys push the bur against the tooth</source>
-        <translation>Wie stark Maus und Tasten den Bohrer an den Zahn drücken</translation>
+        <translation>Wie stark Maus und Tasten das Instrument an den Zahn drücken</translation>
     </message>
     <message>
         <source>Air</source>
         <comment>the bur touches nothing</comment>
-        <translation>Luft</translation>
+        <translation>Kein Kontakt</translation>
     </message>
     <message>
         <source>N, limited</source>
@@ -1033,7 +1066,7 @@
     </message>
     <message>
         <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
-        <translation>Wie tief die Spitze unter der ursprünglichen Oberfläche steht. Am Rand des Zahns, wo das Maß nach unten wenig sagt, wird nichts angezeigt.</translation>
+        <translation>Wie tief die Spitze unter der ursprünglichen Oberfläche steht. Am Rand des Zahns wird nichts angezeigt: Senkrecht gemessen sagt das Maß dort wenig.</translation>
     </message>
     <message>
         <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
@@ -1044,6 +1077,19 @@
         <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
         <translation>N, %1 seitlich</translation>
     </message>
+    <message>
+        <source>beside the decay</source>
+        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
+        <translation>neben der Karies</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
+        <translation>Das Handstück liegt auf der Krone auf: Tiefer kommt das Instrument nicht.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ToothChooser</name>
@@ -1053,27 +1099,27 @@
     </message>
     <message>
         <source>Drill this tooth</source>
-        <translation>Diesen Zahn bohren</translation>
+        <translation>Diesen Zahn präparieren</translation>
     </message>
     <message>
         <source>Put this tooth on the table (Enter)</source>
-        <translation>Diesen Zahn auf den Tisch legen (Eingabe)</translation>
+        <translation>Diesen Zahn zum Üben nehmen (Eingabe)</translation>
     </message>
     <message>
         <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
-        <translation>Oder bohren Sie einen eigenen Zahn: einen Scan als OBJ, STL oder PLY. Sie können die Datei auch irgendwo auf dieses Fenster ziehen.</translation>
+        <translation>Oder präparieren Sie einen eigenen Zahn: einen Scan als OBJ, STL oder PLY. Sie können die Datei auch irgendwo auf dieses Fenster ziehen.</translation>
     </message>
     <message>
         <source>Nothing chosen</source>
-        <translation>Nichts gewählt</translation>
+        <translation>Kein Zahn gewählt</translation>
     </message>
     <message>
         <source>On the table now. Taking it again gives you a whole one.</source>
-        <translation>Liegt schon auf dem Tisch. Noch einmal genommen, ist er wieder ganz.</translation>
+        <translation>An diesem Zahn arbeiten Sie gerade. Wählen Sie ihn noch einmal, beginnt er unversehrt.</translation>
     </message>
     <message>
         <source>Click a tooth, or walk with the arrow keys.</source>
-        <translation>Klicken Sie auf einen Zahn oder gehen Sie mit den Pfeiltasten.</translation>
+        <translation>Klicken Sie einen Zahn an oder wählen Sie mit den Pfeiltasten.</translation>
     </message>
 </context>
 <context>
@@ -1084,7 +1130,7 @@
     </message>
     <message>
         <source>Arrow keys move the bur, page down pushes, page up lifts.</source>
-        <translation>Pfeiltasten führen den Bohrer, Bild ab drückt, Bild auf hebt ab.</translation>
+        <translation>Pfeiltasten führen das Instrument, Bild ab drückt, Bild auf hebt ab.</translation>
     </message>
     <message>
         <source>%1 N</source>

@@ -27,10 +27,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sound tissue removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pulp opened</source>
         <translation type="unfinished"></translation>
     </message>
@@ -79,6 +75,14 @@
     </message>
     <message>
         <source>Tooth perforated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound tissue removed beside the decay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -563,6 +567,10 @@
         <source>Hold the recording where it is, or let it go on</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Resume the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -682,10 +690,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>right drag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ctrl + arrows</source>
         <translation type="unfinished"></translation>
     </message>
@@ -719,6 +723,18 @@
     </message>
     <message>
         <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move it finely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift + arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right or middle drag</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -850,6 +866,10 @@
         <source>Leave it as it is</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -899,6 +919,19 @@
     <message>
         <source>%1 of %2</source>
         <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1042,6 +1075,19 @@
     <message>
         <source>N, %1 sideways</source>
         <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beside the decay</source>
+        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

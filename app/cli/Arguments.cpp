@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 
 #include "app/cli/Commands.h"
+#include "core/teeth/ToothTable.h"
 
 namespace app::cli {
 namespace {
@@ -79,6 +80,25 @@ core::Status readPlacement(const QCommandLineParser& parser, core::mesh::Placeme
     return {};
 }
 
+/// Whether this source can be, and these options can be about it.
+core::Status checkSource(const QCommandLineParser& parser, const core::teeth::ToothSource& source)
+{
+    const int* const fdi = std::get_if<int>(&source.what);
+    if (fdi == nullptr)
+        return {};
+    if (const auto known = core::teeth::findToothSizes(*fdi); !known)
+        return tl::unexpected(known.error());
+    for (const char* option : {"unit", "up", "fdi", "frame"})
+        if (parser.isSet(QLatin1String(option)))
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    QStringLiteral("--%1 is about a mesh file, and tooth %2 comes from no file; leave "
+                                                   "it out")
+                                        .arg(QLatin1String(option))
+                                        .arg(*fdi)
+                                        .toStdString());
+    return {};
+}
+
 core::Status readTissues(const QCommandLineParser& parser, core::teeth::BuildOptions& options)
 {
     using core::teeth::CariesRule;
@@ -99,7 +119,8 @@ core::Status readTissues(const QCommandLineParser& parser, core::teeth::BuildOpt
 
 }  // namespace
 
-std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage)
+std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage,
+                         const QString& repeatable)
 {
     const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Prints this help."));
     parser.addOption(help);
@@ -109,8 +130,12 @@ std::optional<int> parse(QCommandLineParser& parser, const QStringList& argument
         printText(QStringLiteral("Usage: ") + usage + parser.helpText().section(u'\n', 1).prepend(u'\n'));
         return kDone;
     }
-    if (understood)
+    if (understood) {
+        for (const QString& name : parser.optionNames())
+            if (name != repeatable && parser.values(name).size() > 1)
+                return wrongUsage(QStringLiteral("--%1 is given more than once; say which you mean").arg(name));
         return std::nullopt;
+    }
     QString fault = parser.errorText();
     fault.chop(fault.endsWith(u'.') ? 1 : 0);
     return wrongUsage(fault + QStringLiteral("; usage: ") + usage);
@@ -132,11 +157,12 @@ void addToothOptions(QCommandLineParser& parser)
     add("extent", "How far the decay has gone, 0 to 1.", "X", "0.5");
 }
 
-core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser)
+core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser,
+                                                     const core::teeth::ToothSource& source)
 {
     core::teeth::BuildOptions options;
-    for (core::Status status :
-         {readNumbers(parser, options), readPlacement(parser, options.placement), readTissues(parser, options)})
+    for (core::Status status : {readNumbers(parser, options), readPlacement(parser, options.placement),
+                                readTissues(parser, options), checkSource(parser, source)})
         if (!status)
             return tl::unexpected(std::move(status).error());
     return options;
@@ -165,6 +191,12 @@ int failed(const core::Error& error)
     return kFailed;
 }
 
+void warn(const std::vector<std::string>& warnings)
+{
+    for (const std::string& warning : warnings)
+        explain(QStringLiteral("warning: ") + QString::fromStdString(warning));
+}
+
 void printText(const QString& text)
 {
     printTo(stdout, text);
@@ -173,6 +205,14 @@ void printText(const QString& text)
 void printJson(const QJsonObject& object)
 {
     printTo(stdout, QString::fromUtf8(QJsonDocument(object).toJson()));
+}
+
+QJsonArray toJsonArray(const std::vector<std::string>& sentences)
+{
+    QJsonArray array;
+    for (const std::string& sentence : sentences)
+        array.append(QString::fromStdString(sentence));
+    return array;
 }
 
 }  // namespace app::cli

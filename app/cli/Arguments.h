@@ -2,8 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <QCommandLineParser>
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QStringList>
 
@@ -16,13 +19,17 @@ namespace app::cli {
 /// Parses the arguments after the command's name, with --help added. Returns an exit code when the command is over:
 /// help was printed, or the usage was wrong and has been explained.
 /// @param usage  the line after "Usage: ", such as "cusp tooth FILE|FDI [OPTIONS]"
-[[nodiscard]] std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage);
+/// @param repeatable  the option that may have several values, where there is one
+[[nodiscard]] std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage,
+                                       const QString& repeatable = {});
 
 /// Adds --grid --unit --up --fdi --frame --seed --layers --caries --extent: how a tooth is read or made.
 void addToothOptions(QCommandLineParser& parser);
 
-/// Their values, or a sentence about the first that is wrong: a matter for wrongUsage().
-[[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser);
+/// Their values, or a sentence about the first that is wrong: a matter for wrongUsage(). Wrong are also the number of a
+/// tooth that cannot be made, and for one that can, options that are about a file.
+[[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser,
+                                                                   const core::teeth::ToothSource& source);
 
 /// A whole number within [low, high] given to an option, or a sentence.
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
@@ -32,7 +39,11 @@ void addToothOptions(QCommandLineParser& parser);
 int wrongUsage(const QString& sentence);
 int failed(const core::Error& error);
 
+/// Prints each to stderr, on a line of its own: what went well enough to go on.
+void warn(const std::vector<std::string>& warnings);
+
 void printText(const QString& text);
 void printJson(const QJsonObject& object);
+[[nodiscard]] QJsonArray toJsonArray(const std::vector<std::string>& sentences);
 
 }  // namespace app::cli

@@ -104,7 +104,7 @@ int benchCommand(const QStringList& arguments)
     QCommandLineParser parser;
     addOptions(parser);
     const QString usage = QStringLiteral("cusp bench [SUITE] [--mesh FILE] [--out DIR] [OPTIONS]");
-    if (const auto code = parse(parser, arguments, usage))
+    if (const auto code = parse(parser, arguments, usage, QStringLiteral("mesh")))
         return *code;
     if (parser.positionalArguments().size() > 1)
         return wrongUsage(QStringLiteral("one suite at a time; usage: ") + usage);

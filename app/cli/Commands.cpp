@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include "app/Window.h"
 #include "app/cli/Arguments.h"
 
 namespace app::cli {
@@ -34,14 +35,15 @@ int unknownCommand(const QString& name)
 int printHelp()
 {
     QString text = QStringLiteral("Cusp, a trainer for tooth preparation.\n\n"
-                                  "  cusp                      opens the window\n"
+                                  "  cusp [OPTIONS]            opens the window\n"
                                   "  cusp COMMAND [OPTIONS]    works without a display\n"
                                   "  cusp COMMAND --help       explains a command\n"
                                   "  cusp --version            prints the version\n\n"
                                   "Commands:\n");
     for (const Command& command : kCommands)
         text += QStringLiteral("  %1 %2\n").arg(QLatin1String(command.name), -11).arg(QLatin1String(command.summary));
-    text += QStringLiteral("\nExit status: 0 done, 1 the input or the run failed, 2 wrong usage.\n");
+    text += QStringLiteral("\nOptions of the window:\n") + windowOptionsHelp() +
+            QStringLiteral("\nExit status: 0 done, 1 the input or the run failed, 2 wrong usage.\n");
     printText(text);
     return kDone;
 }

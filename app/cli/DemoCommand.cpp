@@ -85,17 +85,18 @@ int demoCommand(const QStringList& arguments)
     addToothOptions(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp demo [--out FOLDER] [OPTIONS]")))
         return *code;
-    const auto build = toothOptions(parser);
+    const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
+    const auto build = toothOptions(parser, source);
     if (!build)
         return wrongUsage(QString::fromStdString(build.error().detail));
     const QDir folder(parser.value(QStringLiteral("out")));
     if (!folder.mkpath(QStringLiteral(".")))
         return failed({core::ErrorCode::FileUnwritable,
                        "The folder " + folder.path().toStdString() + " cannot be made; name another with --out."});
-    const auto tooth =
-        core::teeth::buildTooth(core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString()), *build);
+    const auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
+    warn(tooth->report.warnings);
     printText(QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
                   .arg(QString::fromStdString(tooth->anatomy->name)));
     const auto outcome = drillOutTheDecay(*tooth);

@@ -169,7 +169,8 @@ int simulateCommand(const QStringList& arguments)
     if (!parser.positionalArguments().isEmpty())
         return wrongUsage(
             QStringLiteral("\"%1\" belongs to no option; usage: ").arg(parser.positionalArguments().front()) + usage);
-    const auto build = toothOptions(parser);
+    const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
+    const auto build = toothOptions(parser, source);
     if (!build)
         return wrongUsage(QString::fromStdString(build.error().detail));
     auto options = simulationOptions(parser);
@@ -195,7 +196,6 @@ int simulateCommand(const QStringList& arguments)
         return failed(
             {core::ErrorCode::OutOfRange, "The device path is too long for this rate: " + std::to_string(ticks) +
                                               " ticks, at most 100 million are run."});
-    const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
     auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
@@ -231,9 +231,11 @@ int simulateCommand(const QStringList& arguments)
                    {QStringLiteral("tick_us"), tickUs},
                    {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
                    {QStringLiteral("state_hash"), hash},
+                   {QStringLiteral("warnings"), toJsonArray(tooth->report.warnings)},
                    {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}});
         return kDone;
     }
+    warn(tooth->report.warnings);
     const auto& removed = outcome->last.removedMm3;
     printText(QStringLiteral("ticks          %1 at %2 Hz\n"
                              "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QJsonArray>
-#include <QJsonObject>
-
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
@@ -42,9 +39,6 @@ QJsonObject toJson(const ToothReport& report)
     QJsonObject stages;
     for (const auto& [name, ms] : report.stagesMs)
         stages[QString::fromStdString(name)] = ms;
-    QJsonArray warnings;
-    for (const std::string& warning : report.warnings)
-        warnings.append(QString::fromStdString(warning));
     const auto count = [](std::size_t n) { return static_cast<qint64>(n); };
     return {
         {QStringLiteral("source"), QString::fromStdString(report.source)},
@@ -78,7 +72,7 @@ QJsonObject toJson(const ToothReport& report)
         {QStringLiteral("cell_mm"), report.cellMm},
         {QStringLiteral("sewn_cells"), count(report.sewnCells)},
         {QStringLiteral("layers_mm3"), layers},
-        {QStringLiteral("warnings"), warnings},
+        {QStringLiteral("warnings"), toJsonArray(report.warnings)},
         {QStringLiteral("load_ms"), report.loadMs},
         {QStringLiteral("load_cpu_ms"), report.loadCpuMs},
         {QStringLiteral("stages_ms"), stages},
@@ -160,7 +154,8 @@ int toothCommand(const QStringList& arguments)
     const QString named = parser.positionalArguments().value(0);
     if (parser.positionalArguments().size() != 1 || named.trimmed().isEmpty())
         return wrongUsage(QStringLiteral("one mesh file or tooth number is wanted; usage: ") + usage);
-    const auto options = toothOptions(parser);
+    const auto source = core::teeth::parseSource(named.toStdString());
+    const auto options = toothOptions(parser, source);
     if (!options)
         return wrongUsage(QString::fromStdString(options.error().detail));
 
@@ -170,7 +165,6 @@ int toothCommand(const QStringList& arguments)
     if (!exported.isEmpty() && core::isSameFile(exported.toStdString(), named.toStdString()))
         return wrongUsage(QStringLiteral("--export would overwrite the mesh that is read; name another file"));
 
-    const auto source = core::teeth::parseSource(named.toStdString());
     const auto tooth = core::teeth::buildTooth(source, *options);
     if (!tooth)
         return failed(tooth.error());

@@ -51,6 +51,14 @@ bool hasPulp(const ToothAnatomy& anatomy, std::size_t k)
            column.pulpFloor < anatomy.top[k];
 }
 
+/// Down to here a column has to be cut to clear its decay; its top where it has none.
+float neededDownTo(const ToothAnatomy& anatomy, std::size_t k)
+{
+    const ColumnLayers& column = anatomy.layers[k];
+    const bool decayed = of(terrain::lengthsBetween(column, anatomy.bottom[k], anatomy.top[k]), Material::Caries) > 0.0;
+    return decayed ? std::max(anatomy.bottom[k], column.cariesFloor) : anatomy.top[k];
+}
+
 /// The decay left in a column, floor < roof, or nothing.
 struct Decay
 {
@@ -201,6 +209,17 @@ double remainingOverPulp(const Tooth& tooth)
 
 }  // namespace
 
+double overcutOf(const ToothAnatomy& anatomy, std::size_t k, float top)
+{
+    const float now = std::max(top, anatomy.bottom[k]);
+    if (!wasSolid(anatomy, k) || !(now < anatomy.top[k]))
+        return 0.0;
+    const float needed = neededDownTo(anatomy, k);
+    if (!(now < needed))
+        return 0.0;
+    return soundOf(terrain::lengthsBetween(anatomy.layers[k], now, needed)) * static_cast<double>(anatomy.areaMm2[k]);
+}
+
 Measures measure(const Tooth& tooth)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
@@ -219,10 +238,8 @@ Measures measure(const Tooth& tooth)
         const float now = endOf(tooth, k);
 
         const double lesion = of(terrain::lengthsBetween(column, bottom, top), Material::Caries);
-        // Down to here a column has to be cut to clear its decay.
-        const float needed = lesion > 0.0 ? std::max(bottom, column.cariesFloor) : top;
         result.lesionMm3 += lesion * area;
-        result.accessMm3 += soundOf(terrain::lengthsBetween(column, needed, top)) * area;
+        result.accessMm3 += soundOf(terrain::lengthsBetween(column, neededDownTo(anatomy, k), top)) * area;
         if (tooth.isSolid(k))
             result.cariesLeftMm3 +=
                 of(terrain::lengthsBetween(column, tooth.bottom[k], tooth.top[k]), Material::Caries) * area;
@@ -231,8 +248,7 @@ Measures measure(const Tooth& tooth)
             continue;
         anyCut = true;
         result.deepestCutMm = std::max(result.deepestCutMm, static_cast<double>(top) - static_cast<double>(now));
-        if (now < needed)
-            result.overcutMm3 += soundOf(terrain::lengthsBetween(column, now, needed)) * area;
+        result.overcutMm3 += overcutOf(anatomy, k, now);
         if (hasPulp(anatomy, k) && now <= column.pulpRoof)
             result.pulpExposedMm2 += area;
         if (!holes.empty() && holes[k] != 0)

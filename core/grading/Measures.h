@@ -44,6 +44,9 @@ struct Measures
     bool operator==(const Measures&) const = default;
 };
 
+/// mm3 that column k adds to overcutMm3 when its top is at `top` (kEmptyTop if it is cut through).
+[[nodiscard]] double overcutOf(const terrain::ToothAnatomy& anatomy, std::size_t k, float top);
+
 /// Measures a finished (or running) attempt. A few milliseconds at 150 x 150. Any thread that owns the tooth.
 [[nodiscard]] Measures measure(const terrain::Tooth& tooth);
 

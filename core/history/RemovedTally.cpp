@@ -3,35 +3,43 @@
 
 #include <algorithm>
 
+#include "core/grading/Measures.h"
+
 namespace core::history {
 
 using session::kTileSide;
 
 RemovedTally::RemovedTally(std::shared_ptr<const terrain::ToothAnatomy> anatomy) : m_anatomy(std::move(anatomy)) {}
 
-const terrain::PerMaterial& RemovedTally::of(const TiledHeights& top)
+const Removed& RemovedTally::of(const TiledHeights& top)
 {
     const int side = top.tilesPerSide();
     m_known.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-    m_sumMm3 = {};
-    m_columnsGone = 0;
+    m_removed.volumesMm3 = {};
+    m_removed.overcutMm3 = 0.0;
+    int columnsGone = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             Known& known = m_known[static_cast<std::size_t>(y * side + x)];
             if (const std::shared_ptr<const Tile>& tile = top.tile(x, y); known.tile != tile)
                 known = reckon(x, y, tile);
-            for (std::size_t m = 0; m < m_sumMm3.size(); ++m)
-                m_sumMm3[m] += known.removedMm3[m];
-            m_columnsGone += known.columnsGone;
+            for (std::size_t m = 0; m < known.removedMm3.size(); ++m)
+                m_removed.volumesMm3[m] += known.removedMm3[m];
+            m_removed.overcutMm3 += known.overcutMm3;
+            columnsGone += known.columnsGone;
         }
     }
-    return m_sumMm3;
+    // A search over the whole map, so only when it may have another end than before.
+    if (columnsGone != m_columnsGone)
+        m_removed.perforated = !terrain::perforations(terrain::restored(m_anatomy, top.flat())).empty();
+    m_columnsGone = columnsGone;
+    return m_removed;
 }
 
 RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared_ptr<const Tile>& tile) const
 {
     const terrain::Grid& grid = m_anatomy->grid;
-    Known known{tile, {}, 0};
+    Known known{tile, {}, 0.0, 0};
     const int endI = std::min((tileX + 1) * kTileSide, grid.side);
     const int endJ = std::min((tileY + 1) * kTileSide, grid.side);
     for (int j = tileY * kTileSide; j < endJ; ++j) {
@@ -39,6 +47,7 @@ RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared
             const auto inTile = static_cast<std::size_t>((j % kTileSide) * kTileSide + i % kTileSide);
             const std::size_t k = grid.index(i, j);
             terrain::addRemoved(*m_anatomy, k, (*tile)[inTile], known.removedMm3);
+            known.overcutMm3 += grading::overcutOf(*m_anatomy, k, (*tile)[inTile]);
             if ((*tile)[inTile] <= terrain::kEmptyTop && m_anatomy->top[k] > m_anatomy->bottom[k])
                 ++known.columnsGone;
         }

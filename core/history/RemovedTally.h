@@ -9,6 +9,15 @@
 
 namespace core::history {
 
+/// What has come off a tooth.
+struct Removed
+{
+    terrain::PerMaterial volumesMm3{};
+    double overcutMm3 = 0.0;  ///< of these, what grading::Measures counts as overcut
+    bool perforated = false;  ///< a hole goes right through
+    bool operator==(const Removed&) const = default;
+};
+
 /// What has been removed from a tooth, kept tile by tile: only tiles that have changed since are reckoned again, so
 /// that a hundred questions a second cost little on any grid. Session thread.
 class RemovedTally
@@ -17,17 +26,16 @@ public:
     RemovedTally() = default;
     explicit RemovedTally(std::shared_ptr<const terrain::ToothAnatomy> anatomy);
 
-    /// Volume of each material, mm3, that is gone where the top map is `top` (of the anatomy's grid). The same sums in
-    /// the same order whatever was asked before.
-    [[nodiscard]] const terrain::PerMaterial& of(const TiledHeights& top);
-    /// Columns that were cut through where of() was asked last.
-    [[nodiscard]] int columnsGone() const { return m_columnsGone; }
+    /// What is gone where the top map is `top` (of the anatomy's grid). The same sums in the same order whatever was
+    /// asked before.
+    [[nodiscard]] const Removed& of(const TiledHeights& top);
 
 private:
     struct Known
     {
         std::shared_ptr<const Tile> tile;  ///< held, so that no other tile can take its address
         terrain::PerMaterial removedMm3{};
+        double overcutMm3 = 0.0;
         int columnsGone = 0;
     };
 
@@ -35,8 +43,8 @@ private:
 
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     std::vector<Known> m_known;  ///< one a tile
-    terrain::PerMaterial m_sumMm3{};
-    int m_columnsGone = 0;
+    Removed m_removed;
+    int m_columnsGone = 0;  ///< when m_removed.perforated was found out
 };
 
 }  // namespace core::history

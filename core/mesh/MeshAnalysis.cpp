@@ -140,9 +140,8 @@ bool encloses(const TriangleMesh& mesh, const MeshFacts& facts, std::uint32_t sh
 
 void findNested(const TriangleMesh& mesh, MeshFacts& facts)
 {
-    // Every test runs over the whole mesh. Past this many pieces it is debris or a jaw, and the count alone is said.
-    constexpr std::size_t kMostShells = 32;
-    if (facts.shells.size() < 2 || facts.shells.size() > kMostShells)
+    // Every test runs over the whole mesh.
+    if (facts.shells.size() < 2 || facts.shells.size() > kMostNestedShells)
         return;
     std::vector<glm::dvec3> probe(facts.shells.size());
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k)

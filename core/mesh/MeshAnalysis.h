@@ -13,6 +13,9 @@
 
 namespace core::mesh {
 
+/// Which shell lies inside which is found out for at most so many: more are debris or a jaw.
+inline constexpr std::size_t kMostNestedShells = 32;
+
 /// One piece of surface, connected through shared edges.
 struct Shell
 {

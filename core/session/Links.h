@@ -35,7 +35,8 @@ struct ServoState
     glm::dvec3 forceN{0.0};               ///< on the hand
     bool touching = false;
     bool drillOn = false;
-    bool cutting = false;  ///< material came away this tick
+    bool cutting = false;           ///< material came away this tick
+    bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;
     terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
     double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside
@@ -104,11 +105,12 @@ struct SessionState
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
     terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all
-    bool perforated = false;            ///< there is a hole through the tooth, after undo and all
+    double overcutMm3 = 0.0;  ///< of these, what the grade counts: enamel and dentin beside or below the decay
+    bool perforated = false;  ///< there is a hole through the tooth, after undo and all
     double recordedS = 0.0;
 };
 
-/// The four channels between ui and the loops, owned by the application, handed by reference.
+/// The channels between ui and the loops, owned by the application, handed by reference.
 struct UiLinks
 {
     rt::TripleBuffer<ServoState> servo;          ///< servo -> ui

@@ -106,6 +106,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         m_drill.rest();
         m_state.forceN = glm::dvec3(0.0);
         m_state.touching = false;
+        m_state.handpieceOnCrown = false;
         m_state.health |= kDeviceLost;
         return;
     }
@@ -118,6 +119,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     // The handpiece stops at the tooth as the bur does; what is pushed beyond that presses on the crown and cuts
     // nothing.
     glm::dvec3 reached = m_state.deviceMm;
+    m_state.handpieceOnCrown = reached.z < m_tooth->floorMm();
     reached.z = std::max(reached.z, m_tooth->floorMm());
     m_state.anchorMm = m_method->update(*m_tooth, reached);
     const glm::dvec3 stretch = m_state.anchorMm - reached;

@@ -150,8 +150,6 @@ void SessionLoop::apply(const ReplaceTooth& replace)
     m_strokes = 0;
     m_wholeMm3 = terrain::volumes(*tooth);
     m_removed = history::RemovedTally(m_anatomy);
-    m_columnsGone = 0;
-    m_perforated = false;
     m_group.clear();
     m_toUi.clear();
     static_cast<void>(m_servo.commands.tryPush(
@@ -198,12 +196,10 @@ void SessionLoop::publish()
     out.strokes = m_strokes;
     out.wholeMm3 = m_wholeMm3;
     if (m_anatomy) {
-        out.removedMm3 = m_removed.of(m_mirror);
-        if (const int gone = m_removed.columnsGone(); gone != m_columnsGone) {
-            m_perforated = !terrain::perforations(terrain::restored(m_anatomy, m_mirror.flat())).empty();
-            m_columnsGone = gone;
-        }
-        out.perforated = m_perforated;
+        const history::Removed& removed = m_removed.of(m_mirror);
+        out.removedMm3 = removed.volumesMm3;
+        out.overcutMm3 = removed.overcutMm3;
+        out.perforated = removed.perforated;
     }
     out.recordedS = m_recording ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
     m_ui.session.publish();

@@ -76,8 +76,6 @@ private:
     std::uint64_t m_generation = 0;
     terrain::PerMaterial m_wholeMm3{};
     history::RemovedTally m_removed;
-    int m_columnsGone = 0;  ///< when m_perforated was found
-    bool m_perforated = false;
     std::vector<TilePatch> m_group;  ///< patches of a group that is not complete yet
     std::deque<TilePatch> m_toUi;
 };

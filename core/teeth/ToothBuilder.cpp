@@ -180,12 +180,22 @@ private:
             warn(m_report.shellsInsideOut, "of the shells was inside out and has",
                  "of the shells were inside out and have", " been turned");
         if (m_report.shells > 1)
-            m_report.warnings.push_back("the mesh has " + std::to_string(m_report.shells) + " separate shells, " +
-                                        std::to_string(m_report.shellsInside) +
-                                        " of them inside another; the model keeps the outermost surface and is solid");
+            m_report.warnings.push_back("the mesh has " + std::to_string(m_report.shells) + " separate shells" +
+                                        nesting() + "; the model keeps the outermost surface and is solid");
         if (m_report.oriented && !enclosedVolume())
             m_report.warnings.emplace_back("the shells may overlap, so the mesh volume may count places twice and what "
                                            "the undercuts hold is unknown");
+    }
+
+    /// ", none of them inside another"; nothing where nobody knows.
+    [[nodiscard]] std::string nesting() const
+    {
+        if (m_report.shells > mesh::kMostNestedShells)
+            return {};
+        const std::string inside = m_report.shellsInside == 0   ? "none"
+                                   : m_report.shellsInside == 1 ? "one"
+                                                                : std::to_string(m_report.shellsInside);
+        return ", " + inside + " of them inside another";
     }
 
     Status keepFrame()
@@ -281,15 +291,14 @@ private:
     /// Do the boxes of two shells meet that are not one inside the other?
     [[nodiscard]] bool shellsMayOverlap() const
     {
-        constexpr std::size_t kMostShells = 32;  // of more, nobody knows which lies inside which (findNested)
         const std::vector<mesh::Shell>& shells = m_facts.shells;
-        for (std::size_t a = 0; a < shells.size() && shells.size() <= kMostShells; ++a)
+        for (std::size_t a = 0; a < shells.size() && shells.size() <= mesh::kMostNestedShells; ++a)
             for (std::size_t b = 0; b < a; ++b)
                 if (!shells[a].inside && !shells[b].inside &&
                     glm::all(glm::lessThan(glm::max(shells[a].low, shells[b].low),
                                            glm::min(shells[a].high, shells[b].high))))
                     return true;
-        return shells.size() > kMostShells;
+        return shells.size() > mesh::kMostNestedShells;
     }
 
     /// Rasterising takes time in proportion to the boxes around the faces. A surface covers its outline a few times

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program behind a real window: its threads run, the mouse drills.
 #include <QAction>
+#include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -23,6 +24,7 @@ private slots:
 
     void theSameWorkIsGradedOnce();
     void stoppingAReplayBringsTheOwnWorkBack();
+    void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
 
 private:
@@ -125,6 +127,24 @@ void TestApplication::stoppingAReplayBringsTheOwnWorkBack()
     // And it goes on from there.
     QVERIFY(actions().undo->isEnabled());
     drillAt({0.0, -2.0, -1.0});
+}
+
+void TestApplication::theOwnWorkIsStillAskedAboutAfterTwoReplays()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("first.cusprec");
+    save(recording);
+    drillAt({2.0, 1.0, -1.0});
+    for (int n = 0; n < 2; ++n) {
+        emit m_application->window().recordingOpenRequested(recording);
+        QVERIFY(!actions().openRecording->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(actions().openRecording->isEnabled() && actions().pauseReplay->isEnabled(), 30000);
+        QTest::qWait(300);  // what the recording has cut is told
+    }
+    m_application->window().close();
+    QVERIFY(m_application->window().isVisible());
+    QVERIFY(child<QMessageBox>("workQuestion") != nullptr);
 }
 
 void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()

@@ -53,6 +53,7 @@ private slots:
     void replayLoopShowsWhatWasRecorded();
     void replayLoopShowsLargeChangesToo();
     void replayLoopHoldsWhilePaused();
+    void replayLoopPlaysFaster();
 };
 
 void TestLoopThread::beatsUntilItIsAskedToStop()
@@ -123,6 +124,9 @@ void TestLoopThread::replayLoopShowsWhatWasRecorded()
     QVERIFY(loop->isFinished());
     QCOMPARE(view.flat(), rig.live().top);
     QCOMPARE(links.servo.latest().tick, rig.servo->state().tick);
+    const core::terrain::PerMaterial removed = core::terrain::removedVolumes(rig.live());
+    for (std::size_t m = 0; m < removed.size(); ++m)
+        QVERIFY(std::abs(links.session.latest().removedMm3[m] - removed[m]) < 1.0e-9);
 }
 
 void TestLoopThread::replayLoopShowsLargeChangesToo()
@@ -159,6 +163,7 @@ void TestLoopThread::replayLoopShowsLargeChangesToo()
     QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
     QVERIFY(loop->isFinished());
     QCOMPARE(view.flat(), outcome->tooth.top);
+    QVERIFY(links.session.latest().perforated);
 }
 
 void TestLoopThread::replayLoopHoldsWhilePaused()
@@ -179,6 +184,19 @@ void TestLoopThread::replayLoopHoldsWhilePaused()
     for (int n = 0; n < 100; ++n)
         loop->tick(10ms);
     QVERIFY(loop->isFinished());
+}
+
+void TestLoopThread::replayLoopPlaysFaster()
+{
+    support::Rig rig;
+    rig.open(support::makeBlock({}));
+    rig.run(1000);
+    core::session::UiLinks links;
+    auto loop = app::ReplayLoop::make(rig.session->recordingSoFar().value(), links, 1).value();
+    loop->setSpeed(8);
+    for (int n = 0; n < 10; ++n)
+        loop->tick(10ms);
+    QVERIFY(std::abs(links.session.latest().recordedS - 0.8) < 1.0e-9);
 }
 
 QTEST_GUILESS_MAIN(TestLoopThread)

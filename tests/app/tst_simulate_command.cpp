@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -30,6 +31,7 @@ private slots:
     void otherRatesAndGrids_data();
     void otherRatesAndGrids();
     void frameOfTheFileIsKept();
+    void warningsOfTheScanAreShown();
     void badPresetsSayWhatToDo_data();
     void badPresetsSayWhatToDo();
     void aFailureLeavesTheOlderTrace();
@@ -149,6 +151,22 @@ void TestSimulateCommand::frameOfTheFileIsKept()
     QCOMPARE(moved[10], QByteArray("0"));
 }
 
+void TestSimulateCommand::warningsOfTheScanAreShown()
+{
+    // A millimetre wide, it can be no tooth in millimetres: the importer guesses a unit and says so.
+    const QString scan =
+        write("cap.stl", QByteArray::fromStdString(support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10))));
+    const QStringList arguments{"simulate", "--tooth", scan, "--path", m_path, "--out", m_folder.filePath("t.csv")};
+    const Ending text = runCusp(arguments);
+    QCOMPARE(text.exitCode, 0);
+    const QJsonArray listed = runCusp(arguments + QStringList{"--json"}).json()["warnings"].toArray();
+    QVERIFY(!listed.isEmpty());
+    QCOMPARE(text.error.count('\n'), static_cast<int>(listed.size()));
+    for (const QJsonValue& warning : listed)
+        QVERIFY2(text.error.contains("cusp: warning: " + warning.toString().toLocal8Bit()), text.error);
+    QCOMPARE(runCusp({"tooth", scan, "--json"}).json()["warnings"].toArray(), listed);
+}
+
 void TestSimulateCommand::badPresetsSayWhatToDo_data()
 {
     QTest::addColumn<QString>("preset");
@@ -229,6 +247,8 @@ void TestSimulateCommand::wrongUsage_data()
     QTest::newRow("trace over the path") << QStringList{"--path", m_path, "--out", m_path};
     QTest::newRow("recording over the path") << QStringList{"--path", m_path, "--out", "t.csv", "--record", m_path};
     QTest::newRow("unknown option") << QStringList{"--path", m_path, "--out", "t.csv", "--fast"};
+    QTest::newRow("rate twice") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "500", "--rate", "1000"};
+    QTest::newRow("unit of no file") << QStringList{"--path", m_path, "--out", "t.csv", "--unit", "mm"};
     QTest::newRow("unknown bur") << QStringList{"--path", m_path, "--out", "t.csv", "--bur", "9"};
     QTest::newRow("unknown method") << QStringList{"--path", m_path, "--out", "t.csv", "--method", "magic"};
     QTest::newRow("rate 0") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "0"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/Rng.h"
+#include "core/grading/Measures.h"
 #include "core/history/RemovedTally.h"
 #include "core/teeth/ToothBuilder.h"
 
@@ -18,11 +19,6 @@ private slots:
 };
 
 namespace {
-
-bool isEmpty(float top)
-{
-    return top <= terrain::kEmptyTop;
-}
 
 /// Cuts square pits of random depth, some through the tooth.
 void cutPits(terrain::Tooth& tooth, Rng& rng, int count)
@@ -67,23 +63,22 @@ void TestRemovedTally::agreesWithTheSumOverColumns()
     terrain::Tooth tooth(built->anatomy);
     history::TiledHeights tiles(tooth.grid(), tooth.top);
     history::RemovedTally tally(built->anatomy);
-    for (const double volume : tally.of(tiles))
-        QCOMPARE(volume, 0.0);
+    QCOMPARE(tally.of(tiles), history::Removed{});
     Rng rng(5);
     for (int round = 0; round < 20; ++round) {
         cutPits(tooth, rng, 3);
         tiles.update(tooth.top);
         const terrain::PerMaterial right = terrain::removedVolumes(tooth);
-        const terrain::PerMaterial found = tally.of(tiles);
+        const terrain::PerMaterial found = tally.of(tiles).volumesMm3;
         for (std::size_t m = 0; m < right.size(); ++m)
             QVERIFY2(std::abs(found[m] - right[m]) < 1.0e-9,
                      qPrintable(QString("material %1: %2, not %3").arg(m).arg(found[m]).arg(right[m])));
+        QVERIFY(std::abs(tally.of(tiles).overcutMm3 - grading::measure(tooth).overcutMm3) < 1.0e-9);
+        QCOMPARE(tally.of(tiles).perforated, !terrain::perforations(tooth).empty());
     }
-    const auto gone = std::count_if(tooth.top.begin(), tooth.top.end(), isEmpty) -
-                      std::count_if(built->anatomy->top.begin(), built->anatomy->top.end(), isEmpty);
-    QVERIFY(gone > 0);
-    QCOMPARE(tally.columnsGone(), static_cast<int>(gone));
-    QVERIFY(tally.of(tiles)[static_cast<std::size_t>(terrain::Material::Dentin)] > 1.0);
+    QVERIFY(!terrain::perforations(tooth).empty());
+    QVERIFY(tally.of(tiles).perforated);
+    QVERIFY(tally.of(tiles).volumesMm3[static_cast<std::size_t>(terrain::Material::Dentin)] > 1.0);
 }
 
 void TestRemovedTally::answersTheSameWhateverWasAskedBefore()

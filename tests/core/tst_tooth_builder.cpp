@@ -199,9 +199,21 @@ void TestToothBuilder::usableMeshesWarn_data()
     QTest::addColumn<QString>("says");
     const TriangleMesh box = support::box(8.0F, 8.0F, 8.0F);
     QTest::newRow("inside out") << support::insideOut(box) << QStringLiteral("inside out");
-    QTest::newRow("a second shell inside")
-        << support::joined(box, support::moved(support::box(1.0F, 1.0F, 1.0F), {3.0F, 3.0F, 3.0F}))
-        << QStringLiteral("1 of them inside");
+    const TriangleMesh one = support::joined(box, support::moved(support::box(1.0F, 1.0F, 1.0F), {3.0F, 3.0F, 3.0F}));
+    QTest::newRow("a second shell inside") << one << QStringLiteral("2 separate shells, one of them inside another;");
+    QTest::newRow("two shells inside") << support::joined(
+                                              one, support::moved(support::box(1.0F, 1.0F, 1.0F), {5.0F, 5.0F, 5.0F}))
+                                       << QStringLiteral("3 separate shells, 2 of them inside another;");
+    const auto slabs = [](int count) {
+        const float pitch = 8.0F / static_cast<float>(count);
+        TriangleMesh all;
+        for (int k = 0; k < count; ++k)
+            all = support::joined(all, support::moved(support::box(8.0F, 8.0F, 0.995F * pitch),
+                                                      {0.0F, 0.0F, pitch * static_cast<float>(k)}));
+        return all;
+    };
+    QTest::newRow("a shell over another") << slabs(2) << QStringLiteral("2 separate shells, none of them inside");
+    QTest::newRow("more shells than are told apart") << slabs(33) << QStringLiteral("33 separate shells; the model");
     TriangleMesh mesh = box;
     mesh.vertices.emplace_back(4.0F, 4.0F, 6.0F);
     mesh.triangles.push_back({4, 5, 8});

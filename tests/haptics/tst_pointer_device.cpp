@@ -176,6 +176,10 @@ void TestPointerDevice::besideTheToothTheHandpieceStopsIt()
     bench.run(1000);
     QVERIFY(std::abs(bench.tipMm.z - resting) < 1.0e-3F);
     QVERIFY(std::abs(bench.force() - bench.want.pushForceN) < 0.02);
+    QVERIFY(bench.servo->state().handpieceOnCrown);
+    bench.want.pushing = false;
+    bench.run(2000);
+    QVERIFY(!bench.servo->state().handpieceOnCrown);
 }
 
 void TestPointerDevice::aWishThatIsNoNumberIsPassedOver()

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <QApplication>
+#include <QSettings>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QTest>
 
 namespace support {
 
 /// main() of a test with a tooth view: an application whose windows draw with OpenGL 3.3 core, as the program's do.
+/// What they remember from run to run is theirs and not the user's.
 template <class Test>
 int openGlMain(int argc, char** argv)
 {
@@ -16,6 +19,8 @@ int openGlMain(int argc, char** argv)
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
     QSurfaceFormat::setDefaultFormat(format);
+    const QTemporaryDir settings;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     QApplication application(argc, argv);
     Test test;
     return QTest::qExec(&test, argc, argv);

@@ -77,7 +77,6 @@ void TestToothView::init()
     m_links = std::make_unique<UiLinks>();
     m_view = std::make_unique<ToothView>(*m_links);
     QVERIFY(m_view->isUsable());
-    m_view->setReducedMotion(true);
     m_view->resize(640, 480);
     m_view->setTooth(m_tooth, 1);
     m_view->show();
@@ -258,7 +257,7 @@ void TestToothView::wheelZoomsAndWithControlSetsTheForce()
     };
     const double far = m_view->camera().distanceMm();
     wheel(2, Qt::NoModifier);
-    QVERIFY(m_view->camera().distanceMm() < 0.9 * far);
+    QTRY_VERIFY(m_view->camera().distanceMm() < 0.9 * far);
     QSignalSpy changed(m_view.get(), &ToothView::pushForceChanged);
     wheel(3, Qt::ControlModifier);
     QVERIFY(std::abs(m_view->pushForce() - PointerControl::kFirstN - 0.3) < 1e-9);
@@ -349,12 +348,19 @@ void TestToothView::aClickFromBelowDoesNotDrill()
 {
     m_view->setCamera(0.0, -45.0, m_view->camera().fittingMm());
     const QPoint middle = m_view->rect().center();
+    QSignalSpy refused(m_view.get(), &ToothView::pushRefused);
     QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle);
     QVERIFY(!pointer().pushing);
+    QCOMPARE(refused.size(), 1);
     QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, middle);
+    QTest::keyPress(m_view.get(), Qt::Key_PageDown);
+    QVERIFY(!pointer().pushing);
+    QCOMPARE(refused.size(), 2);
+    QTest::keyRelease(m_view.get(), Qt::Key_PageDown);
     m_view->setCamera(0.0, 45.0, m_view->camera().fittingMm());
     QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle);
     QVERIFY(pointer().pushing);
+    QCOMPARE(refused.size(), 2);
 }
 
 void TestToothView::theToothAloneIsDrawnWithoutTheInstrument()

@@ -42,10 +42,10 @@ void TestToothViewWithoutOpenGl::cleanup()
 
 void TestToothViewWithoutOpenGl::saysWhatIsMissingAndWhatToDo()
 {
-    QSignalSpy failed(m_view.get(), &ToothView::failed);
     QVERIFY(!m_view->isUsable());
-    QTRY_COMPARE(failed.count(), 1);
-    const QString sentence = failed.first().first().toString();
+    const auto* label = qobject_cast<QLabel*>(m_view->pane());
+    QVERIFY(label != nullptr);
+    const QString sentence = label->text();
     QVERIFY(sentence.contains("OpenGL 3.3"));
     QVERIFY(sentence.contains("driver"));
 }

@@ -59,7 +59,8 @@ public:
     /// Draws into the bound framebuffer, whole viewport. Without a surface: the empty room.
     void draw(const Scene& scene);
 
-    /// Bytes of textures and buffers written by setSurface() and update() so far.
+    /// Bytes of textures and buffers written by setSurface() and update() so far. For the test: no picture shows
+    /// whether update() left out what had not changed.
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
 
 private:

@@ -55,7 +55,6 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     pauseReplay =
         add("pause", tr("Pause the replay"), tr("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
-    pauseReplay->setCheckable(true);
 
     m_groups.push_back({tr("Window"), {}});
     resetView = add("view", tr("View from the start"), tr("Turn the tooth back to where it began"), {Qt::Key_V});
@@ -68,6 +67,12 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     back =
         add("back", tr("Back to the tooth"), tr("Close what lies over the tooth; nothing is lost"), {Qt::Key_Escape});
     quit = add("close", tr("Quit"), tr("Close Cusp"), {Qt::CTRL | Qt::Key_Q});
+}
+
+void Actions::showReplayPaused(bool paused)
+{
+    pauseReplay->setText(paused ? tr("Resume the replay") : tr("Pause the replay"));
+    pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
 }
 
 QAction* Actions::add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys)
@@ -92,7 +97,9 @@ QToolButton* barButton(QAction* action, bool withText, QWidget* parent)
     button->setIconSize({20, 20});
     button->setFocusPolicy(Qt::TabFocus);
     button->setAutoRaise(true);
-    button->setAccessibleName(action->text());
+    const auto name = [button, action] { button->setAccessibleName(action->text()); };
+    name();
+    QObject::connect(action, &QAction::changed, button, name);
     button->setAccessibleDescription(action->toolTip());
     return button;
 }

@@ -28,6 +28,8 @@ public:
     explicit Actions(QWidget* window);
 
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
+    /// What pauseReplay offers: to let the recording go on, or to hold it.
+    void showReplayPaused(bool paused);
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
@@ -41,7 +43,7 @@ public:
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;
-    QAction* pauseReplay = nullptr;  ///< checkable; shares the space bar with `drill`: one of them rests at any time
+    QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
     QAction* panel = nullptr;        ///< checkable: the side panel is there
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;

@@ -2,7 +2,6 @@
 #include "ui/shell/ArchView.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -33,16 +32,6 @@ constexpr QRgb kGumOnLight = 0xFFF3E2DF;
 constexpr QRgb kGumOnDark = 0xFF4A3836;
 /// Crowns touch; a hair between them lets the eye part them.
 constexpr double kCrownScale = 0.96;
-
-/// A smooth line through the points (Catmull-Rom as cubic pieces).
-QPainterPath smoothThrough(const QPolygonF& points)
-{
-    const auto at = [&](qsizetype k) { return points[std::clamp<qsizetype>(k, 0, points.size() - 1)]; };
-    QPainterPath path(at(0));
-    for (qsizetype k = 0; k + 1 < points.size(); ++k)
-        path.cubicTo(at(k) + (at(k + 1) - at(k - 1)) / 6, at(k + 1) - (at(k + 2) - at(k)) / 6, at(k + 1));
-    return path;
-}
 
 bool isUpper(int fdi)
 {
@@ -166,7 +155,7 @@ void ArchView::paintEvent(QPaintEvent*)
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(QColor(isDark(p) ? kGumOnDark : kGumOnLight), kRidgeMm * m_pxPerMm, Qt::SolidLine,
                             Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPath(smoothThrough(ridge));
+        painter.drawPath(smoothThrough(ridge, false));
     }
     for (const Tooth& tooth : m_teeth) {
         if (tooth.button == nullptr) {

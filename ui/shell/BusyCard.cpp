@@ -16,7 +16,7 @@ constexpr int kWidthPx = 360;
 
 }  // namespace
 
-BusyCard::BusyCard(QWidget* parent) : QFrame(parent), m_what(new QLabel(this)), m_progress(new QProgressBar(this))
+BusyCard::BusyCard(QWidget* parent) : QFrame(parent), m_what(new QLabel(this))
 {
     dress(*this, roomPalette());
     setProperty("kind", "card");
@@ -25,13 +25,15 @@ BusyCard::BusyCard(QWidget* parent) : QFrame(parent), m_what(new QLabel(this)), 
     m_what->setFont(typeface(kBody, QFont::Medium));
     m_what->setAlignment(Qt::AlignCenter);
     m_what->setWordWrap(true);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress"));
+    auto* progress = new QProgressBar(this);
+    progress->setTextVisible(false);
+    progress->setRange(0, 0);  // how far it is cannot be told
+    progress->setAccessibleName(tr("Progress"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
     column->setSpacing(kSpace4);
     column->addWidget(m_what);
-    column->addWidget(m_progress);
+    column->addWidget(progress);
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, [this] {
         placeIn(m_area);
@@ -41,11 +43,9 @@ BusyCard::BusyCard(QWidget* parent) : QFrame(parent), m_what(new QLabel(this)), 
     hide();
 }
 
-void BusyCard::work(const QString& what, int percent)
+void BusyCard::work(const QString& what)
 {
     m_what->setText(what);
-    m_progress->setRange(0, percent < 0 ? 0 : 100);
-    m_progress->setValue(percent);
     if (!m_working)
         m_patience.start(kPatienceMs);
     m_working = true;

@@ -6,7 +6,6 @@
 #include <QTimer>
 
 class QLabel;
-class QProgressBar;
 
 namespace ui::shell {
 
@@ -20,15 +19,13 @@ public:
 
     explicit BusyCard(QWidget* parent);
 
-    /// @param percent  0 .. 100, or -1 when it cannot be told
-    void work(const QString& what, int percent);
+    void work(const QString& what);
     void done();
     [[nodiscard]] bool isWorking() const { return m_working; }
     void placeIn(const QRect& area);
 
 private:
     QLabel* m_what;
-    QProgressBar* m_progress;
     QTimer m_patience;
     QRect m_area;
     bool m_working = false;

@@ -28,11 +28,12 @@ QList<Gesture> gestures()
 {
     return {
         {HelpOverlay::tr("Move the bur"), {HelpOverlay::tr("mouse"), HelpOverlay::tr("arrows")}},
+        {HelpOverlay::tr("Move it finely"), {HelpOverlay::tr("Shift + arrows")}},
         {HelpOverlay::tr("Push it against the tooth"), {HelpOverlay::tr("left button"), HelpOverlay::tr("Page Down")}},
         {HelpOverlay::tr("Lift it"), {HelpOverlay::tr("Page Up")}},
         {HelpOverlay::tr("Push harder, softer"),
          {HelpOverlay::tr("Ctrl + wheel"), QStringLiteral("."), QStringLiteral(",")}},
-        {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right drag"), HelpOverlay::tr("Ctrl + arrows")}},
+        {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right or middle drag"), HelpOverlay::tr("Ctrl + arrows")}},
         // The left button on the tooth drills, however quickly it is pressed twice.
         {HelpOverlay::tr("Turn it back"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
         {HelpOverlay::tr("Come nearer, go back"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},

@@ -17,6 +17,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTimer>
@@ -53,9 +54,10 @@ QString patternOf(const QStringList& suffixes)
     return patterns.join(u' ');
 }
 
-QString recordingFilter()
+/// What the window remembers from run to run: ~/.config/cusp/cusp.conf.
+QSettings memory()
 {
-    return MainWindow::tr("Recordings (%1)").arg(patternOf({MainWindow::recordingSuffix()}));
+    return QSettings(QStringLiteral("cusp"), QStringLiteral("cusp"));
 }
 
 /// The file a drag carries, empty when it carries anything else.
@@ -72,8 +74,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, m_view->pane(), m_pages)), m_chooser(new ToothChooser(*m_actions, m_pages)),
       m_scorePage(new ScorePage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
-      m_folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -93,6 +94,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
     connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
+    connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
@@ -132,7 +134,7 @@ void MainWindow::connectActions()
     });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
     on(m_actions->openScan, [this] {
-        askForFile(m_actions->openScan->text(), tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes())),
+        askForFile(m_actions->openScan->text(), FileKind::Scan,
                    [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
     on(m_actions->saveRecording, [this] {
@@ -140,10 +142,13 @@ void MainWindow::connectActions()
         askToSave();
     });
     on(m_actions->openRecording, [this] {
-        askForFile(m_actions->openRecording->text(), recordingFilter(),
+        askForFile(m_actions->openRecording->text(), FileKind::Recording,
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
-    on(m_actions->pauseReplay, [this](bool paused) { emit replayPauseRequested(paused); });
+    on(m_actions->pauseReplay, [this] {
+        setReplayPaused(!m_replayPaused);
+        emit replayPauseRequested(m_replayPaused);
+    });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -158,6 +163,11 @@ void MainWindow::connectView()
 {
     connect(m_view.get(), &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
     connect(m_view.get(), &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
+    connect(m_view.get(), &tooth::ToothView::pushRefused, this, [this] {
+        if (!std::exchange(m_knowsTheFarSide, true))
+            showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
+                           "or press V."));
+    });
     connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view.get(), &tooth::ToothView::setPushForce);
     m_room->panel().setPushForce(m_view->pushForce());
 }
@@ -340,12 +350,9 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_messages->say(message);
 }
 
-void MainWindow::showBusy(const QString& what, int percentOrMinusOne)
+void MainWindow::showBusy(const QString& what)
 {
-    if (what.isEmpty())
-        m_busy->done();
-    else
-        m_busy->work(what, percentOrMinusOne);
+    m_busy->work(what);
     enableActions();
     placeOverlays();
 }
@@ -395,9 +402,15 @@ void MainWindow::setReplaying(bool replaying, double lengthS)
     m_replaying = replaying;
     m_replayLengthS = lengthS;
     m_room->setReplayTime(0.0, lengthS);
-    m_actions->pauseReplay->setChecked(false);
+    setReplayPaused(false);
     m_room->setReplaying(replaying);
     enableActions();
+}
+
+void MainWindow::setReplayPaused(bool paused)
+{
+    m_replayPaused = paused;
+    m_actions->showReplayPaused(paused);
 }
 
 void MainWindow::showReplayEnd()
@@ -463,7 +476,7 @@ void MainWindow::leaveWork(const std::function<void()>& what)
 void MainWindow::askToSave()
 {
     askForFile(
-        m_actions->saveRecording->text(), recordingFilter(),
+        m_actions->saveRecording->text(), FileKind::Recording,
         [this](const QString& path) {
             m_workBeingSaved = ownWork();
             emit recordingSaveRequested(path);
@@ -482,10 +495,17 @@ void MainWindow::closeEvent(QCloseEvent* event)
     });
 }
 
-void MainWindow::askForFile(const QString& title, const QString& filter,
-                            const std::function<void(const QString&)>& chosen, const QString& newName)
+void MainWindow::askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
+                            const QString& newName)
 {
-    auto* dialog = new QFileDialog(this, title, m_folder);
+    const bool scan = kind == FileKind::Scan;
+    const QString filter = scan ? tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()))
+                                : tr("Recordings (%1)").arg(patternOf({recordingSuffix()}));
+    const QString key = scan ? QStringLiteral("folders/scan") : QStringLiteral("folders/recording");
+    QString folder = memory().value(key).toString();
+    if (!QFileInfo(folder).isDir())
+        folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    auto* dialog = new QFileDialog(this, title, folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (newName.isEmpty()) {
         dialog->setFileMode(QFileDialog::ExistingFile);
@@ -496,8 +516,8 @@ void MainWindow::askForFile(const QString& title, const QString& filter,
         dialog->setNameFilter(filter);
         dialog->selectFile(newName);
     }
-    connect(dialog, &QFileDialog::fileSelected, this, [this, chosen](const QString& path) {
-        m_folder = QFileInfo(path).path();
+    connect(dialog, &QFileDialog::fileSelected, this, [key, chosen](const QString& path) {
+        memory().setValue(key, QFileInfo(path).absolutePath());
         chosen(path);
     });
     // Without a window manager nobody else gives the keys back.

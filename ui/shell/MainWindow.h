@@ -57,8 +57,8 @@ public slots:
     /// @param unitInDoubt  a unit can be chosen beside the notes
     void showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
                    const QStringList& notes, bool unitInDoubt = false);
-    /// Work is going on. It ends with showTooth, showScore, showError, or with an empty `what`.
-    void showBusy(const QString& what, int percentOrMinusOne);
+    /// Work is going on. It ends with showTooth, showScore or showError.
+    void showBusy(const QString& what);
     /// @param file  its path, where there is one
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
     void showMessage(const QString& sentence);
@@ -82,6 +82,8 @@ signals:
     void gradeRequested();
     void replayStopRequested();
     void replayPauseRequested(bool paused);
+    /// So many times as fast as the recording was made. Every replay begins with 1.
+    void replaySpeedChosen(int times);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -91,6 +93,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
+    enum class FileKind { Scan, Recording };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -114,13 +118,14 @@ private:
     /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
     void leaveWork(const std::function<void()>& what);
     void askToSave();
+    void setReplayPaused(bool paused);
     /// Says a sentence about the replay, with a button that stops it.
     void offerToStop(const QString& sentence);
     void enableActions();
     void placeOverlays();
     /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
-    void askForFile(const QString& title, const QString& filter, const std::function<void(const QString&)>& chosen,
+    void askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
                     const QString& newName = {});
     [[nodiscard]] QString newRecordingName() const;
     void openFile(const QString& path);
@@ -135,7 +140,6 @@ private:
     MessageBar* m_messages;
     BusyCard* m_busy;
     HelpOverlay* m_help;
-    QString m_folder;  ///< where the last file was opened or saved
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
@@ -148,9 +152,11 @@ private:
     Wish m_burWish;
     bool m_standsIn = false;  ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
+    bool m_replayPaused = false;
     double m_replayLengthS = 0.0;
     bool m_mayClose = false;
     bool m_hasCut = false;
+    bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below
 };
 
 }  // namespace ui::shell

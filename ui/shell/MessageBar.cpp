@@ -118,8 +118,8 @@ void MessageBar::present(const Message& message)
     m_button->setText(message.actionText);
     m_button->setAccessibleName(message.actionText);
     m_button->setVisible(!message.actionText.isEmpty());
-    m_sentence->setToolTip(message.technical);
-    m_detail->setToolTip(message.technical);
+    m_sentence->setToolTip(brokenIntoLines(message.technical));
+    m_detail->setToolTip(brokenIntoLines(message.technical));
     delete m_button->menu();
     if (!message.choices.isEmpty()) {
         auto* menu = new QMenu(m_button);

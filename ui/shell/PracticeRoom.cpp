@@ -27,6 +27,7 @@ constexpr int kNoticeIconPx = 32;
 constexpr int kNoticeTopPx = 88;  ///< below the place of a message
 constexpr int kReplayBarPx = 140;
 constexpr int kReplaySteps = 1000;
+constexpr int kFastestReplay = 8;
 
 QFrame* bar(QWidget* parent)
 {
@@ -120,6 +121,16 @@ void PracticeRoom::makeReplayCard(const Actions& actions)
     m_replayTime->setFont(typeface(kBody, QFont::Medium));
     m_replayTime->setObjectName(QStringLiteral("replayTime"));
     row->addWidget(m_replayTime);
+    m_replaySpeed = new QPushButton(m_replay);
+    m_replaySpeed->setProperty("kind", "quiet");
+    m_replaySpeed->setObjectName(QStringLiteral("replaySpeed"));
+    m_replaySpeed->setToolTip(tr("Speed of the replay: 1, 2, 4 or 8 times"));
+    m_replaySpeed->setFocusPolicy(Qt::TabFocus);
+    connect(m_replaySpeed, &QPushButton::clicked, this, [this] {
+        showReplaySpeed(m_replayTimes < kFastestReplay ? 2 * m_replayTimes : 1);
+        emit replaySpeedChosen(m_replayTimes);
+    });
+    row->addWidget(m_replaySpeed);
     row->addWidget(barButton(actions.pauseReplay, false, m_replay));
     auto* stop = new QPushButton(tr("Stop"), m_replay);
     stop->setProperty("kind", "quiet");
@@ -128,7 +139,16 @@ void PracticeRoom::makeReplayCard(const Actions& actions)
     stop->setFocusPolicy(Qt::TabFocus);
     connect(stop, &QPushButton::clicked, this, &PracticeRoom::replayStopRequested);
     row->addWidget(stop);
+    showReplaySpeed(1);
     m_replay->hide();
+}
+
+void PracticeRoom::showReplaySpeed(int times)
+{
+    m_replayTimes = times;
+    //: Speed of a replay: so many times as fast as it was made
+    m_replaySpeed->setText(tr("%1×").arg(times));
+    m_replaySpeed->setAccessibleName(tr("Speed of the replay: %1").arg(m_replaySpeed->text()));
 }
 
 QWidget* PracticeRoom::makeTopBar(const Actions& actions)
@@ -216,6 +236,7 @@ void PracticeRoom::hideNotice()
 void PracticeRoom::setReplaying(bool replaying)
 {
     m_replay->setVisible(replaying);
+    showReplaySpeed(1);
     setHintVisible(m_hintWanted);
 }
 

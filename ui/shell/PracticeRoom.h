@@ -7,6 +7,7 @@
 class QFrame;
 class QLabel;
 class QProgressBar;
+class QPushButton;
 class QToolButton;
 
 namespace ui::shell {
@@ -42,6 +43,7 @@ public:
 
 signals:
     void replayStopRequested();
+    void replaySpeedChosen(int times);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -51,6 +53,7 @@ private:
     QWidget* makeBottomBar(const Actions& actions);
     void makeNotice();
     void makeReplayCard(const Actions& actions);
+    void showReplaySpeed(int times);
     void placeOverlays();
 
     QWidget* m_view;
@@ -60,6 +63,8 @@ private:
     QWidget* m_replay = nullptr;
     QProgressBar* m_replayProgress = nullptr;
     TabularLabel* m_replayTime = nullptr;
+    QPushButton* m_replaySpeed = nullptr;
+    int m_replayTimes = 1;
     QLabel* m_hint = nullptr;
     QFrame* m_notice = nullptr;
     QLabel* m_noticeWhat = nullptr;

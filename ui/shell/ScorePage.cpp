@@ -45,13 +45,6 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
-QFrame* line(QWidget* parent)
-{
-    auto* rule = new QFrame(parent);
-    rule->setProperty("kind", "line");
-    return rule;
-}
-
 QString signedPoints(int lost)
 {
     return lost == 0 ? QStringLiteral("0") : QChar(0x2212) + QString::number(lost);
@@ -216,10 +209,12 @@ void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
         measured->setFont(typeface(kBody));
         measured->setAlignment(Qt::AlignRight);
         measured->setText(text::criterionMeasured(criterion));
-        if (criterion.unit == "mm2")
+        if (criterion.id == "sound_tissue")
+            measured->setToolTip(brokenIntoLines(text::soundTissueCounted()));
+        if (criterion.id == "pulp_exposure")
             measured->setToolTip(
-                tr("The area that lies open, seen from above. The volume that was cut away stands beside "
-                   "the tooth, in mm³."));
+                brokenIntoLines(tr("The area that lies open, seen from above. The volume that was cut away stands "
+                                   "beside the tooth, in mm³.")));
         auto* lost = new TabularLabel(m_criteria);
         lost->setFont(typeface(kTitle, QFont::DemiBold));
         lost->setAlignment(Qt::AlignRight);

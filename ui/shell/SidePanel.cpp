@@ -21,6 +21,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/PointerControl.h"
 
 namespace ui::shell {
 namespace {
@@ -28,6 +29,7 @@ namespace {
 using core::terrain::Material;
 
 constexpr int kWidthPx = 272;
+constexpr int kSwatchPx = 18;
 /// Words and digits change this often at most; faster than that, the last digit is a blur.
 constexpr qint64 kWordsEveryMs = 80;
 /// Less than this is friction, and not what a person wonders about.
@@ -46,23 +48,9 @@ QLabel* quietLabel(const QString& words, QWidget* parent)
     return label;
 }
 
-QFrame* line(QWidget* parent)
-{
-    auto* rule = new QFrame(parent);
-    rule->setProperty("kind", "line");
-    return rule;
-}
-
 QString dash()
 {
     return QStringLiteral("–");
-}
-
-QString capitalised(QString words)
-{
-    if (!words.isEmpty())
-        words[0] = words[0].toUpper();
-    return words;
 }
 
 }  // namespace
@@ -85,15 +73,16 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_swatch = new MaterialSwatch(28, content);
     m_material = addFigure(column, tr("Under the bur"), "materialFigure", m_swatch);
     column->addSpacing(kSpace1);
-    m_forceBar = new ForceBar(kMaxPushN, content);
+    m_forceBar = new ForceBar(tooth::PointerControl::kStrongestN, content);
     m_force = addFigure(column, tr("Force"), "forceFigure");
     column->addWidget(m_forceBar);
     column->addSpacing(kSpace1);
     auto* pair = new QHBoxLayout;
     pair->setSpacing(kSpace2);
     m_depth = addFigure(pair, tr("Depth"), "depthFigure");
-    m_depth.block->setToolTip(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
-                                 "the tooth, where straight down says little."));
+    m_depth.block->setToolTip(
+        brokenIntoLines(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
+                           "the tooth, where straight down says little.")));
     m_decay = addFigure(pair, tr("Decay left"), "decayFigure");
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
@@ -102,32 +91,45 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_health = new QLabel(content);
     m_health->setFont(typeface(kSmall, QFont::Medium));
     m_health->setWordWrap(true);
+    m_health->setObjectName(QStringLiteral("health"));
     m_health->hide();
     column->addWidget(m_health);
 
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
     column->addWidget(quietLabel(tr("Removed"), content));
-    for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp}) {
+    const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace2);
-        auto* swatch = new MaterialSwatch(18, content);
-        swatch->setMaterial(material);
         auto* value = new TabularLabel(content);
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
-        row->addWidget(swatch);
-        row->addWidget(new QLabel(capitalised(text::materialName(material)), content));
+        value->setObjectName(QString::fromLatin1(objectName));
+        row->addWidget(before);
+        row->addWidget(words);
         row->addStretch(1);
         row->addWidget(value);
         column->addLayout(row);
-        if (material == Material::Pulp)
-            value->setToolTip(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm²."));
+        return value;
+    };
+    const auto addMaterial = [&](Material material, const char* objectName) {
+        auto* swatch = new MaterialSwatch(kSwatchPx, content);
+        swatch->setMaterial(material);
+        TabularLabel* value =
+            addVolume(swatch, new QLabel(text::capitalised(text::materialName(material)), content), objectName);
         m_removed.at(at(material)) = value;
-    }
-    m_removed.at(at(Material::Enamel))->setObjectName(QStringLiteral("enamelRemoved"));
-    m_removed.at(at(Material::Dentin))->setObjectName(QStringLiteral("dentinRemoved"));
-    m_removed.at(at(Material::Pulp))->setObjectName(QStringLiteral("pulpRemoved"));
+        return value;
+    };
+    addMaterial(Material::Enamel, "enamelRemoved");
+    addMaterial(Material::Dentin, "dentinRemoved");
+    auto* indent = new QWidget(content);
+    indent->setFixedWidth(kSwatchPx);
+    //: Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
+    m_overcut = addVolume(indent, quietLabel(tr("beside the decay"), content), "overcut");
+    m_overcut->setToolTip(brokenIntoLines(text::soundTissueCounted()));
+    addMaterial(Material::Pulp, "pulpRemoved")
+        ->setToolTip(
+            brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
 
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
@@ -144,8 +146,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     pushRow->addWidget(m_pushText);
     column->addLayout(pushRow);
     m_push = new QSlider(Qt::Horizontal, content);
-    m_push->setRange(static_cast<int>(std::lround(kMinPushN / kPushStepN)),
-                     static_cast<int>(std::lround(kMaxPushN / kPushStepN)));
+    m_push->setRange(static_cast<int>(std::lround(tooth::PointerControl::kWeakestN / tooth::PointerControl::kStepN)),
+                     static_cast<int>(std::lround(tooth::PointerControl::kStrongestN / tooth::PointerControl::kStepN)));
     m_push->setPageStep(5);
     m_push->setFocusPolicy(Qt::TabFocus);
     m_push->setObjectName(QStringLiteral("pushForce"));
@@ -154,7 +156,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_push->setStatusTip(m_push->toolTip());
     pushLabel->setBuddy(m_push);
     connect(m_push, &QSlider::valueChanged, this, [this](int steps) {
-        setPushForce(steps * kPushStepN);
+        setPushForce(steps * tooth::PointerControl::kStepN);
         emit pushForceChosen(m_pushN);
     });
     column->addWidget(m_push);
@@ -216,8 +218,10 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     const bool inPulp = servo.touching && servo.materialUnderBur == Material::Pulp;
     m_swatch->setMaterial(servo.touching ? std::optional(servo.materialUnderBur) : std::nullopt);
     if (servo.touching)
-        setFigure(m_material, capitalised(text::materialName(servo.materialUnderBur)), {},
+        setFigure(m_material, text::capitalised(text::materialName(servo.materialUnderBur)), {},
                   inPulp ? tone.harmText : QColor());
+    else if (servo.handpieceOnCrown)
+        setFigure(m_material, tr("Handpiece"), {}, quiet);
     else
         setFigure(m_material, tr("Air", "the bur touches nothing"), {}, quiet);
     const double sidewaysN = glm::length(glm::dvec2(servo.forceN));
@@ -248,9 +252,12 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
     }
+    m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
-    const QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
+    QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
+    if (health.isEmpty() && servo.handpieceOnCrown && !servo.touching)
+        health = tr("The handpiece lies on the crown: the bur cannot reach deeper.");
     const bool lost = (servo.health & core::session::kDeviceLost) != 0;
     QPalette words = palette();
     words.setColor(QPalette::WindowText, lost ? tone.harmText : tone.attentionText);
@@ -263,9 +270,9 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
 
 void SidePanel::setPushForce(double newtons)
 {
-    m_pushN = std::clamp(newtons, kMinPushN, kMaxPushN);
+    m_pushN = std::clamp(newtons, tooth::PointerControl::kWeakestN, tooth::PointerControl::kStrongestN);
     const QSignalBlocker silent(m_push);
-    m_push->setValue(static_cast<int>(std::lround(m_pushN / kPushStepN)));
+    m_push->setValue(static_cast<int>(std::lround(m_pushN / tooth::PointerControl::kStepN)));
     m_pushText->setText(text::number(m_pushN, 1), QStringLiteral("N"));
 }
 

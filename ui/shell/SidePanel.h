@@ -25,11 +25,6 @@ class SidePanel : public QFrame
 {
     Q_OBJECT
 public:
-    /// Range of the push force, N, and the step of its slider.
-    static constexpr double kMinPushN = 0.2;
-    static constexpr double kMaxPushN = 3.0;
-    static constexpr double kPushStepN = 0.1;
-
     SidePanel(const Actions& actions, QWidget* parent);
 
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
@@ -61,6 +56,7 @@ private:
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    TabularLabel* m_overcut = nullptr;
     QLabel* m_health = nullptr;
     QSlider* m_push = nullptr;
     TabularLabel* m_pushText = nullptr;

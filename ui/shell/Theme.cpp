@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QFontDatabase>
+#include <QFrame>
 #include <QStyleFactory>
 #include <QToolTip>
 #include <QWidget>
@@ -142,6 +143,18 @@ QFont typeface(int pixelSize, QFont::Weight weight)
     f.setPixelSize(pixelSize);
     f.setWeight(weight);
     return f;
+}
+
+QFrame* line(QWidget* parent)
+{
+    auto* rule = new QFrame(parent);
+    rule->setProperty("kind", "line");
+    return rule;
+}
+
+QString brokenIntoLines(const QString& words)
+{
+    return words.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped());
 }
 
 double contrast(const QColor& a, const QColor& b)

@@ -4,8 +4,10 @@
 #include <QColor>
 #include <QFont>
 #include <QPalette>
+#include <QString>
 
 class QApplication;
+class QFrame;
 class QWidget;
 
 /// The looks of every page, in one place: palettes, a handful of tokens and one style sheet (ui/assets/cusp.qss).
@@ -58,6 +60,12 @@ void dress(QWidget& widget, const QPalette& palette);
 
 /// The application's family at one of the sizes above.
 [[nodiscard]] QFont typeface(int pixelSize, QFont::Weight weight = QFont::Normal);
+
+/// A thin line between two parts of a page.
+[[nodiscard]] QFrame* line(QWidget* parent);
+
+/// The words of a tooltip that may be long: Qt breaks only rich text into lines, all else runs across the screen.
+[[nodiscard]] QString brokenIntoLines(const QString& words);
 
 /// Ratio of WCAG 2 between two opaque colours, 1 .. 21.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);

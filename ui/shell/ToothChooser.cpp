@@ -53,9 +53,7 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     words->addSpacing(kSpace4);
     words->addWidget(m_take, 0, Qt::AlignLeft);
     words->addSpacing(kSpace6);
-    auto* rule = new QFrame(this);
-    rule->setProperty("kind", "line");
-    words->addWidget(rule);
+    words->addWidget(line(this));
     words->addSpacing(kSpace2);
     words->addWidget(scanHint);
     words->addSpacing(kSpace2);
@@ -96,10 +94,7 @@ void ToothChooser::showEvent(QShowEvent* event)
 void ToothChooser::describe(int fdi)
 {
     m_number->setText(fdi == 0 ? QStringLiteral("–") : QString::number(fdi));
-    QString name = text::toothName(fdi);
-    if (!name.isEmpty())
-        name[0] = name[0].toUpper();
-    m_name->setText(fdi == 0 ? tr("Nothing chosen") : name);
+    m_name->setText(fdi == 0 ? tr("Nothing chosen") : text::capitalised(text::toothName(fdi)));
     m_note->setText(fdi != 0 && fdi == m_present ? tr("On the table now. Taking it again gives you a whole one.")
                                                  : tr("Click a tooth, or walk with the arrow keys."));
     m_take->setEnabled(fdi != 0);

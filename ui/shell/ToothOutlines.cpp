@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/ToothOutlines.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -96,13 +97,26 @@ QList<Points> groovePoints(bool upper, int position)
     }
 }
 
-/// Catmull-Rom through the points, as cubic pieces.
-QPainterPath smoothThrough(const Points& points, Size size, bool closed)
+Size sizeOf(bool upper, int position)
+{
+    return (upper ? kUpper : kLower).at(static_cast<std::size_t>(position - 1));
+}
+
+/// Points in half diameters to millimetres.
+Points scaled(Points points, Size size)
+{
+    for (QPointF& point : points)
+        point = {point.x() * size.mesioDistalMm / 2, point.y() * size.buccoLingualMm / 2};
+    return points;
+}
+
+}  // namespace
+
+QPainterPath smoothThrough(const QList<QPointF>& points, bool closed)
 {
     const qsizetype count = points.size();
     const auto at = [&](qsizetype k) {
-        const qsizetype inside = closed ? (k % count + count) % count : std::clamp<qsizetype>(k, 0, count - 1);
-        return QPointF(points[inside].x() * size.mesioDistalMm / 2, points[inside].y() * size.buccoLingualMm / 2);
+        return points[closed ? (k % count + count) % count : std::clamp<qsizetype>(k, 0, count - 1)];
     };
     QPainterPath path(at(0));
     const qsizetype pieces = closed ? count : count - 1;
@@ -113,19 +127,12 @@ QPainterPath smoothThrough(const Points& points, Size size, bool closed)
     return path;
 }
 
-Size sizeOf(bool upper, int position)
-{
-    return (upper ? kUpper : kLower).at(static_cast<std::size_t>(position - 1));
-}
-
-}  // namespace
-
 CrownPicture crownPicture(bool upper, int position)
 {
     const Size size = sizeOf(upper, position);
-    CrownPicture picture{size.mesioDistalMm, smoothThrough(outlinePoints(upper, position), size, true), {}};
+    CrownPicture picture{smoothThrough(scaled(outlinePoints(upper, position), size), true), {}};
     for (const Points& groove : groovePoints(upper, position))
-        picture.grooves.addPath(smoothThrough(groove, size, false));
+        picture.grooves.addPath(smoothThrough(scaled(groove, size), false));
     return picture;
 }
 

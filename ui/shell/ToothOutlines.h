@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QPainterPath>
 #include <QPointF>
 
@@ -10,10 +11,12 @@ namespace ui::shell {
 /// +x distal, +y towards cheek or lip. Sizes: mean crown diameters (Wheeler); shapes simplified by eye.
 struct CrownPicture
 {
-    double widthMm = 0.0;  ///< mesial to distal: the length it takes in the arch
     QPainterPath outline;
     QPainterPath grooves;  ///< fissures, or the incisal edge
 };
+
+/// A smooth line through the points (Catmull-Rom as cubic pieces).
+[[nodiscard]] QPainterPath smoothThrough(const QList<QPointF>& points, bool closed);
 
 /// @param upper     upper or lower jaw
 /// @param position  1 central incisor .. 8 third molar

@@ -280,12 +280,19 @@ QString criterionName(const lessons::Criterion& criterion)
     if (criterion.id == "caries_left")
         return QCoreApplication::translate("Criterion", "Decay left");
     if (criterion.id == "sound_tissue")
-        return QCoreApplication::translate("Criterion", "Sound tissue removed");
+        return QCoreApplication::translate("Criterion", "Sound tissue removed beside the decay");
     if (criterion.id == "pulp_exposure")
         return QCoreApplication::translate("Criterion", "Pulp opened");
     if (criterion.id == "perforation")
         return QCoreApplication::translate("Criterion", "Tooth perforated");
     return QString::fromStdString(criterion.id);
+}
+
+QString soundTissueCounted()
+{
+    return QCoreApplication::translate("Criterion",
+                                       "Enamel and dentin beside the decay and below it. What lies straight "
+                                       "above the decay has to go and is not counted.");
 }
 
 QString criterionMeasured(const lessons::Criterion& criterion)
@@ -345,6 +352,13 @@ QString number(double value, int decimals)
 {
     QString text = QLocale().toString(value, 'f', decimals);
     return text.replace(u'-', QChar(0x2212));
+}
+
+QString capitalised(QString words)
+{
+    if (!words.isEmpty())
+        words[0] = words[0].toUpper();
+    return words;
 }
 
 QString duration(double seconds)

@@ -43,6 +43,8 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 
 /// "Decay left"; the id itself for a criterion we have no word for.
 [[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
+/// What "sound_tissue" counts, two sentences: the same beside the tooth and in the grade.
+[[nodiscard]] QString soundTissueCounted();
 /// "12.4 %", "1.84 mm³".
 [[nodiscard]] QString criterionMeasured(const lessons::Criterion& criterion);
 /// The formula with its numbers: "(12.40 − 5.00 free) % × 0.5 points = 3.70, rounded 4".
@@ -54,6 +56,8 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 [[nodiscard]] QString unitName(std::string_view unit);
 /// A number with fixed decimals as the user's language writes it, with a true minus sign.
 [[nodiscard]] QString number(double value, int decimals);
+/// With a large first letter.
+[[nodiscard]] QString capitalised(QString words);
 /// Minutes and seconds: "1:07".
 [[nodiscard]] QString duration(double seconds);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
@@ -29,7 +30,7 @@ void Camera::setViewport(glm::dvec2 sizePx)
 {
     m_sizePx = glm::max(sizePx, glm::dvec2(1.0));
     if (m_fitted)
-        m_distanceMm = m_wantedMm = fittingMm();
+        fit();
 }
 
 void Camera::setStart(double azimuthDeg)
@@ -44,7 +45,14 @@ void Camera::reset()
 {
     m_azimuthDeg = m_startDeg;
     m_elevationDeg = kStartElevationDeg;
+    fit();
+}
+
+/// The whole subject, in the middle.
+void Camera::fit()
+{
     m_fitted = true;
+    m_lookAtMm = m_centreMm;
     m_distanceMm = m_wantedMm = fittingMm();
 }
 
@@ -55,7 +63,8 @@ void Camera::set(double azimuthDeg, double elevationDeg, double distanceMm)
     m_wantedMm = distanceMm;
     m_fitted = false;
     keepInBounds();
-    settle();
+    m_lookAtMm = m_centreMm;
+    m_distanceMm = m_wantedMm;
 }
 
 void Camera::turn(double azimuthDeg, double elevationDeg)
@@ -65,8 +74,9 @@ void Camera::turn(double azimuthDeg, double elevationDeg)
     keepInBounds();
 }
 
-void Camera::zoom(double steps)
+void Camera::zoom(double steps, const std::optional<glm::dvec3>& towardsMm)
 {
+    m_towardsMm = towardsMm.value_or(m_lookAtMm);
     m_wantedMm *= std::pow(kPerNotch, steps);
     m_fitted = false;
     keepInBounds();
@@ -76,10 +86,23 @@ bool Camera::advance(double seconds)
 {
     if (m_distanceMm == m_wantedMm)
         return false;
-    m_distanceMm += (m_wantedMm - m_distanceMm) * (1.0 - std::exp(-seconds / kFollowS));
+    moveTo(m_distanceMm + (m_wantedMm - m_distanceMm) * (1.0 - std::exp(-seconds / kFollowS)));
     if (std::abs(m_distanceMm - m_wantedMm) < 0.002 * m_wantedMm)
-        settle();
+        moveTo(m_wantedMm);
     return true;
+}
+
+void Camera::moveTo(double distanceMm)
+{
+    if (distanceMm < m_distanceMm) {
+        m_lookAtMm = glm::mix(m_towardsMm, m_lookAtMm, distanceMm / m_distanceMm);
+    } else {
+        // In the middle again at the latest where all of it fits.
+        const double before = fittingMm() - m_distanceMm;
+        const double after = fittingMm() - distanceMm;
+        m_lookAtMm = after > 0.0 ? glm::mix(m_centreMm, m_lookAtMm, after / before) : m_centreMm;
+    }
+    m_distanceMm = distanceMm;
 }
 
 void Camera::keepInBounds()
@@ -105,13 +128,13 @@ glm::dvec3 Camera::eyeMm() const
 {
     const double azimuth = turnedAzimuth();
     const double elevation = glm::radians(m_elevationDeg);
-    return m_centreMm + m_distanceMm * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
+    return m_lookAtMm + m_distanceMm * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
                                                   -std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
 }
 
 glm::dmat4 Camera::view() const
 {
-    return glm::lookAt(eyeMm(), m_centreMm, glm::dvec3(0.0, 0.0, 1.0));
+    return glm::lookAt(eyeMm(), m_lookAtMm, glm::dvec3(0.0, 0.0, 1.0));
 }
 
 glm::dmat4 Camera::projection() const
@@ -126,7 +149,7 @@ render::Ray Camera::rayThrough(glm::dvec2 pixel) const
     const double right = (2.0 * pixel.x / m_sizePx.x - 1.0) * half * m_sizePx.x / m_sizePx.y;
     const double up = (1.0 - 2.0 * pixel.y / m_sizePx.y) * half;
     const glm::dvec3 eye = eyeMm();
-    const glm::dvec3 forward = glm::normalize(m_centreMm - eye);
+    const glm::dvec3 forward = glm::normalize(m_lookAtMm - eye);
     const glm::dvec3 side = glm::dvec3(rightOnTooth(), 0.0);
     return {eye, glm::normalize(forward + right * side + up * glm::cross(side, forward))};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -9,7 +11,8 @@
 
 namespace ui::tooth {
 
-/// A camera on a sphere around the crown, upright, looking at its middle. Plain arithmetic, no OpenGL.
+/// A camera on a sphere around the point it looks at, upright: from afar the middle of the crown, nearer by what was
+/// zoomed to. Plain arithmetic, no OpenGL.
 ///
 /// Azimuth 0 looks along +y with +x to the right; it grows as the eye moves towards +x. Elevation is the height of
 /// the eye above the horizon.
@@ -27,7 +30,6 @@ public:
     void setViewport(glm::dvec2 sizePx);
     /// Looks from the other side: the scene turned by 180 degrees.
     void setTurned(bool turned) { m_turned = turned; }
-    [[nodiscard]] bool isTurned() const { return m_turned; }
 
     /// The azimuth that reset() goes back to; goes there at once if it is another than before.
     void setStart(double azimuthDeg);
@@ -35,12 +37,12 @@ public:
     void reset();
     void set(double azimuthDeg, double elevationDeg, double distanceMm);
     void turn(double azimuthDeg, double elevationDeg);
-    /// Closer by `steps` notches of a wheel, further when negative. Reached smoothly, see advance().
-    void zoom(double steps);
+    /// Closer by `steps` notches of a wheel, further when negative. Reached smoothly, see advance(). Closer,
+    /// `towardsMm` keeps its place in the picture (nothing: the middle of the picture does); further, the crown comes
+    /// back to it.
+    void zoom(double steps, const std::optional<glm::dvec3>& towardsMm = {});
     /// Lets the distance follow the zoom for a time. True while it still moves.
     bool advance(double seconds);
-    /// Finishes any movement now.
-    void settle() { m_distanceMm = m_wantedMm; }
 
     [[nodiscard]] double azimuthDeg() const { return m_azimuthDeg; }
     [[nodiscard]] double elevationDeg() const { return m_elevationDeg; }
@@ -61,8 +63,12 @@ public:
 private:
     [[nodiscard]] double turnedAzimuth() const;  ///< radians, with the other hand's half turn
     void keepInBounds();
+    void moveTo(double distanceMm);
+    void fit();
 
     glm::dvec3 m_centreMm{0.0, 0.0, -3.0};
+    glm::dvec3 m_lookAtMm = m_centreMm;
+    glm::dvec3 m_towardsMm = m_centreMm;  ///< what keeps its place while the camera comes closer
     double m_radiusMm = 7.0;
     glm::dvec2 m_sizePx{1280.0, 800.0};
     double m_startDeg = kStartAzimuthDeg;

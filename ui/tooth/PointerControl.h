@@ -26,6 +26,7 @@ public:
     static constexpr double kFirstN =
         0.6;  ///< to begin with: a mouse has no feel, so a little under the 1 N of dentists
     static constexpr double kStrongestN = 3.0;
+    static constexpr double kStepN = 0.1;  ///< of wheel, keys and slider
 
     /// @param surface  null: there is no tooth; else must outlive the next call of setSurface()
     void setSurface(const render::ToothSurface* surface);

@@ -29,7 +29,6 @@ namespace {
 constexpr int kFrameMs = 16;
 constexpr int kSamples = 4;
 constexpr int kStillMs = 120;  ///< without a change before a software driver is asked for smooth edges
-constexpr double kForceStepN = 0.1;
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr int kForceToldMs = 1200;
@@ -217,14 +216,6 @@ void ToothView::setLeftHanded(bool leftHanded)
     update();
 }
 
-void ToothView::setReducedMotion(bool reduced)
-{
-    m_reducedMotion = reduced;
-    if (reduced)
-        m_camera.settle();
-    update();
-}
-
 void ToothView::resetCamera()
 {
     m_camera.reset();
@@ -285,7 +276,7 @@ void ToothView::paintGL()
         m_surfaceIsNew = false;
         m_changes = {};
     }
-    if (m_drillOn && !m_reducedMotion)
+    if (m_drillOn)
         m_turnRad += 0.9;
     drawScene();
     drawForce();
@@ -418,13 +409,10 @@ void ToothView::advanceFrame()
     takePatches();
     moveByKeys(seconds);
     publishPointer();
-    if (m_camera.advance(seconds)) {
-        if (m_reducedMotion)
-            m_camera.settle();
+    if (m_camera.advance(seconds))
         update();
-    }
     const double lift = wantedLiftMm();
-    const double rest = m_reducedMotion ? 0.0 : (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
+    const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
         m_liftMm = next;
         update();
@@ -495,15 +483,22 @@ void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
     update();
 }
 
+/// Mouse and pen. Seen from below, the bur is on the far side of the tooth.
+void ToothView::pushAt(QPointF position)
+{
+    const render::Ray ray = rayAt(position);
+    if (ray.direction.z >= 0.0) {
+        emit pushRefused();
+        return;
+    }
+    m_control.moveTo(ray, m_servo.anchorMm);
+    m_control.push(true);
+}
+
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
-        const render::Ray ray = rayAt(event->position());
-        // Seen from below the bur is on the far side: a click would drill where nobody looks.
-        if (ray.direction.z >= 0.0)
-            return;
-        m_control.moveTo(ray, m_servo.anchorMm);
-        m_control.push(true);
+        pushAt(event->position());
         publishPointer();
     } else if (m_turning == Qt::NoButton &&
                (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton)) {
@@ -549,11 +544,12 @@ void ToothView::wheelEvent(QWheelEvent* event)
 {
     const double notches = event->angleDelta().y() / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        setPushForce(m_control.forceN() + kForceStepN * notches);
+        setPushForce(m_control.forceN() + PointerControl::kStepN * notches);
     } else {
-        m_camera.zoom(notches);
-        if (m_reducedMotion)
-            m_camera.settle();
+        glm::dvec3 under(0.0);
+        const bool onTooth =
+            m_surface && m_surface->meet(rayAt(event->position()), under) && m_surface->isTooth(glm::dvec2(under));
+        m_camera.zoom(notches, onTooth ? std::optional(under) : std::nullopt);
         update();
     }
     event->accept();
@@ -562,8 +558,7 @@ void ToothView::wheelEvent(QWheelEvent* event)
 void ToothView::tabletEvent(QTabletEvent* event)
 {
     if (event->type() == QEvent::TabletPress && event->button() == Qt::LeftButton) {
-        m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
-        m_control.push(true);
+        pushAt(event->position());
     } else if (event->type() == QEvent::TabletRelease && event->button() == Qt::LeftButton) {
         m_control.push(false);
     } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton) {
@@ -605,8 +600,12 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         }
         break;
     case Qt::Key_PageDown:
-        if (!event->isAutoRepeat())
-            m_control.push(true);
+        if (!event->isAutoRepeat()) {
+            if (m_camera.elevationDeg() > 0.0)
+                m_control.push(true);
+            else
+                emit pushRefused();
+        }
         publishPointer();
         break;
     case Qt::Key_PageUp:
@@ -614,10 +613,10 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         publishPointer();
         break;
     case Qt::Key_Comma:
-        setPushForce(m_control.forceN() - kForceStepN);
+        setPushForce(m_control.forceN() - PointerControl::kStepN);
         break;
     case Qt::Key_Period:
-        setPushForce(m_control.forceN() + kForceStepN);
+        setPushForce(m_control.forceN() + PointerControl::kStepN);
         break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
@@ -708,9 +707,6 @@ void ToothView::fail(const QString& detail)
         m_sentence->show();
     }
     setCursor(Qt::ArrowCursor);
-    // Later, so that a failure in the constructor finds someone connected.
-    QMetaObject::invokeMethod(
-        this, [this, sentence] { emit failed(sentence); }, Qt::QueuedConnection);
 }
 
 void ToothView::leaveContext()

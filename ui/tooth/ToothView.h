@@ -28,8 +28,9 @@ namespace ui::tooth {
 /// The tooth under the operating light, the bur at its anchor, and the hand: mouse, pen and keys become what the
 /// pointer device asks for.
 ///
-/// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms, Ctrl + wheel sets how
-/// hard to push; a double click of the right or middle button, or of the left beside the tooth, resets the view.
+/// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms to what is under the
+/// pointer, Ctrl + wheel sets how hard to push; a double click of the right or middle button, or of the left beside the
+/// tooth, resets the view.
 /// Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full
 /// stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home resets the view.
 ///
@@ -55,9 +56,8 @@ public:
     void setDrillOn(bool on);
     /// The other hand: the scene turned by 180 degrees, the handpiece from the left.
     void setLeftHanded(bool leftHanded);
-    /// Without animation: the view zooms at once.
-    void setReducedMotion(bool reduced);
     void resetCamera();
+    /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
@@ -76,8 +76,8 @@ signals:
     /// Once a frame, with the newest state of the servo.
     void frameAdvanced(const core::session::ServoState& state);
     void pushForceChanged(double newtons);
-    /// The view cannot be used; the sentence says why and what to do.
-    void failed(const QString& sentence);
+    /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
+    void pushRefused();
 
 protected:
     void initializeGL() override;
@@ -99,6 +99,7 @@ private:
     void takeChanges();
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
+    void pushAt(QPointF position);
     void publishPointer();
     void turnCamera(double azimuthDeg, double elevationDeg);
     void release();
@@ -129,7 +130,6 @@ private:
     bool m_usable = true;
     bool m_drillOn = false;
     bool m_leftHanded = false;
-    bool m_reducedMotion = false;
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;  ///< of the bur
     double m_liftMm = 0.0;   ///< of shank and handpiece, follows wantedLiftMm()
