@@ -41,6 +41,11 @@ const QList<Room> kRooms{
      {"core/tracking/"},
      QStringList{"glm/", "libusb", "SDL2/", "SDL"} + kSystem,
      "haptics sees core and its device libraries: no Qt, no window"},
+    {"lab/",
+     {"lab/", "haptics/", "core/"},
+     {"core/tracking/"},
+     QStringList{"glm/"} + kSystem,
+     "lab sees core and haptics: no Qt, no window"},
     {"lessons/",
      {"lessons/", "core/"},
      {"core/tracking/"},
@@ -62,7 +67,7 @@ const QList<Room> kRooms{
      {"QtCore", "QtGui", "QtOpenGL", "glm/"},
      "ui/render is OpenGL only: it sees core and Qt's OpenGL, no widgets and no other part of ui"},
     {"app/",
-     {"app/", "ui/", "haptics/", "database/", "lessons/", "core/"},
+     {"app/", "ui/", "lab/", "haptics/", "database/", "lessons/", "core/"},
      {},
      QStringList{"Qt", "glm/", "zstd", "sodium"} + kSystem,
      "app may include everything of ours; the libraries behind haptics and core stay behind them"},
@@ -173,6 +178,9 @@ void TestIncludes::plantedLines_data()
     plant("haptics/A.cpp", "#include <libusb-1.0/libusb.h>", true);
     plant("haptics/A.cpp", "#include <QObject>", false);
     plant("haptics/A.cpp", "#include \"ui/text/Texts.h\"", false);
+    plant("haptics/A.cpp", "#include \"lab/StiffnessLimit.h\"", false);
+    plant("lab/A.cpp", "#include \"haptics/HapticDevice.h\"", true);
+    plant("lab/A.cpp", "#include <QObject>", false);
     plant("lessons/A.cpp", "#include <QJsonDocument>", true);
     plant("lessons/A.cpp", "#include <QImage>", false);
     plant("lessons/A.cpp", "#include \"database/records.h\"", false);
@@ -216,7 +224,7 @@ void TestIncludes::theQtHeadersAreFound()
 void TestIncludes::everyIncludeFollowsAnArrow_data()
 {
     QTest::addColumn<QString>("folder");
-    for (const char* folder : {"core", "haptics", "lessons", "database", "ui", "app"})
+    for (const char* folder : {"core", "haptics", "lab", "lessons", "database", "ui", "app"})
         QTest::newRow(folder) << QString(folder);
 }
 
