@@ -31,6 +31,7 @@ constexpr Suite kSuites[] = {
     {"volume", "volume of solids at grid 150 against closed form", bench::volumeSuite},
     {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite},
     {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite},
+    {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite},
 };
 
