@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/StiffnessLimit.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -11,6 +12,7 @@ namespace {
 
 using core::terrain::ToothAnatomy;
 
+constexpr double kStride = 1.2;
 constexpr double kPrecision = 1.02;
 constexpr double kHeightMm = 2.0;
 constexpr double kThrowMmPerS = 50.0;
@@ -77,13 +79,16 @@ core::Result<double> stiffnessLimit(const ClosedLoop& loop)
         tried.settings.force.stiffnessNPerMm = nPerMm;
         return comesToRest(tooth, tried);
     };
-    if (holdsAt(kStiffestNPerMm))
-        return kStiffestNPerMm;
-    if (!holdsAt(kSoftestNPerMm))
-        return 0.0;
-    double holds = kSoftestNPerMm;
-    double fails = kStiffestNPerMm;
-    while (fails > kPrecision * holds) {
+    // Upwards first: the lattice method comes to rest again at stiffnesses far above the first that fails.
+    double holds = 0.0;
+    double fails = kSoftestNPerMm;
+    while (holdsAt(fails)) {
+        if (fails >= kStiffestNPerMm)
+            return kStiffestNPerMm;
+        holds = fails;
+        fails = std::min(kStride * fails, kStiffestNPerMm);
+    }
+    while (holds > 0.0 && fails > kPrecision * holds) {
         const double middle = std::sqrt(holds * fails);
         (holdsAt(middle) ? holds : fails) = middle;
     }

@@ -18,8 +18,9 @@ struct ClosedLoop
 inline constexpr double kSoftestNPerMm = 0.1;
 inline constexpr double kStiffestNPerMm = 20.0;
 
-/// K_max: the largest stiffness of the force law, N/mm, whatever the settings say, with which the loop comes to rest on
-/// a flat tooth, by bisection to 2 %. kStiffestNPerMm if even that holds, 0 if kSoftestNPerMm does not.
+/// K_max: up to which stiffness of the force law, N/mm, whatever the settings say, the loop comes to rest on a flat
+/// tooth; to 2 %, by steps of a fifth and then by bisection. kStiffestNPerMm if even that holds, 0 if kSoftestNPerMm
+/// does not.
 ///
 /// As haptics.md 2.2: the hand throws the bur at the tooth with 50 mm/s from 2 mm above and leans on it with 2 N; at
 /// rest is a grip that moves less than 0.15 mm from peak to peak along every axis in the last 0.5 s of 2 s. The drill

@@ -26,6 +26,7 @@ private slots:
     void delayAndLagCostStiffness();
     void everyMethodAndRateHasALimit_data();
     void everyMethodAndRateHasALimit();
+    void islandsBeyondTheLimitDoNotCount();
     void unknownMethodIsRefused();
 };
 
@@ -37,9 +38,8 @@ void TestStiffnessLimit::flatToothIsTheOneAxisWall_data()
     QTest::addColumn<double>("nPerMm");
     QTest::newRow("light, 1 ms") << std::size_t{0} << 1.0 << 2.986;
     QTest::newRow("light, 4 ms") << std::size_t{0} << 4.0 << 0.684;
-    QTest::newRow("medium, none") << std::size_t{1} << 0.0 << lab::kStiffestNPerMm;
     QTest::newRow("medium, 2 ms") << std::size_t{1} << 2.0 << 3.306;
-    QTest::newRow("firm, 1 ms") << std::size_t{2} << 1.0 << 12.610;
+    QTest::newRow("firm, 4 ms") << std::size_t{2} << 4.0 << 3.332;
 }
 
 void TestStiffnessLimit::flatToothIsTheOneAxisWall()
@@ -69,7 +69,7 @@ void TestStiffnessLimit::everyMethodAndRateHasALimit_data()
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("rateHz");
     for (const char* method : {"continuous", "lattice", "penalty"})
-        for (const double rateHz : {250.0, 4000.0})
+        for (const double rateHz : {250.0, 2000.0})
             QTest::addRow("%s, %g Hz", method, rateHz) << QString(method) << rateHz;
 }
 
@@ -82,6 +82,15 @@ void TestStiffnessLimit::everyMethodAndRateHasALimit()
     loop.rateHz = rateHz;
     const double limit = lab::stiffnessLimit(loop).value();
     QVERIFY2(limit > 0.5 && limit < 5.0, qPrintable(QString::number(limit)));
+}
+
+/// The lattice method fails from 7 N/mm on, and holds again between 11 and 13.
+void TestStiffnessLimit::islandsBeyondTheLimitDoNotCount()
+{
+    lab::ClosedLoop loop = loopWith(2, 1.0);
+    loop.settings.method = "lattice";
+    const double limit = lab::stiffnessLimit(loop).value();
+    QVERIFY2(limit < 9.0, qPrintable(QString::number(limit)));
 }
 
 void TestStiffnessLimit::unknownMethodIsRefused()
