@@ -45,6 +45,7 @@ void addOptions(QCommandLineParser& parser)
     option("db", "Keeps grades in this file instead of the user's own.", "FILE");
     option("theme", "light or dark; the desktop's own if not given.", "THEME");
     option("language", "en or de; the system's own if not given.", "CODE");
+    cli::addDeviceOption(parser);
     cli::addToothOptions(parser);
 }
 
@@ -63,6 +64,10 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     const QString theme = parser.value(QStringLiteral("theme"));
     if (!theme.isEmpty() && theme != u"light" && theme != u"dark")
         return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
+    const auto simulatedDevice = cli::wantsSimulatedDevice(parser);
+    if (!simulatedDevice)
+        return cli::wrongUsage(QString::fromStdString(simulatedDevice.error().detail));
+    options.simulatedDevice = *simulatedDevice;
     options.build = *build;
     options.source = parser.isSet(QStringLiteral("tooth"))
                          ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())

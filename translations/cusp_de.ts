@@ -850,6 +850,11 @@
         <source>Leave it as it is</source>
         <translation>So lassen</translation>
     </message>
+    <message>
+        <source>The simulated handpiece is at work</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation>Das simulierte Handstück arbeitet</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>

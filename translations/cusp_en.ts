@@ -850,6 +850,11 @@
         <source>Leave it as it is</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The simulated handpiece is at work</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>

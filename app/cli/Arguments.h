@@ -24,6 +24,12 @@ void addToothOptions(QCommandLineParser& parser);
 /// Their values, or a sentence about the first that is wrong: a matter for wrongUsage().
 [[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser);
 
+/// Adds --device: what moves the bur.
+void addDeviceOption(QCommandLineParser& parser);
+
+/// Whether it is the simulated Falcon, or a sentence.
+[[nodiscard]] core::Result<bool> wantsSimulatedDevice(const QCommandLineParser& parser);
+
 /// A whole number within [low, high] given to an option, or a sentence.
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
                                                qint64 high);
