@@ -12,6 +12,8 @@
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
 #include "core/recording/Replay.h"
+#include "haptics/pointer/PointerDevice.h"
+#include "haptics/simulated/GuidedFalcon.h"
 #include "lessons/DecayRemovalRubric.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/tooth/ToothView.h"
@@ -28,6 +30,7 @@ constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kReplayWatchMs = 100;
+constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
 
@@ -53,6 +56,17 @@ void inBackground(QObject* owner, Work work, Done done)
     });
 }
 
+using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
+
+std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, Wishes& pointer)
+{
+    const double stiffness = core::contact::ForceSettings{}.stiffnessNPerMm;
+    const double periodS = std::chrono::duration<double>(kServoPeriod).count();
+    if (simulated)
+        return std::make_unique<haptics::GuidedFalcon>(demo, stiffness, periodS);
+    return std::make_unique<haptics::PointerDevice>(pointer, stiffness, periodS);
+}
+
 }  // namespace
 
 core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions& options)
@@ -64,9 +78,8 @@ core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions
 }
 
 Application::Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick)
-    : m_options(options), m_pointer(m_links.pointer, core::contact::ForceSettings{}.stiffnessNPerMm,
-                                    std::chrono::duration<double>(kServoPeriod).count()),
-      m_servo(m_pointer, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
+    : m_options(options), m_device(makeDevice(options.simulatedDevice, m_demoWish, m_links.pointer)),
+      m_servo(*m_device, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
       m_session(m_servoLinks, m_links, {}), m_window(std::make_unique<ui::shell::MainWindow>(m_links))
 {
     using ui::shell::MainWindow;
@@ -92,6 +105,12 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     m_replayWatch.setInterval(kReplayWatchMs);
     connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
+    if (options.simulatedDevice) {
+        m_window->setSelfDrilling();
+        m_demoBeat.setInterval(kDemoBeatMs);
+        connect(&m_demoBeat, &QTimer::timeout, this, &Application::letDemoHandDecide);
+        m_demoBeat.start();
+    }
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
     static_cast<void>(m_links.commands.tryPush(core::session::SetDrill{true}));
     startLoops();
@@ -204,10 +223,18 @@ void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anato
     }
     m_anatomy = std::move(anatomy);
     m_ownGeneration = ++m_generation;
+    m_demoHand = {};
     m_window->showTooth(m_anatomy, m_ownGeneration, notes, unitInDoubt);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_anatomy);
     if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration}))
         static_cast<void>(tooth.release());  // the session owns it now
+}
+
+void Application::letDemoHandDecide()
+{
+    const auto tooth = m_session.toothSoFar();
+    if (!m_replay && tooth && tooth->anatomy == m_anatomy)
+        m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
 }
 
 void Application::grade()

@@ -14,7 +14,7 @@
 #include "database/sql/Database.h"
 #include "database/sql/SqlAttemptRepository.h"
 #include "haptics/ServoLoop.h"
-#include "haptics/pointer/PointerDevice.h"
+#include "haptics/simulated/DemoHand.h"
 #include "ui/shell/MainWindow.h"
 
 namespace app {
@@ -27,6 +27,8 @@ struct WindowOptions
     QString recording;     ///< play this instead of beginning with a tooth
     QString databaseFile;  ///< empty: the user's own
     QString picture;       ///< draw the tooth, or the end of the recording, into this file and quit
+    /// A DemoHand and a simulated Falcon take the decay out; the student watches.
+    bool simulatedDevice = false;
 };
 
 /// Builds the program behind the window and wires it: the loops and their threads, teeth, recordings, grades.
@@ -59,6 +61,7 @@ private:
     void stopReplay();
     void watchReplay();
     void drawPicture();
+    void letDemoHandDecide();
     void startLoops();
     void stopLoops();
 
@@ -66,7 +69,9 @@ private:
     core::teeth::ToothSource m_source;  ///< of the tooth taken last
     core::session::UiLinks m_links;
     core::session::ServoLinks m_servoLinks;
-    haptics::PointerDevice m_pointer;
+    core::rt::TripleBuffer<core::session::PointerInput> m_demoWish;  ///< of the DemoHand
+    haptics::DemoHand m_demoHand;
+    std::unique_ptr<haptics::HapticDevice> m_device;
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
     std::unique_ptr<database::sql::Database> m_database;
@@ -88,6 +93,7 @@ private:
     };
     std::optional<Graded> m_graded;
     QTimer m_replayWatch;
+    QTimer m_demoBeat;
     std::unique_ptr<ReplayLoop> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began

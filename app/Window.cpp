@@ -45,6 +45,7 @@ void addOptions(QCommandLineParser& parser)
     option("db", "Keeps grades in this file instead of the user's own.", "FILE");
     option("theme", "light or dark; the desktop's own if not given.", "THEME");
     option("language", "en or de; the system's own if not given.", "CODE");
+    cli::addDeviceOption(parser);
     cli::addToothOptions(parser);
 }
 
@@ -65,6 +66,10 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
                                    .arg(parser.positionalArguments().front()));
     if (parser.isSet(QStringLiteral("recording")) && parser.isSet(QStringLiteral("tooth")))
         return cli::wrongUsage(QStringLiteral("a recording brings its own tooth; leave out --tooth or --recording"));
+    const auto simulatedDevice = cli::wantsSimulatedDevice(parser);
+    if (!simulatedDevice)
+        return cli::wrongUsage(QString::fromStdString(simulatedDevice.error().detail));
+    options.simulatedDevice = *simulatedDevice;
     options.source = parser.isSet(QStringLiteral("tooth"))
                          ? core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString())
                          : core::teeth::ToothSource{kFirstTooth};

@@ -870,6 +870,11 @@
         <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
         <translation>Von unten wird nicht präpariert: Das Instrument arbeitet auf der anderen Seite des Zahns. Drehen Sie ihn zurück oder drücken Sie V.</translation>
     </message>
+    <message>
+        <source>The simulated handpiece is at work</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation>Das simulierte Handstück arbeitet</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>

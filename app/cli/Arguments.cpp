@@ -168,6 +168,21 @@ core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& p
     return options;
 }
 
+void addDeviceOption(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("device"),
+                      QStringLiteral("\"simulated\": a simulated Falcon in a simulated hand does the work."),
+                      QStringLiteral("DEVICE"), QStringLiteral("pointer")});
+}
+
+core::Result<bool> wantsSimulatedDevice(const QCommandLineParser& parser)
+{
+    const QString device = parser.value(QStringLiteral("device"));
+    if (device != u"pointer" && device != u"simulated")
+        return core::unexpected(core::ErrorCode::UnknownName, "--device wants \"pointer\" or \"simulated\"");
+    return device == u"simulated";
+}
+
 core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low, qint64 high)
 {
     bool isNumber = false;

@@ -31,6 +31,12 @@ void addToothOptions(QCommandLineParser& parser);
 [[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser,
                                                                    const core::teeth::ToothSource& source);
 
+/// Adds --device: what moves the bur.
+void addDeviceOption(QCommandLineParser& parser);
+
+/// Whether it is the simulated Falcon, or a sentence.
+[[nodiscard]] core::Result<bool> wantsSimulatedDevice(const QCommandLineParser& parser);
+
 /// A whole number within [low, high] given to an option, or a sentence.
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
                                                qint64 high);

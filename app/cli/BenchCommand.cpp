@@ -32,6 +32,7 @@ constexpr Suite kSuites[] = {
     {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite},
     {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite},
     {"contact", "error of each contact method against exact positions", bench::contactSuite},
+    {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite},
 };
 

@@ -13,6 +13,7 @@
 #include "core/recording/Recording.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/DemoHand.h"
+#include "haptics/simulated/GuidedFalcon.h"
 #include "haptics/simulated/Simulation.h"
 #include "lessons/DecayRemovalRubric.h"
 
@@ -24,11 +25,14 @@ constexpr std::uint64_t kTicksPerDecision = 16;
 constexpr std::uint64_t kTicksAfterwards = 500;
 constexpr int kPictureMs = 60'000;
 
-core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::BuiltTooth& tooth)
+core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::BuiltTooth& tooth, bool simulatedDevice)
 {
     const haptics::SimulationOptions options;
     core::rt::TripleBuffer<core::session::PointerInput> pointer;
-    haptics::PointerDevice device(pointer, options.settings.force.stiffnessNPerMm, 1.0 / options.rateHz);
+    const double stiffness = options.settings.force.stiffnessNPerMm;
+    haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);
+    haptics::GuidedFalcon guided(pointer, stiffness, 1.0 / options.rateHz);
+    haptics::HapticDevice& device = simulatedDevice ? static_cast<haptics::HapticDevice&>(guided) : plain;
     haptics::DemoHand hand;
     std::uint64_t doneAt = kMostTicks;
     return haptics::simulate(tooth.anatomy, device, kMostTicks, options,
@@ -82,6 +86,7 @@ int demoCommand(const QStringList& arguments)
                       QStringLiteral("FOLDER"), QStringLiteral("cusp-demo")});
     parser.addOption({QStringLiteral("tooth"), QStringLiteral("A mesh file or an FDI number; 36 if not given."),
                       QStringLiteral("FILE|FDI"), QStringLiteral("36")});
+    addDeviceOption(parser);
     addToothOptions(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp demo [--out FOLDER] [OPTIONS]")))
         return *code;
@@ -89,6 +94,9 @@ int demoCommand(const QStringList& arguments)
     const auto build = toothOptions(parser, source);
     if (!build)
         return wrongUsage(QString::fromStdString(build.error().detail));
+    const auto simulatedDevice = wantsSimulatedDevice(parser);
+    if (!simulatedDevice)
+        return wrongUsage(QString::fromStdString(simulatedDevice.error().detail));
     const QDir folder(parser.value(QStringLiteral("out")));
     if (!folder.mkpath(QStringLiteral(".")))
         return failed({core::ErrorCode::FileUnwritable,
@@ -99,7 +107,7 @@ int demoCommand(const QStringList& arguments)
     warn(tooth->report.warnings);
     printText(QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
                   .arg(QString::fromStdString(tooth->anatomy->name)));
-    const auto outcome = drillOutTheDecay(*tooth);
+    const auto outcome = drillOutTheDecay(*tooth, *simulatedDevice);
     if (!outcome)
         return failed(outcome.error());
 

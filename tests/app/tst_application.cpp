@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program behind a real window: its threads run, the mouse drills.
 #include <QAction>
+#include <QLabel>
 #include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -26,6 +27,7 @@ private slots:
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
+    void theSimulatedHandpieceDrillsByItself();
 
 private:
     template <class T>
@@ -36,7 +38,7 @@ private:
     [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
     [[nodiscard]] QString enamelRemoved() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
-    void start(const QString& recording = {});
+    void start(const QString& recording = {}, bool simulatedDevice = false);
     /// Drills at a point of the tooth until more enamel is gone than before.
     void drillAt(glm::dvec3 pointMm) const;
     void save(const QString& path) const;
@@ -51,12 +53,13 @@ void TestApplication::init()
     m_folder = std::make_unique<QTemporaryDir>();
 }
 
-void TestApplication::start(const QString& recording)
+void TestApplication::start(const QString& recording, bool simulatedDevice)
 {
     app::WindowOptions options;
     options.source = {36};
     options.databaseFile = m_folder->filePath("grades.sqlite");
     options.recording = recording;
+    options.simulatedDevice = simulatedDevice;
     m_application = app::Application::make(options).value();
     m_application->show();
     QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
@@ -160,6 +163,17 @@ void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()
     QVERIFY(message().contains("whole"));
     QTRY_COMPARE(enamelRemoved(), QString("0.00"));
     drillAt({-2.0, 1.0, -1.0});
+}
+
+void TestApplication::theSimulatedHandpieceDrillsByItself()
+{
+    start({}, true);
+    const QList<QLabel*> labels = m_application->window().findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text() == "The simulated handpiece is at work";
+    }));
+    const QString before = enamelRemoved();
+    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
 }
 
 int main(int argc, char** argv)

@@ -19,6 +19,7 @@ private slots:
     void drawsOnADisplayOfItsOwn();
     void withoutAPictureAllElseIsThere();
     void picturesWithoutOpenGlAreRefused();
+    void theSimulatedFalconTakesTheDecayOutToo();
 
 private:
     QTemporaryDir m_folder;
@@ -59,6 +60,15 @@ void TestDemoCommand::picturesWithoutOpenGlAreRefused()
     QCOMPARE(ending.exitCode, 1);
     QVERIFY2(ending.error.contains("cusp: the picture could not be drawn"), ending.error);
     QVERIFY(!QFile::exists(m_folder.filePath("none.png")));
+}
+
+void TestDemoCommand::theSimulatedFalconTakesTheDecayOutToo()
+{
+    const QTemporaryDir folder;
+    const Ending ending =
+        runCusp({"demo", "--device", "simulated", "--out", folder.path()}, {"PATH=/nowhere"});  // no picture
+    QVERIFY2(ending.out.contains("passed"), ending.out);
+    QCOMPARE(runCusp({"demo", "--device", "robot", "--out", folder.path()}).exitCode, 2);
 }
 
 QTEST_GUILESS_MAIN(TestDemoCommand)

@@ -326,8 +326,9 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     }
     m_view->setTooth(m_tooth, generation);
     const QString title = text::toothTitle(*m_tooth);
-    const QString name = text::toothName(m_tooth->fdi);
-    m_room->setTooth(title, name);
+    const bool selfDrilling = m_selfDrilling && !m_replaying;
+    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
+    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
     m_chooser->setPresent(m_tooth->fdi);
     setWindowTitle(tr("%1 – Cusp").arg(title));
     goTo(m_room);

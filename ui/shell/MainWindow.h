@@ -71,6 +71,8 @@ public slots:
     void setReplaying(bool replaying, double lengthS = 0.0);
     /// The recording has come to its end.
     void showReplayEnd();
+    /// Every tooth shown from now on is drilled by the simulated handpiece, and the window says so beside its name.
+    void setSelfDrilling() { m_selfDrilling = true; }
 
 signals:
     void toothChosen(int fdi);
@@ -153,6 +155,7 @@ private:
     bool m_standsIn = false;  ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;
+    bool m_selfDrilling = false;
     double m_replayLengthS = 0.0;
     bool m_mayClose = false;
     bool m_hasCut = false;

@@ -41,5 +41,7 @@ struct Context
 [[nodiscard]] core::Result<Figures> contactSuite(const Context& context);
 /// Minutes of continuous drilling: ticks and memory.
 [[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
+/// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
+[[nodiscard]] core::Result<Figures> stiffnessSuite(const Context& context);
 
 }  // namespace app::cli::bench

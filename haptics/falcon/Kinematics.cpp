@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/falcon/Kinematics.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace haptics::falcon {
+namespace {
+
+// Stamper's letters, mm.
+constexpr double kA = 60.0;        ///< arm
+constexpr double kB = 102.5;       ///< parallelogram, long side
+constexpr double kC = 14.43;       ///< grip: its joint, radially
+constexpr double kDE = 2 * 11.25;  ///< parallelogram, both short ends
+constexpr double kF = -25.0;       ///< grip: its joint, sideways
+constexpr double kR = 40.0;        ///< base: the arm's axis, radially
+constexpr double kS = -23.09;      ///< base: the arm's axis, sideways
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kLegRad[3] = {105.0 * kDegree, -15.0 * kDegree, -135.0 * kDegree};
+constexpr double kHomeRad = 35.0 * kDegree;
+
+constexpr double kExactRad = 1.0e-9;
+constexpr int kMostSteps = 20;
+
+}  // namespace
+
+std::optional<Arms> armsAt(const glm::dvec3& gripMm) noexcept
+{
+    Arms arms{};
+    for (int leg = 0; leg < 3; ++leg) {
+        const double cosLeg = std::cos(kLegRad[leg]);
+        const double sinLeg = std::sin(kLegRad[leg]);
+        const double cos3 = (kF - kS - sinLeg * gripMm.x + cosLeg * gripMm.y) / kB;
+        const double sin3 = std::sqrt(1.0 - cos3 * cos3);  // NaN out of reach, and so is all that follows
+        // In the plane of the leg: an arm of length a and one of length l from the motor to (x, y).
+        const double x = kC - kR + cosLeg * gripMm.x + sinLeg * gripMm.y;
+        const double y = gripMm.z;
+        const double l = kDE + kB * sin3;
+        const double reach = x * x + y * y + kA * kA - l * l;
+        const double root = std::sqrt(4.0 * kA * kA * (x * x + y * y) - reach * reach);
+        const double angle = 2.0 * std::atan((2.0 * kA * y - root) / (reach + 2.0 * kA * x));
+        const double cos1 = std::cos(angle);
+        const double sin1 = std::sin(angle);
+        const double cos2 = (x - kA * cos1) / l;
+        const double sin2 = (y - kA * sin1) / l;
+        const double bend = kA * (sin2 * cos1 - cos2 * sin1) * sin3;  // Stamper's equations 4.9 to 4.13
+        const auto n = static_cast<std::size_t>(leg);
+        arms.angleRad[leg] = angle;
+        arms.perMm[n] =
+            glm::dvec3(cos2 * sin3 * cosLeg - cos3 * sinLeg, cos2 * sin3 * sinLeg + cos3 * cosLeg, sin2 * sin3) / bend;
+        if (!std::isfinite(angle))
+            return std::nullopt;
+    }
+    return arms;
+}
+
+std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm) noexcept
+{
+    glm::dvec3 grip = nearMm;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const std::optional<Arms> arms = armsAt(grip);
+        if (!arms)
+            return std::nullopt;
+        const glm::dvec3 missing = angleRad - arms->angleRad;
+        const auto& [g0, g1, g2] = arms->perMm;
+        const glm::dvec3 g12 = glm::cross(g1, g2);
+        grip += (missing.x * g12 + missing.y * glm::cross(g2, g0) + missing.z * glm::cross(g0, g1)) / glm::dot(g0, g12);
+        if (glm::dot(missing, missing) < kExactRad * kExactRad)
+            return grip;
+    }
+    return std::nullopt;
+}
+
+glm::dvec3 roundedToCounts(const glm::dvec3& angleRad) noexcept
+{
+    return kHomeRad + glm::round((angleRad - kHomeRad) / kCountRad) * kCountRad;
+}
+
+}  // namespace haptics::falcon

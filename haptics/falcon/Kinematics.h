@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+/// The Novint Falcon's mechanism: three legs, each an arm on a motor and a parallelogram, carry the grip without
+/// turning it (Stamper 1997, chapters 3 and 4). Figures of the geometry and of the encoders are libnifalcon's.
+///
+/// Device frame, mm, as the user sees it: x right, y up, z out of the device; origin in the base plane, on the axis.
+/// No function allocates.
+namespace haptics::falcon {
+
+/// Middle of the work area: about 50 mm of way to each side.
+inline constexpr glm::dvec3 kCentreMm{0.0, 0.0, 125.0};
+inline constexpr double kReachMm = 45.0;  ///< radius of the ball around it that the grip is sure to reach
+
+/// The tooth stands upright before the user, its origin in the middle of the work area: tooth +x is right, +z is up,
+/// and +y leads into the device.
+[[nodiscard]] constexpr glm::dvec3 deviceFromTooth(const glm::dvec3& toothMm)
+{
+    return kCentreMm + glm::dvec3(toothMm.x, toothMm.z, -toothMm.y);
+}
+[[nodiscard]] constexpr glm::dvec3 toothFromDevice(const glm::dvec3& deviceMm)
+{
+    const glm::dvec3 apart = deviceMm - kCentreMm;
+    return {apart.x, -apart.z, apart.y};
+}
+
+/// The three arms, from the outward direction towards +z, radians.
+struct Arms
+{
+    glm::dvec3 angleRad;
+    std::array<glm::dvec3, 3> perMm;  ///< gradient of each angle over the grip's place, rad/mm
+};
+
+/// Inverse kinematics, closed form. Nothing where a leg does not reach.
+[[nodiscard]] std::optional<Arms> armsAt(const glm::dvec3& gripMm) noexcept;
+
+/// Forward kinematics by Newton's method in full steps to 1e-9 rad: two or three from a place a tick ago.
+/// (libnifalcon's half steps to 0.01 rad lag behind a moving grip by a whole tick.) Nothing if no grip position has
+/// these angles.
+/// @param nearMm  where to begin
+[[nodiscard]] std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm) noexcept;
+
+/// One count of an encoder as an angle of the arm: 320 slots, four edges each, a cable drive of 110 : 14.25.
+inline constexpr double kCountRad = 2.0 * std::numbers::pi / (320.0 * 4.0 * 110.0 / 14.25);
+
+/// The nearest angles that the encoders can tell; they count from 35 degrees.
+[[nodiscard]] glm::dvec3 roundedToCounts(const glm::dvec3& angleRad) noexcept;
+
+}  // namespace haptics::falcon

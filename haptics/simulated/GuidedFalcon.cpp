@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/simulated/GuidedFalcon.h"
+
+#include <glm/common.hpp>
+
+namespace haptics {
+namespace {
+
+/// Firm: in a narrow fissure the wall pushes a softer hand aside, and it slips down to where it did not want to drill.
+constexpr HandFigures kHand = kHands[2];
+constexpr double kHandNPerMm = 0.001 * kHand.stiffnessNPerM;
+constexpr glm::dvec3 kStartMm{0.0, 0.0, 4.0};  ///< where a PointerDevice begins
+constexpr double kEyeLagS = 0.3;               ///< from eye to hand [A]
+constexpr double kMostCorrectionMm = 0.5;      ///< a little more than the device's dry friction holds this hand back
+
+}  // namespace
+
+GuidedFalcon::GuidedFalcon(core::rt::TripleBuffer<core::session::PointerInput>& input, double stiffnessNPerMm,
+                           double periodS)
+    : m_glance(periodS / kEyeLagS),
+      // Who leans on a tooth through an arm stretches both springs, one behind the other.
+      m_will(input, stiffnessNPerMm * kHandNPerMm / (stiffnessNPerMm + kHandNPerMm), periodS),
+      m_falcon({}, kHand, periodS, 1, kStartMm), m_readMm(kStartMm)
+{}
+
+DeviceSample GuidedFalcon::exchange(const glm::dvec3& forceOnHandN) noexcept
+{
+    const glm::dvec3 wanted(m_will.exchange(forceOnHandN).tipInToothMm);
+    // Along the bur's axis it is the force that the hand minds, not the place.
+    const glm::dvec3 aside = (wanted - m_readMm) * glm::dvec3(1.0, 1.0, 0.0);
+    m_correctionMm =
+        glm::clamp(m_correctionMm + aside * m_glance, -glm::dvec3(kMostCorrectionMm), glm::dvec3(kMostCorrectionMm));
+    m_falcon.follow(wanted + m_correctionMm);
+    const DeviceSample sample = m_falcon.exchange(forceOnHandN);
+    m_readMm = glm::dvec3(sample.tipInToothMm);
+    return sample;
+}
+
+}  // namespace haptics

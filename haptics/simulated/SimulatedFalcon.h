@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/base/Rng.h"
+#include "haptics/HapticDevice.h"
+
+namespace haptics {
+
+/// A Novint Falcon as the servo meets it (haptics.md section 5). Certainty: R read in a source, M measured, K known
+/// from literature, A assumed until there is a device to measure. Geometry and encoders [R] are in falcon/Kinematics.h.
+struct FalconFigures
+{
+    double massKg = 0.25;         ///< effective at the grip, the same in all directions; 0.15 to 0.4 [A]
+    double viscousNSPerM = 0.8;   ///< 0.3 to 2 [A]
+    double coulombN = 0.25;       ///< dry friction against any motion; 0.1 to 0.5 [A]
+    double motorLagS = 0.001;     ///< first order [A]
+    double forceLimitN = 8.9;     ///< largest force, its direction kept; the vendor's 2 lbf [K]
+    double delayS = 0.001;        ///< from a sample to its force at the motor, computing apart [A]
+    double delayJitterS = 0.001;  ///< on top of it, uniform, drawn anew for every force; none overtakes another [A]
+};
+
+/// A hand at the grip: a mass that moves with it, spring and damper to where the hand wants to be (haptics.md section
+/// 6). All figures are assumed within the range of the literature [A], but the shape and the bands of the tremor [R].
+struct HandFigures
+{
+    std::string_view name;
+    double massKg;
+    double dampingNSPerM;
+    double stiffnessNPerM;
+    double tremorMm = 0.04;  ///< rms along x and along y each, 7.5 to 10.5 Hz
+    double driftMm = 0.075;  ///< rms along each axis, under 2 Hz
+};
+/// The light hand damps least and is the hardest to keep stable; medium is the one to use by default.
+inline constexpr std::array<HandFigures, 3> kHands{{
+    {"light", 0.02, 0.5, 60.0},
+    {"medium", 0.1, 3.0, 250.0},
+    {"firm", 0.15, 8.0, 700.0},
+}};
+
+/// Device and hand as one closed loop, so that contact and force can be tried, and watched, without a device.
+///
+///     (m + m_hand) x'' = F(t - delay) + k (x_ref - x) + b (x_ref' - x') - viscous x' - Coulomb
+///
+/// Steps of at most 20 us, at least ten a tick. Coulomb friction takes from a step what speed it can and no more, so a
+/// grip at rest sticks until it is pushed harder: Karnopp's model, whose band is here the speed that friction takes in
+/// one step. The position is read as the device reads it, from encoder counts of its arms. Weight is left out: the hand
+/// bears it. At the end of the work area the arms come to their stops.
+///
+/// The same seed gives the same motion. exchange() and follow() never allocate, lock or wait.
+class SimulatedFalcon final : public HapticDevice
+{
+public:
+    /// @param periodS  between two calls of exchange(); 250 us to 4 ms
+    /// @param tipMm    where grip and hand begin, at rest; tooth frame. How device and tooth lie to each other:
+    ///                 falcon/Kinematics.h
+    SimulatedFalcon(const FalconFigures& falcon, const HandFigures& hand, double periodS, std::uint64_t seed,
+                    const glm::dvec3& tipMm);
+
+    /// Where the hand wants to be at the end of the coming tick, but for its tremor; it goes there evenly. The first
+    /// wish of all is where it has wanted to be all along.
+    void follow(const glm::dvec3& wantedMm) noexcept;
+
+    /// Lets the force act for one period and reads the position at its end. So a delay of 0 is a servo that computes in
+    /// no time; one that hands a force over with its next exchange, as a real device's does, has a period of delay.
+    DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
+
+    /// Where the grip really is, between the counts.
+    [[nodiscard]] glm::dvec3 tipMm() const noexcept { return m_at / kMPerMm; }
+    /// Throws the grip: gives it this speed.
+    void push(const glm::dvec3& mmPerS) noexcept { m_speed = mmPerS * kMPerMm; }
+
+private:
+    static constexpr double kMPerMm = 0.001;  ///< inside, all is kg, m, s, N
+    struct Command
+    {
+        std::int64_t due = 0;  ///< step from which on it acts
+        glm::dvec3 forceN{0.0};
+    };
+    struct Wave
+    {
+        int axis;
+        double amplitude;
+        double radPerS;
+        double phaseRad;
+    };
+
+    void send(const glm::dvec3& forceN) noexcept;
+    [[nodiscard]] glm::dvec3 unrest(std::int64_t step) const noexcept;
+    void step(const glm::dvec3& reference, const glm::dvec3& referenceSpeed) noexcept;
+    [[nodiscard]] DeviceSample read() noexcept;
+
+    FalconFigures m_falcon;
+    HandFigures m_hand;
+    int m_steps;  ///< a tick
+    double m_stepS;
+    double m_motorShare;  ///< of what is missing to the commanded force, made up in one step
+    core::Rng m_rng;
+    std::vector<Wave> m_waves;
+    std::vector<Command> m_line;  ///< ring of the forces under way
+    std::size_t m_first = 0;
+    std::size_t m_underWay = 0;
+    std::int64_t m_now = 0;  ///< in steps
+    std::int64_t m_lastDue = 0;
+
+    glm::dvec3 m_at;
+    glm::dvec3 m_speed{0.0};
+    glm::dvec3 m_wanted;
+    glm::dvec3 m_reference;  ///< at the end of the last tick, tremor included
+    glm::dvec3 m_commandedN{0.0};
+    glm::dvec3 m_motorN{0.0};
+    glm::dvec3 m_readMm;  ///< device frame, last reading
+};
+
+}  // namespace haptics

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <cmath>
+
+#include "lab/StiffnessLimit.h"
+
+namespace {
+
+lab::ClosedLoop loopWith(std::size_t hand, double delayMs)
+{
+    lab::ClosedLoop loop;
+    loop.hand = haptics::kHands[hand];
+    loop.falcon.delayS = delayMs * 0.001;
+    loop.falcon.delayJitterS = 0.0;
+    return loop;
+}
+
+}  // namespace
+
+class TestStiffnessLimit : public QObject
+{
+    Q_OBJECT
+private slots:
+    void flatToothIsTheOneAxisWall_data();
+    void flatToothIsTheOneAxisWall();
+    void delayAndLagCostStiffness();
+    void everyMethodAndRateHasALimit_data();
+    void everyMethodAndRateHasALimit();
+    void islandsBeyondTheLimitDoNotCount();
+    void unknownMethodIsRefused();
+};
+
+/// haptics.md 2.2 has one axis and motors that answer at once; our whole servo over three axes agrees.
+void TestStiffnessLimit::flatToothIsTheOneAxisWall_data()
+{
+    QTest::addColumn<std::size_t>("hand");
+    QTest::addColumn<double>("delayMs");
+    QTest::addColumn<double>("nPerMm");
+    QTest::newRow("light, 1 ms") << std::size_t{0} << 1.0 << 2.986;
+    QTest::newRow("light, 4 ms") << std::size_t{0} << 4.0 << 0.684;
+    QTest::newRow("medium, 2 ms") << std::size_t{1} << 2.0 << 3.306;
+    QTest::newRow("firm, 4 ms") << std::size_t{2} << 4.0 << 3.332;
+}
+
+void TestStiffnessLimit::flatToothIsTheOneAxisWall()
+{
+    QFETCH(std::size_t, hand);
+    QFETCH(double, delayMs);
+    QFETCH(double, nPerMm);
+    lab::ClosedLoop loop = loopWith(hand, delayMs);
+    loop.falcon.motorLagS = 0.0;
+    const double limit = lab::stiffnessLimit(loop).value();
+    QVERIFY2(std::abs(limit / nPerMm - 1.0) < 0.05, qPrintable(QString::number(limit)));
+}
+
+void TestStiffnessLimit::delayAndLagCostStiffness()
+{
+    lab::ClosedLoop prompt = loopWith(1, 1.0);
+    prompt.falcon.motorLagS = 0.0;
+    const double promptly = lab::stiffnessLimit(prompt).value();
+    const double lagging = lab::stiffnessLimit(loopWith(1, 1.0)).value();
+    const double late = lab::stiffnessLimit(loopWith(1, 4.0)).value();
+    QVERIFY2(lagging < 0.6 * promptly, qPrintable(QString::number(lagging)));
+    QVERIFY2(late < 0.5 * lagging, qPrintable(QString::number(late)));
+}
+
+void TestStiffnessLimit::everyMethodAndRateHasALimit_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("rateHz");
+    for (const char* method : {"continuous", "lattice", "penalty"})
+        for (const double rateHz : {250.0, 2000.0})
+            QTest::addRow("%s, %g Hz", method, rateHz) << QString(method) << rateHz;
+}
+
+void TestStiffnessLimit::everyMethodAndRateHasALimit()
+{
+    QFETCH(QString, method);
+    QFETCH(double, rateHz);
+    lab::ClosedLoop loop = loopWith(1, 2.0);
+    loop.settings.method = method.toStdString();
+    loop.rateHz = rateHz;
+    const double limit = lab::stiffnessLimit(loop).value();
+    QVERIFY2(limit > 0.5 && limit < 5.0, qPrintable(QString::number(limit)));
+}
+
+/// The lattice method fails from 7 N/mm on, and holds again between 11 and 13.
+void TestStiffnessLimit::islandsBeyondTheLimitDoNotCount()
+{
+    lab::ClosedLoop loop = loopWith(2, 1.0);
+    loop.settings.method = "lattice";
+    const double limit = lab::stiffnessLimit(loop).value();
+    QVERIFY2(limit < 9.0, qPrintable(QString::number(limit)));
+}
+
+void TestStiffnessLimit::unknownMethodIsRefused()
+{
+    lab::ClosedLoop loop;
+    loop.settings.method = "magic";
+    QCOMPARE(lab::stiffnessLimit(loop).error().code, core::ErrorCode::UnknownName);
+}
+
+QTEST_APPLESS_MAIN(TestStiffnessLimit)
+#include "tst_stiffness_limit.moc"
