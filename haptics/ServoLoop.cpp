@@ -14,7 +14,14 @@ constexpr int kTicksPerGroup = 8;
 constexpr int kStrokeGapTicks = 150;
 constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::terrain::kMaxGridSide / kTileSide);
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
-constexpr std::size_t kMostEventsPerCommand = 3;
+constexpr std::size_t kMostEventsPerCommand = 4;
+
+/// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does (haptics.md 2.2: the
+/// limit falls as one over the delay).
+constexpr float kHeldDelayS = 0.002F;
+/// How fast a delay is forgotten, seconds a tick: in two seconds the two milliseconds of a spike.
+constexpr float kForgottenS = 1.0e-6F;
+constexpr std::uint64_t kSpringStepPercent = 5;
 
 }  // namespace
 
@@ -62,6 +69,8 @@ void ServoLoop::apply(const SwapTooth& swap) noexcept
     record({ServoEvent::Kind::Begin, 0, glm::vec3(0.0F), swap.generation});
     record({ServoEvent::Kind::Bur, 0, glm::vec3(0.0F), m_tick->state().burIndex});
     record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), m_tick->state().drillOn ? 1U : 0U});
+    if (m_springPercent != 100)
+        record({ServoEvent::Kind::Spring, 0, glm::vec3(0.0F), m_springPercent});
 }
 
 void ServoLoop::apply(const SetBur& bur) noexcept
@@ -78,6 +87,20 @@ void ServoLoop::apply(const SetDrill& drill) noexcept
     record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), drill.on ? 1U : 0U});
 }
 
+/// Softens the spring at once when the device answers late, and stiffens it by and by when it answers in time again.
+void ServoLoop::watchDelay(float delayS) noexcept
+{
+    m_delayS = std::max(delayS, m_delayS - kForgottenS);
+    const float share = m_delayS > kHeldDelayS ? kHeldDelayS / m_delayS : 1.0F;
+    const auto steps = static_cast<std::uint64_t>(share * 100.0F) / kSpringStepPercent;
+    const std::uint64_t percent = std::max<std::uint64_t>(1, steps) * kSpringStepPercent;
+    if (percent == m_springPercent)
+        return;
+    m_springPercent = percent;
+    m_tick->setSpring(percent);
+    record({ServoEvent::Kind::Spring, 0, glm::vec3(0.0F), percent});
+}
+
 void ServoLoop::tick(std::chrono::microseconds dt) noexcept
 {
     // Room for every tooth that a command could send back, and for what is to be recorded of it, is made sure of before
@@ -90,6 +113,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
     const DeviceSample sample = m_device.exchange(m_tick->state().forceN);
     if (m_tick->tooth() != nullptr) {
+        watchDelay(sample.delayS);
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});
@@ -109,7 +133,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     out = m_tick->state();
     out.toothGeneration = m_generation;
     out.missedPeriods = m_missedPeriods;
-    out.health |= m_health;
+    out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U);
     m_stateOut.publish();
 }
 

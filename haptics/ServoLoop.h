@@ -35,6 +35,7 @@ private:
     void apply(const core::session::SwapTooth& swap) noexcept;
     void apply(const core::session::SetBur& bur) noexcept;
     void apply(const core::session::SetDrill& drill) noexcept;
+    void watchDelay(float delayS) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
     void markDirty(const core::drilling::CutRect& rect) noexcept;
     void sendPatches() noexcept;
@@ -49,6 +50,8 @@ private:
     std::uint64_t m_serial = 0;
     std::uint64_t m_missedPeriods = 0;
     std::uint32_t m_health = 0;
+    float m_delayS = 0.0F;  ///< longest of late
+    std::uint64_t m_springPercent = 100;
 
     std::vector<std::uint8_t> m_isDirty;  ///< one a tile
     std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile

@@ -212,6 +212,14 @@
         <source>Force at its limit</source>
         <translation>Kraft an der Grenze</translation>
     </message>
+    <message>
+        <source>The bur is inside the tooth: lift it out, then it works.</source>
+        <translation>Das Instrument steckt im Zahn: Heben Sie es heraus, dann arbeitet es.</translation>
+    </message>
+    <message>
+        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
+        <translation>Das Handstück antwortet verzögert: Der Zahn fühlt sich weicher an.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>

@@ -212,6 +212,14 @@
         <source>Force at its limit</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The bur is inside the tooth: lift it out, then it works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Material</name>

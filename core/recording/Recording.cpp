@@ -17,7 +17,7 @@ namespace {
 using session::ServoEvent;
 
 constexpr std::string_view kMagic{"CUSPREC\n", 8};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kChunkEvents = 4096;
 constexpr int kPackLevel = 3;
 
@@ -63,7 +63,11 @@ std::string settingsBytes(const session::ServoSettings& settings)
     ByteWriter out;
     out.putText(settings.method);
     out.put(settings.force.stiffnessNPerMm);
+    out.put(settings.force.dampingNSPerM);
+    out.put(settings.force.brakeN);
     out.put(settings.force.friction);
+    out.put(settings.force.lateralGain);
+    out.put(settings.force.verticalGain);
     out.put(settings.force.clampN);
     out.put(settings.force.slewNPerS);
     out.putText(settings.hardness.name);
@@ -82,7 +86,11 @@ std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
     session::ServoSettings settings;
     settings.method = in.takeText();
     settings.force.stiffnessNPerMm = in.take<double>();
+    settings.force.dampingNSPerM = in.take<double>();
+    settings.force.brakeN = in.take<double>();
     settings.force.friction = in.take<double>();
+    settings.force.lateralGain = in.take<double>();
+    settings.force.verticalGain = in.take<double>();
     settings.force.clampN = in.take<double>();
     settings.force.slewNPerS = in.take<double>();
     settings.hardness.name = in.takeText();
@@ -211,6 +219,8 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
             continue;
         event.value = in.take<std::uint64_t>();
         if (event.kind == ServoEvent::Kind::Bur && event.value >= drilling::burs().size())
+            return std::nullopt;
+        if (event.kind == ServoEvent::Kind::Spring && (event.value < 1 || event.value > 100))
             return std::nullopt;
     }
     if (!in.ok() || in.left() != 0)

@@ -22,6 +22,8 @@ enum Health : std::uint32_t {
     kForceClamped = 1U << 1U,    ///< the wanted force passed the clamp this tick
     kPatchQueueFull = 1U << 2U,  ///< the session is late: cut tiles wait in the servo
     kRecordGap = 1U << 3U,       ///< the session was so late that ticks are missing from the recording
+    kBegunInside = 1U << 4U,     ///< the bur began inside the tooth: no force and no cutting until it has been out
+    kLoopIsSlow = 1U << 5U,      ///< force comes late: the spring is softer than set
 };
 
 /// Newest state of the servo. Servo thread writes, ui reads.

@@ -32,6 +32,7 @@ struct ServoEvent
         NoDevice,  ///< a step without a reading
         Drill,     ///< value: 0 off, 1 on
         Bur,       ///< value: index into burs()
+        Spring,    ///< value: per cent of the stiffness that the force law has from now on
         Restore,   ///< value: the tick whose tooth was put back
         Begin,     ///< a new tooth; value: its generation. Ends the recording before it
     };

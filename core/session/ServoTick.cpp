@@ -82,6 +82,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
         m_state.anchorMm = before.anchorMm;
         m_force.drop();
         m_restart = true;
+        m_mayAct = false;
     }
     return old;
 }
@@ -100,7 +101,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     ++m_state.tick;
     m_changed = {};
     m_state.cutting = false;
-    m_state.health &= ~(kDeviceLost | kForceClamped);
+    m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside);
     if (device == nullptr || !isPlausible(*device)) {
         m_force.drop();
         m_drill.rest();
@@ -122,12 +123,27 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.handpieceOnCrown = reached.z < m_tooth->floorMm();
     reached.z = std::max(reached.z, m_tooth->floorMm());
     m_state.anchorMm = m_method->update(*m_tooth, reached);
+    // A bur that begins inside a tooth neither pushes nor cuts until it has been out.
+    if (!m_mayAct) {
+        const glm::dvec2 over(reached);
+        m_mayAct =
+            m_tooth->clearanceAt(over, reached.z) <= reached.z || m_tooth->undersideAt(over, reached.z) >= reached.z;
+        if (!m_mayAct) {
+            m_force.drop();
+            m_state.forceN = glm::dvec3(0.0);
+            m_state.touching = false;
+            m_state.health |= kBegunInside;
+            return;
+        }
+        m_method->restart(m_state.deviceMm);
+        m_state.anchorMm = m_method->update(*m_tooth, reached);
+    }
     const glm::dvec3 stretch = m_state.anchorMm - reached;
     const double depth = std::sqrt(glm::dot(stretch, stretch));
     m_state.touching = depth > kTouchMm;
 
     if (m_state.drillOn && m_state.touching) {
-        const double pull = std::min(depth * m_force.settings().stiffnessNPerMm, m_force.settings().clampN);
+        const double pull = std::min(depth * m_force.stiffnessNPerMm(), m_force.settings().clampN);
         const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
         m_changed = cut.changed;
         m_state.cutting = !cut.changed.isEmpty();

@@ -36,6 +36,8 @@ public:
     contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew) noexcept;
     void setBur(std::size_t index) noexcept;
     void setDrill(bool on) noexcept { m_state.drillOn = on; }
+    /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
+    void setSpring(std::uint64_t percent) noexcept { m_force.setShare(0.01 * static_cast<double>(percent)); }
 
     /// One tick. A tooth must be there.
     /// @param device  null: no reading this tick, the force is zero at once and nothing moves; a position that is not
@@ -58,6 +60,7 @@ private:
     ServoState m_state;
     drilling::CutRect m_changed;
     bool m_restart = true;
+    bool m_mayAct = false;  ///< the bur has been free since the tooth was taken anew
 };
 
 /// Checks the settings, then builds. The error names the first thing wrong.

@@ -106,12 +106,15 @@ DeviceSample SimulatedFalcon::read() noexcept
 DeviceSample SimulatedFalcon::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     send(forceOnHandN);
+    const double delayS = static_cast<double>(m_lastDue - m_now) * m_stepS;  // of the force just taken
     const glm::dvec3 before = m_reference;
     m_reference = m_wanted + unrest(m_now + m_steps);
     const glm::dvec3 stride = (m_reference - before) / static_cast<double>(m_steps);
     for (int n = 1; n <= m_steps; ++n)
         step(before + stride * static_cast<double>(n), stride / m_stepS);
-    return read();
+    DeviceSample sample = read();
+    sample.delayS = static_cast<float>(delayS);
+    return sample;
 }
 
 }  // namespace haptics

@@ -141,6 +141,7 @@ void TestLoopThread::replayLoopShowsLargeChangesToo()
     settings.hardness.material.fill({100.0, 0.0});
     core::recording::Recording recording(settings, anatomy);
     recording.append({core::session::ServoEvent::Kind::Drill, 0, {}, 1});
+    recording.append({core::session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
     for (int n = 0; n < 4000; ++n)
         recording.append({core::session::ServoEvent::Kind::Tick,
                           1000,

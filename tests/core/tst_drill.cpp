@@ -313,6 +313,7 @@ void TestDrill::drillOffRemovesNothing()
     const Bench bench({}, "330");
     bench.servo->setDrill(false);
     const std::uint64_t before = terrain::stateHash(bench.tooth->tooth());
+    bench.step({-2.5, 0.0, 1.0});
     for (int tick = 0; tick < 500; ++tick)
         bench.step({0.01 * tick - 2.5, 0.0, -1.0});
     QCOMPARE(terrain::stateHash(bench.tooth->tooth()), before);

@@ -245,7 +245,7 @@ void TestRecording::refusesStrangers_data()
     QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
     QTest::newRow("no section") << good.left(int(kFileHeaderBytes)) << code(ErrorCode::FileTruncated);
     QByteArray newer = good;
-    newer[8] = 2;
+    newer[8] = 3;
     QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
     QByteArray zero = good;
     zero[8] = 0;

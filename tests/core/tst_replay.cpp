@@ -260,6 +260,7 @@ void TestReplay::secondToothHasItsOwnRecording()
     rig.open(layeredTooth(100), 2);
     QVERIFY(rig.servo->state().drillOn);
     QCOMPARE(rig.servo->state().burIndex, 2);
+    rig.lift();
     rig.lean(0.5, 0.0, 2.0, 300);
     QVERIFY(removedMm3(rig) > 0.02);
     compareWithLive(rig);

@@ -175,6 +175,13 @@ void TestSessionLoop::newToothWhileTheOldOneIsCut()
     rig.send(SetDrill{true});
     rig.lean(0.0, 0.0, 2.0, 30);
     rig.send(ReplaceTooth{new terrain::Tooth(block()), 7});
+    // The bur is inside it, pressed and turning: it does nothing before it has been out.
+    rig.lean(0.0, 0.0, 2.0, 100);
+    QVERIFY((rig.uiLinks->servo.latest().health & kBegunInside) != 0);
+    QCOMPARE(rig.uiLinks->servo.latest().forceN, glm::dvec3(0.0));
+    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(block())));
+    rig.lift();
+    QCOMPARE(rig.uiLinks->servo.latest().health & kBegunInside, 0U);
     rig.lean(0.0, 0.0, 2.0, 100);
     rig.lift();
     QCOMPARE(state(rig).toothGeneration, 7U);

@@ -6,9 +6,12 @@
 
 namespace {
 
+/// Spring and dry friction alone, as in the table.
 lab::ClosedLoop loopWith(std::size_t hand, double delayMs)
 {
     lab::ClosedLoop loop;
+    loop.settings.force.dampingNSPerM = 0.0;
+    loop.settings.force.brakeN = 0.0;
     loop.hand = haptics::kHands[hand];
     loop.falcon.delayS = delayMs * 0.001;
     loop.falcon.delayJitterS = 0.0;
@@ -24,6 +27,9 @@ private slots:
     void flatToothIsTheOneAxisWall_data();
     void flatToothIsTheOneAxisWall();
     void delayAndLagCostStiffness();
+    void whatWeShipHoldsEveryHand_data();
+    void whatWeShipHoldsEveryHand();
+    void aSlowLoopSoftensItsSpring();
     void everyMethodAndRateHasALimit_data();
     void everyMethodAndRateHasALimit();
     void islandsBeyondTheLimitDoNotCount();
@@ -62,6 +68,35 @@ void TestStiffnessLimit::delayAndLagCostStiffness()
     const double late = lab::stiffnessLimit(loopWith(1, 4.0)).value();
     QVERIFY2(lagging < 0.6 * promptly, qPrintable(QString::number(lagging)));
     QVERIFY2(late < 0.5 * lagging, qPrintable(QString::number(late)));
+}
+
+void TestStiffnessLimit::whatWeShipHoldsEveryHand_data()
+{
+    QTest::addColumn<std::size_t>("hand");
+    QTest::addColumn<double>("delayMs");
+    for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
+        for (const double delayMs : {0.0, 1.0, 2.0})
+            QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
+}
+
+void TestStiffnessLimit::whatWeShipHoldsEveryHand()
+{
+    QFETCH(std::size_t, hand);
+    QFETCH(double, delayMs);
+    lab::ClosedLoop loop = loopWith(hand, delayMs);
+    loop.settings.force = {};
+    const double limit = lab::stiffnessLimit(loop).value();
+    QVERIFY2(limit > core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
+}
+
+/// With 4 ms of delay the servo loop has halved the spring: that must hold the lightest hand.
+void TestStiffnessLimit::aSlowLoopSoftensItsSpring()
+{
+    lab::ClosedLoop loop = loopWith(0, 4.0);
+    loop.settings.force = {};
+    const double limit = lab::stiffnessLimit(loop).value();
+    QVERIFY2(limit < core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
+    QVERIFY2(limit > 0.5 * core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
 }
 
 void TestStiffnessLimit::everyMethodAndRateHasALimit_data()

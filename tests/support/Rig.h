@@ -15,12 +15,13 @@ class HeldDevice final : public haptics::HapticDevice
 public:
     glm::vec3 tipMm{0.0F, 0.0F, 5.0F};
     bool present = true;
+    float delayS = 0.0F;
     glm::dvec3 forceN{0.0};  ///< as last given to the hand
 
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
         forceN = forceOnHandN;
-        return {tipMm, present};
+        return {tipMm, present, delayS};
     }
 };
 

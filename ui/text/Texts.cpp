@@ -270,6 +270,11 @@ QString healthText(std::uint32_t health)
         return QCoreApplication::translate("Health", "The computer was too slow: the recording has a gap.");
     if ((health & core::session::kPatchQueueFull) != 0)
         return QCoreApplication::translate("Health", "The computer is slow: the picture lags behind.");
+    if ((health & core::session::kBegunInside) != 0)
+        return QCoreApplication::translate("Health", "The bur is inside the tooth: lift it out, then it works.");
+    if ((health & core::session::kLoopIsSlow) != 0)
+        return QCoreApplication::translate("Health",
+                                           "The handpiece answers late: the tooth is made softer to the hand.");
     if ((health & core::session::kForceClamped) != 0)
         return QCoreApplication::translate("Health", "Force at its limit");
     return {};
