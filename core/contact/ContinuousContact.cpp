@@ -12,14 +12,14 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 8;           ///< places looked at in a tick; the next tick goes on from there
+constexpr int kMaxSlides = 6;           ///< places looked at in a tick; the next tick goes on from there
 constexpr double kLongestShare = 0.5;   ///< of the radius, in one move: it ends inside whatever it would pass through
 constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
-constexpr double kStillMm = 1.0e-4;     ///< a move shorter than that is none
+constexpr double kStillMm = 3.0e-4;     ///< a move shorter than that is none
 constexpr double kSlackMm = 1.0e-5;     ///< a bur this far above the ground stands on it
 constexpr double kSteepest = 20.0;      ///< ground steeper than that is an upright side
 constexpr double kSmoothShare = 0.001;  ///< of a move, by which a tangent plane may cut off the place it began at
-constexpr int kHalvings = 14;           ///< in looking for the place where the bur met the tooth
+constexpr int kHalvings = 10;           ///< in looking for the place where the bur met the tooth
 constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
 constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
 constexpr int kMaxFreeSamples = 128;    ///< points looked at along a move through the air

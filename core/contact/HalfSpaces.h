@@ -13,7 +13,7 @@ namespace core::contact {
 class HalfSpaces
 {
 public:
-    static constexpr std::size_t kMost = 6;
+    static constexpr std::size_t kMost = 4;
 
     void clear() noexcept { m_count = 0; }
     /// One more; the oldest gives way if there are kMost. @param normal  of length 1

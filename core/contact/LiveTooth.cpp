@@ -205,6 +205,13 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) const noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     const Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
+    if (m_peak.i >= 0) {  // what stops the bur from above mostly reaches down beside it
+        const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+        const float value = valueOver<Side::Beneath>(m_tooth.bottom[grid().index(m_peak.i, m_peak.j)], m_peak.i,
+                                                     dy2Of(m_peak.j, head), head);
+        if (value > wanted.enough)
+            return -static_cast<double>(value);
+    }
     const Peaks peaks = m_kernels.lowestAtPoint({m_tooth.bottom.data(), grid().side, nullptr, 0}, mask(), grid().cellMm,
                                                 lattice.x, lattice.y, wanted);
     return -static_cast<double>(highestOf(peaks).value);

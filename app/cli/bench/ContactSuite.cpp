@@ -39,6 +39,16 @@ core::Result<Figures> contactSuite(const Context& context)
                 add("tick_us", errors.tickUs, "us", 5.0);
             }
         }
+        for (const int cells : {1, 2})
+            for (const char* method : {"continuous", "lattice", "penalty"})
+                figures << Figure{QStringLiteral("contact_%1_%2_ridge_%3_holds_n")
+                                      .arg(QLatin1String(method), QLatin1String(bur))
+                                      .arg(cells),
+                                  QStringLiteral("%1, bur %2, ridge of %3 cells: holds")
+                                      .arg(QLatin1String(method), QLatin1String(bur))
+                                      .arg(cells),
+                                  lab::ridgeHoldsN(method, cells, *index, kStiffnessNPerMm), QStringLiteral("N"),
+                                  qstrcmp(method, "continuous") == 0 ? QStringLiteral("at least 4") : QString()};
     }
     return figures;
 }

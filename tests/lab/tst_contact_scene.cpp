@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Accuracy of contact over surfaces whose offset is known. The figures are those of haptics.md 3.2 and 8.4.
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+
+#include "core/drilling/Bur.h"
+#include "lab/ContactScene.h"
+
+namespace {
+
+constexpr double kStiffnessNPerMm = 2.0;
+
+const lab::ContactFamily& familyOf(const char* bur, const QString& name)
+{
+    static std::map<std::string, std::vector<lab::ContactFamily>> known;
+    auto& families = known[bur];
+    if (families.empty())
+        families = lab::contactFamilies(150, core::drilling::findBur(bur).value());
+    return *std::find_if(families.begin(), families.end(),
+                         [&](const lab::ContactFamily& family) { return family.name == name.toStdString(); });
+}
+
+}  // namespace
+
+class TestContactScene : public QObject
+{
+    Q_OBJECT
+private slots:
+    void continuousStandsWhereGeometrySays_data();
+    void continuousStandsWhereGeometrySays();
+    void continuousIsWithinACellAtWalls();
+    void latticeFailsWhereTheorySaysSo();
+    void penaltyFailsWhereTheorySaysSo();
+    void ridgesAreNotCrossed_data();
+    void ridgesAreNotCrossed();
+};
+
+void TestContactScene::continuousStandsWhereGeometrySays_data()
+{
+    QTest::addColumn<QString>("bur");
+    QTest::addColumn<QString>("name");
+    for (const QString& bur : {QString("2"), QString("330")})
+        for (const char* name : {"plane 0", "plane 10", "plane 20", "plane 27", "plane 45", "plane 60", "plane 75",
+                                 "fossa", "cusp", "groove 30", "groove 30 anywhere", "groove 45", "groove 45 anywhere"})
+            QTest::addRow("%s on %s", qPrintable(bur), name) << bur << QString(name);
+}
+
+void TestContactScene::continuousStandsWhereGeometrySays()
+{
+    QFETCH(QString, bur);
+    QFETCH(QString, name);
+    const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
+    const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
+    QVERIFY2(errors.rmsUm < family.reachRmsUm, qPrintable(QString("rms %1 um").arg(errors.rmsUm)));
+    QVERIFY2(errors.mostUm < family.reachMostUm, qPrintable(QString("most %1 um").arg(errors.mostUm)));
+    QVERIFY2(errors.jumpN < family.reachJumpN, qPrintable(QString("jump %1 N").arg(errors.jumpN)));
+}
+
+void TestContactScene::continuousIsWithinACellAtWalls()
+{
+    // Where in a cell a wall stands the height map does not say: half a cell is lost on the average, and the columns
+    // of a wall that runs across the lattice are bumps.
+    const lab::ContactErrors wall = lab::measureContact(familyOf("2", "wall"), "continuous", kStiffnessNPerMm);
+    QVERIFY2(wall.rmsUm < 70.0, qPrintable(QString::number(wall.rmsUm)));
+    const lab::ContactErrors corner = lab::measureContact(familyOf("2", "pit corner"), "continuous", kStiffnessNPerMm);
+    QVERIFY2(corner.rmsUm < 70.0 && corner.jumpN < 0.1, qPrintable(QString::number(corner.rmsUm)));
+}
+
+void TestContactScene::latticeFailsWhereTheorySaysSo()
+{
+    // haptics.md 3.3: one step a tick is 70 mm/s; candidates that improve are not free on a slope.
+    for (const char* name : {"plane 0", "plane 27", "groove 30"}) {
+        const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "lattice", kStiffnessNPerMm);
+        QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
+        QVERIFY2(errors.jumpN > 0.1, qPrintable(QString("%1: jump %2 N").arg(name).arg(errors.jumpN)));
+    }
+}
+
+void TestContactScene::penaltyFailsWhereTheorySaysSo()
+{
+    // Beside a wall it pushes up, not out; between two walls it knows one.
+    for (const char* name : {"wall", "groove 30", "groove 45"}) {
+        const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "penalty", kStiffnessNPerMm);
+        QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
+    }
+}
+
+void TestContactScene::ridgesAreNotCrossed_data()
+{
+    QTest::addColumn<int>("cells");
+    QTest::newRow("1 cell") << 1;
+    QTest::newRow("2 cells") << 2;
+}
+
+void TestContactScene::ridgesAreNotCrossed()
+{
+    QFETCH(int, cells);
+    for (const std::size_t bur : {std::size_t{0}, std::size_t{1}}) {
+        const double held = lab::ridgeHoldsN("continuous", cells, bur, kStiffnessNPerMm);
+        QVERIFY2(held >= 4.0, qPrintable(QString("%1 N").arg(held)));
+    }
+    QVERIFY2(lab::ridgeHoldsN("penalty", cells, 0, kStiffnessNPerMm) < 4.0, "penalty holds a ridge");
+}
+
+QTEST_APPLESS_MAIN(TestContactScene)
+#include "tst_contact_scene.moc"
