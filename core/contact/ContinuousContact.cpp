@@ -12,8 +12,12 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 6;           ///< places looked at in a tick; the next tick goes on from there
-constexpr double kLongestShare = 0.5;   ///< of the radius, in one move: it ends inside whatever it would pass through
+constexpr int kMaxSlides = 6;          ///< places looked at in a tick; the next tick goes on from there
+constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: it ends inside whatever it would pass through
+/// Farthest that the bur slides in a tick: a bur that slips off a cusp under a hand that presses far into the tooth
+/// takes ten ticks for a millimetre, and the force with it. In mm, and per mm that the hand moved.
+constexpr double kSlipMm = 0.1;
+constexpr double kSlipShare = 4.0;
 constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
 constexpr double kStillMm = 3.0e-4;     ///< a move shorter than that is none
 constexpr double kSlackMm = 1.0e-5;     ///< a bur this far above the ground stands on it
@@ -102,13 +106,16 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
 /// Slides an anchor that has no tooth above it to the nearest place to the device (god-object, Zilles & Salisbury
 /// 1995, over the clearance field): ask for the nearest point in the half-spaces known so far, go there; if the tooth
 /// is in the way, what it is met by is one half-space more.
-void slide(LiveTooth& tooth, const glm::dvec3& device, const Touch& ground, glm::dvec3& anchor) noexcept
+///
+/// @param movedMm  how far the device moved in this tick
+void slide(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const Touch& ground, glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
     const auto add = [&](const Plane& plane) { planes.add(plane.normal, plane.offset); };
     if (anchor.z <= ground.heightMm + kSlackMm && glm::dot(ground.slope, ground.slope) < kSteepest * kSteepest)
         add(tangentAt(glm::dvec2(anchor), ground));
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
+    double left = kSlipMm + kSlipShare * movedMm;
     double best = distance2(anchor, device);
     for (int looks = 0; looks < kMaxSlides; ++looks) {
         glm::dvec3 next{0.0};
@@ -118,8 +125,9 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, const Touch& ground, glm:
         const double length = std::sqrt(glm::dot(move, move));
         if (length < kStillMm)
             return;
-        if (length > longest)
-            next = anchor + move * (longest / length);
+        const double most = std::min(longest, left);
+        if (length > most)
+            next = anchor + move * (most / length);
         const double far = distance2(next, device);
         if (far >= best)
             return;
@@ -138,6 +146,9 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, const Touch& ground, glm:
             planes.clear();
         anchor = {at, std::max(next.z, touch.heightMm)};
         best = far;
+        left -= std::min(length, most);
+        if (left < kStillMm)
+            return;
         if (touch.heightMm > static_cast<double>(terrain::kEmptyTop) &&
             glm::dot(touch.slope, touch.slope) < kSteepest * kSteepest)
             add(tangentAt(at, touch));
@@ -194,7 +205,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     if (underRoof || inNotch)
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, m_anchor);
     else
-        slide(tooth, device, ground, m_anchor);
+        slide(tooth, device, std::sqrt(glm::dot(moved, moved)), ground, m_anchor);
     return m_anchor;
 }
 
