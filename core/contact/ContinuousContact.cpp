@@ -12,7 +12,7 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 6;          ///< places looked at in a tick; the next tick goes on from there
+constexpr int kMaxSlides = 5;          ///< places looked at in a tick; the next tick goes on from there
 constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: it ends inside whatever it would pass through
 /// Farthest that the bur slides in a tick: a bur that slips off a cusp under a hand that presses far into the tooth
 /// takes ten ticks for a millimetre, and the force with it. In mm, and per mm that the hand moved.
