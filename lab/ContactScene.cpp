@@ -13,15 +13,14 @@
 #include "core/drilling/Bur.h"
 #include "haptics/simulated/Simulation.h"
 #include "haptics/simulated/TickTimes.h"
+#include "lab/Block.h"
 
 namespace lab {
 namespace {
 
 using core::drilling::Bur;
-using core::terrain::ToothAnatomy;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kExtentMm = 10.5;
 constexpr double kPushTicks = 150;
 constexpr double kPushMm = 0.5;
 constexpr double kWallMm = 3.0;
@@ -133,25 +132,6 @@ private:
     double m_u;
 };
 
-std::shared_ptr<const ToothAnatomy> anatomyOf(int side, glm::dvec2 shift,
-                                              const std::function<double(glm::dvec2)>& heightMm)
-{
-    auto tooth = std::make_shared<ToothAnatomy>();
-    tooth->name = "scene";
-    tooth->grid.side = side;
-    tooth->grid.cellMm = kExtentMm / side;
-    tooth->grid.originMm = glm::dvec2(-0.5 * tooth->grid.cellMm * (side - 1)) + shift * tooth->grid.cellMm;
-    const std::size_t count = tooth->grid.count();
-    tooth->top.resize(count);
-    tooth->bottom.assign(count, -60.0F);
-    tooth->areaMm2.assign(count, static_cast<float>(tooth->grid.cellMm * tooth->grid.cellMm));
-    tooth->layers.assign(count, core::terrain::ColumnLayers{0.0F, 0.0F, -100.0F, 0.0F, 0.0F});
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i)
-            tooth->top[tooth->grid.index(i, j)] = static_cast<float>(heightMm(tooth->grid.nodeMm(i, j)));
-    return tooth;
-}
-
 /// How the lattice lies under a scene: turned and moved by parts of a cell.
 struct Lie
 {
@@ -178,7 +158,7 @@ ContactScene slide(const Surface& surface, const Profile& ground, int side, glm:
                    double mmPerS)
 {
     ContactScene scene;
-    scene.anatomy = anatomyOf(side, shift, [&](glm::dvec2 at) { return surface.height(surface.along(at)); });
+    scene.anatomy = enamelBlock([&](glm::dvec2 at) { return surface.height(surface.along(at)); }, side, shift);
     scene.burIndex = bur;
     const auto onSurface = [&](glm::dvec2 at) { return glm::dvec3(at, ground(surface.along(at))); };
     Slider slider(surface, onSurface(place(0.0)));
@@ -262,7 +242,7 @@ ContactFamily grooves(double degrees, bool creaseOnNodes, int side, std::size_t 
     const double stand = standOff(core::drilling::burs()[bur], slope);
     ContactFamily family;
     family.name = "groove " + std::to_string(static_cast<int>(degrees)) + (creaseOnNodes ? "" : " anywhere");
-    const double cell = kExtentMm / side;
+    const double cell = kBlockExtentMm / side;
     family.reachRmsUm = creaseOnNodes ? 5.0 : 500.0 * slope * cell;
     family.reachMostUm = creaseOnNodes ? 15.0 : 750.0 * slope * cell;
     family.reachJumpN = 0.05;
@@ -300,7 +280,7 @@ Profile overStep(double heightMm, const Bur& bur)
 ContactFamily walls(int side, std::size_t bur)
 {
     const Bur& shape = core::drilling::burs()[bur];
-    const double cell = kExtentMm / side;
+    const double cell = kBlockExtentMm / side;
     ContactFamily family{"wall", {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
         Surface surface;
@@ -323,7 +303,7 @@ ContactFamily walls(int side, std::size_t bur)
 ContactFamily corners(int side, std::size_t bur)
 {
     const Bur& shape = core::drilling::burs()[bur];
-    const double cell = kExtentMm / side;
+    const double cell = kBlockExtentMm / side;
     const double radius = shape.headRadiusMm;
     ContactFamily family{"pit corner", {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
@@ -331,9 +311,9 @@ ContactFamily corners(int side, std::size_t bur)
         const glm::dvec2 y(-x.y, x.x);
         ContactScene scene;
         scene.burIndex = bur;
-        scene.anatomy = anatomyOf(side, lie.shift, [&](glm::dvec2 at) {
-            return glm::dot(at, x) > 0.0 || glm::dot(at, y) > 0.0 ? kWallMm : 0.0;
-        });
+        scene.anatomy =
+            enamelBlock([&](glm::dvec2 at) { return glm::dot(at, x) > 0.0 || glm::dot(at, y) > 0.0 ? kWallMm : 0.0; },
+                        side, lie.shift);
         scene.counted = 100;
         for (int tick = 0; tick < 1500; ++tick) {
             // Down onto the floor, then into the corner and a little to and fro in it.
@@ -353,7 +333,7 @@ ContactFamily corners(int side, std::size_t bur)
 ContactFamily steps(double heightMm, int side, std::size_t bur)
 {
     const Bur& shape = core::drilling::burs()[bur];
-    const double cell = kExtentMm / side;
+    const double cell = kBlockExtentMm / side;
     char name[32];
     std::snprintf(name, sizeof name, "step %.2f", heightMm);
     ContactFamily family{name, {}, 500.0 * cell, 1000.0 * cell, 0.1};
@@ -366,7 +346,7 @@ ContactFamily steps(double heightMm, int side, std::size_t bur)
             ContactScene scene;
             scene.burIndex = bur;
             scene.anatomy =
-                anatomyOf(side, lie.shift, [&](glm::dvec2 at) { return surface.height(surface.along(at)); });
+                enamelBlock([&](glm::dvec2 at) { return surface.height(surface.along(at)); }, side, lie.shift);
             scene.counted = 60;
             const double from = up ? -1.2 : 1.2;
             const double low = up ? 0.0 : heightMm;
@@ -412,15 +392,15 @@ double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double
     constexpr int kSide = 150;
     constexpr double kStepN = 0.25;
     constexpr double kMostN = 6.0;
-    const double cell = kExtentMm / kSide;
+    const double cell = kBlockExtentMm / kSide;
     const double half = 0.5 * cell * cells;
     const double radius = core::drilling::burs()[bur].headRadiusMm;
     double least = kMostN;
     for (const Lie& lie : kLies) {
         const glm::dvec2 across = turned(lie.turnDeg);
-        const auto anatomy = anatomyOf(kSide, lie.shift, [&](glm::dvec2 at) {
-            return std::abs(glm::dot(at, across)) < half + 0.01 * cell ? kWallMm : 0.0;
-        });
+        const auto anatomy = enamelBlock(
+            [&](glm::dvec2 at) { return std::abs(glm::dot(at, across)) < half + 0.01 * cell ? kWallMm : 0.0; }, kSide,
+            lie.shift);
         for (const double mmPerS : {1.0, 20.0, 200.0}) {
             core::contact::LiveTooth tooth{core::terrain::Tooth(anatomy)};
             tooth.selectBur(bur);

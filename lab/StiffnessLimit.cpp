@@ -7,10 +7,10 @@
 
 #include <glm/common.hpp>
 
+#include "lab/Block.h"
+
 namespace lab {
 namespace {
-
-using core::terrain::ToothAnatomy;
 
 constexpr double kStride = 1.2;
 constexpr double kPrecision = 1.02;
@@ -20,25 +20,6 @@ constexpr double kPushN = 2.0;
 constexpr double kTrialS = 2.0;
 constexpr double kWatchedS = 0.5;
 constexpr double kRestMm = 0.15;
-
-/// A block of enamel, its top at height 0.
-std::shared_ptr<const ToothAnatomy> plate()
-{
-    constexpr float kThickMm = 6.0F;
-    auto tooth = std::make_shared<ToothAnatomy>();
-    tooth->name = "plate";
-    tooth->grid.side = core::terrain::kDefaultGridSide;
-    tooth->grid.cellMm = 0.07;
-    tooth->grid.originMm = glm::dvec2(-0.5 * tooth->grid.cellMm * (tooth->grid.side - 1));
-    const std::size_t count = tooth->grid.count();
-    tooth->top.assign(count, 0.0F);
-    tooth->bottom.assign(count, -kThickMm);
-    tooth->areaMm2.assign(count, static_cast<float>(tooth->grid.cellMm * tooth->grid.cellMm));
-    core::terrain::ColumnLayers enamel;
-    enamel.dej = -kThickMm;
-    tooth->layers.assign(count, enamel);
-    return tooth;
-}
 
 /// One trial: does the grip come to rest? Settings must have been checked.
 bool comesToRest(core::contact::LiveTooth& tooth, const ClosedLoop& loop)
@@ -73,7 +54,7 @@ core::Result<double> stiffnessLimit(const ClosedLoop& loop)
 {
     if (const auto sound = core::session::makeServoTick(loop.settings); !sound)
         return tl::unexpected(sound.error());
-    core::contact::LiveTooth tooth{core::terrain::Tooth(plate())};
+    core::contact::LiveTooth tooth{core::terrain::Tooth(enamelBlock([](glm::dvec2) { return 0.0; }))};
     ClosedLoop tried = loop;
     const auto holdsAt = [&](double nPerMm) {
         tried.settings.force.stiffnessNPerMm = nPerMm;

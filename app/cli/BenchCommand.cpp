@@ -33,6 +33,7 @@ constexpr Suite kSuites[] = {
     {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite},
     {"contact", "error of each contact method against exact positions", bench::contactSuite},
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite},
+    {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite},
 };
 

@@ -39,6 +39,8 @@ struct Context
 [[nodiscard]] core::Result<Figures> tickSuite(const Context& context);
 /// Distance of each method's anchor from where geometry puts it, over surfaces whose offset is known.
 [[nodiscard]] core::Result<Figures> contactSuite(const Context& context);
+/// What becomes of servo, device and hand in scenes where methods fail: how many trials of each method hold.
+[[nodiscard]] core::Result<Figures> stabilitySuite(const Context& context);
 /// Minutes of continuous drilling: ticks and memory.
 [[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
