@@ -12,6 +12,9 @@ namespace {
 /// Penetration below which the bur is said to hover: a nanometre is rounding, not touch.
 constexpr double kTouchMm = 1.0e-6;
 
+/// A device that comes back deeper in the tooth than this must be lifted out before it feels a force again.
+constexpr double kSunkMm = 1.0;
+
 /// No hand is farther from the tooth: such a reading is as bad as none.
 constexpr float kFarthestMm = 1000.0F;
 
@@ -109,6 +112,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         m_state.touching = false;
         m_state.handpieceOnCrown = false;
         m_state.health |= kDeviceLost;
+        m_wasLost = true;
         return;
     }
     m_state.deviceMm = glm::dvec3(*device);
@@ -123,6 +127,10 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.handpieceOnCrown = reached.z < m_tooth->floorMm();
     reached.z = std::max(reached.z, m_tooth->floorMm());
     m_state.anchorMm = m_method->update(*m_tooth, reached);
+    // A hand that has sunk in while nothing held it is not thrown out.
+    if (m_wasLost && glm::dot(m_state.anchorMm - reached, m_state.anchorMm - reached) > kSunkMm * kSunkMm)
+        m_mayAct = false;
+    m_wasLost = false;
     // A bur that begins inside a tooth neither pushes nor cuts until it has been out.
     if (!m_mayAct) {
         const glm::dvec2 over(reached);

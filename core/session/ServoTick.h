@@ -60,6 +60,7 @@ private:
     ServoState m_state;
     drilling::CutRect m_changed;
     bool m_restart = true;
+    bool m_wasLost = false;
     bool m_mayAct = false;  ///< the bur has been free since the tooth was taken anew
 };
 

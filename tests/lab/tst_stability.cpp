@@ -45,7 +45,7 @@ void TestStability::whatWeShipComesToRest_data()
     QTest::addColumn<QString>("scene");
     QTest::addColumn<std::size_t>("hand");
     for (const QString& scene :
-         QStringList{"push", "pit", "groove", "slope", "wall", "ridge", "step", "brush", "drill", "inside"})
+         QStringList{"push", "pit", "groove", "slope", "wall", "ridge", "step", "brush", "drill", "dropout", "inside"})
         for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
             QTest::addRow("%s, hand %zu", qPrintable(scene), hand) << scene << hand;
 }
