@@ -14,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSet>
 #include <QSignalSpy>
@@ -104,6 +105,8 @@ private slots:
     void theScoreAddsUp();
     void aCriticalFaultFailsAHighScore();
 
+    void theFirstWindowFitsTheScreen_data();
+    void theFirstWindowFitsTheScreen();
     void everyControlHasAName();
     void everyActionIsFitToBeRead();
     void longTooltipsAreBrokenIntoLines();
@@ -1020,6 +1023,26 @@ void TestMainWindow::aCriticalFaultFailsAHighScore()
     QVERIFY(child<QLabel>("verdict")->text().startsWith("Not passed"));
 }
 
+void TestMainWindow::theFirstWindowFitsTheScreen_data()
+{
+    QTest::addColumn<QSize>("screen");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("small, with a task bar") << QSize(1024, 560) << QSize(1016, 520);
+    QTest::newRow("laptop") << QSize(1366, 768) << QSize(1280, 728);
+    QTest::newRow("large") << QSize(1920, 1080) << QSize(1280, 800);
+    QTest::newRow("less than any page needs") << QSize(640, 480) << QSize(960, 500);
+}
+
+void TestMainWindow::theFirstWindowFitsTheScreen()
+{
+    QFETCH(QSize, screen);
+    QFETCH(QSize, size);
+    QCOMPARE(MainWindow::firstSize(screen), size);
+    QCOMPARE(m_window->size(), MainWindow::firstSize(m_window->screen()->availableSize()));
+    m_window->resize(size);
+    QTRY_COMPARE(m_window->size(), size);
+}
+
 void TestMainWindow::everyControlHasAName()
 {
     int controls = 0;
@@ -1095,7 +1118,7 @@ void TestMainWindow::nothingIsClipped_data()
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
     for (const QString language : {"en", "de"})
-        for (const QSize size : {QSize(960, 640), QSize(1280, 800), QSize(1920, 1080)})
+        for (const QSize size : {QSize(960, 500), QSize(1016, 552), QSize(1280, 800), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
 }
 
@@ -1157,8 +1180,14 @@ void TestMainWindow::nothingIsClipped()
     a->back->trigger();
     window.showScore(sheet(3.2, 40, 0.5), {});
     check("score");
-    // The pictures of these pages are for looking at; one size is enough.
-    if (size.width() != 1280)
+    for (const QScrollArea* area : window.findChildren<QScrollArea*>())
+        if (area->isVisible())
+            QVERIFY2(
+                area->widget()->width() <= area->viewport()->width(),
+                qPrintable(
+                    QString("the score is %1 wide in %2").arg(area->widget()->width()).arg(area->viewport()->width())));
+    // The pictures of these pages are for looking at; a usual size and the smallest are enough.
+    if (size.width() != 1280 && size.width() != 960)
         return;
     const QString folder = QStringLiteral(CUSP_BINARY_DIR "/pictures");
     QVERIFY(QDir().mkpath(folder));
