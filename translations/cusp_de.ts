@@ -463,10 +463,6 @@
         <translation>Andere Hand</translation>
     </message>
     <message>
-        <source>Hold the handpiece in the other hand</source>
-        <translation>Das Handstück in die andere Hand nehmen</translation>
-    </message>
-    <message>
         <source>Tooth and files</source>
         <translation>Zahn und Dateien</translation>
     </message>
@@ -570,6 +566,10 @@
     <message>
         <source>Resume the replay</source>
         <translation>Wiedergabe fortsetzen</translation>
+    </message>
+    <message>
+        <source>Hold the handpiece from the other side; the view stays</source>
+        <translation>Das Handstück von der anderen Seite halten; die Ansicht bleibt</translation>
     </message>
 </context>
 <context>

@@ -463,10 +463,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold the handpiece in the other hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tooth and files</source>
         <translation type="unfinished"></translation>
     </message>
@@ -569,6 +565,10 @@
     </message>
     <message>
         <source>Resume the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the handpiece from the other side; the view stays</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
