@@ -128,6 +128,7 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
         if (!isNumber || !(options.rateHz >= kLeastRateHz && options.rateHz <= kMostRateHz))
             return core::unexpected(core::ErrorCode::OutOfRange, "--rate wants a number from 20 to 20000");
     }
+    options.record = !parser.value(QStringLiteral("record")).isEmpty();
     return options;
 }
 
@@ -220,7 +221,7 @@ int simulateCommand(const QStringList& arguments)
     if (const core::Status written = trace.finish(); !written)
         return failed(written.error());
     if (const QString record = parser.value(QStringLiteral("record")); !record.isEmpty())
-        if (const core::Status written = core::recording::writeRecording(record.toStdString(), outcome->recording);
+        if (const core::Status written = core::recording::writeRecording(record.toStdString(), *outcome->recording);
             !written)
             return failed(written.error());
 
