@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QDir>
 #include <QDropEvent>
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
@@ -89,6 +90,7 @@ private slots:
     void anotherUnitCanBeChosenBesideTheNote();
     void workIsShownAndHoldsBackTheRest();
     void aReplayRestsTheControls();
+    void aReplayMarksItsOwnBurAtOnce();
     void aReplayTellsItsTimeAndPauses();
     void aReplayHasFourSpeeds();
     void escapeEndsAReplayAtOnce();
@@ -744,6 +746,30 @@ void TestMainWindow::aReplayRestsTheControls()
     QVERIFY(child<QLabel>("hint")->isVisible());
     press(Qt::Key_D);
     QCOMPARE(sent().size(), 1);
+}
+
+void TestMainWindow::aReplayMarksItsOwnBurAtOnce()
+{
+    // Sooner than the servo's own word would count against the bur that was chosen a moment ago.
+    const auto showsAtOnce = [this](int bur, bool drill) {
+        ServoState servo;
+        servo.tick = 1;
+        servo.burIndex = static_cast<std::uint8_t>(bur);
+        servo.drillOn = drill;
+        publish(servo, {});
+        QElapsedTimer since;
+        since.start();
+        while (since.elapsed() < 250 && (!actions().burs[bur]->isChecked() || actions().drill->isChecked() != drill))
+            QTest::qWait(5);
+        return since.elapsed() < 250;
+    };
+    press(Qt::Key_4);
+    press(Qt::Key_D);
+    m_window->setReplaying(true, 10.0);
+    QVERIFY(showsAtOnce(1, false));
+    QVERIFY(!actions().burs[3]->isChecked());
+    m_window->setReplaying(false);
+    QVERIFY(showsAtOnce(3, true));
 }
 
 void TestMainWindow::aReplayTellsItsTimeAndPauses()

@@ -411,6 +411,9 @@ void MainWindow::setReplaying(bool replaying, double lengthS)
         m_workAtRest = ownWork();
     m_replaying = replaying;
     m_replayLengthS = lengthS;
+    // What was asked of one hand is no word about the other's bur.
+    m_drillWish = {};
+    m_burWish = {};
     m_room->setReplayTime(0.0, lengthS);
     setReplayPaused(false);
     m_room->setReplaying(replaying);
