@@ -212,14 +212,14 @@ void warn(const std::vector<std::string>& warnings)
         explain(QStringLiteral("warning: ") + QString::fromStdString(warning));
 }
 
-void printText(const QString& text)
+void printText(const QString& text, std::FILE* stream)
 {
-    printTo(stdout, text);
+    printTo(stream, text);
 }
 
-void printJson(const QJsonObject& object)
+void printJson(const QJsonObject& object, std::FILE* stream)
 {
-    printTo(stdout, QString::fromUtf8(QJsonDocument(object).toJson()));
+    printTo(stream, QString::fromUtf8(QJsonDocument(object).toJson()));
 }
 
 QJsonArray toJsonArray(const std::vector<std::string>& sentences)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,8 +49,9 @@ int failed(const core::Error& error);
 /// Prints each to stderr, on a line of its own: what went well enough to go on.
 void warn(const std::vector<std::string>& warnings);
 
-void printText(const QString& text);
-void printJson(const QJsonObject& object);
+/// The figures that a command answers with. They go to stderr where stdout carries something else.
+void printText(const QString& text, std::FILE* stream = stdout);
+void printJson(const QJsonObject& object, std::FILE* stream = stdout);
 [[nodiscard]] QJsonArray toJsonArray(const std::vector<std::string>& sentences);
 
 }  // namespace app::cli

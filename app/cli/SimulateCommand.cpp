@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
+#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -20,17 +22,40 @@ constexpr double kLeastRateHz = 20.0;
 constexpr double kMostRateHz = 20000.0;
 constexpr std::uint64_t kMostTicks = 100'000'000;
 
-/// Writes the trace row by row: into a new file beside its place, renamed when it is whole, so that a failure leaves
-/// the older trace.
+/// Standard output as a place for the trace.
+bool isStandardOutput(const QString& path)
+{
+    return path == u"-" || path == u"/dev/stdout";
+}
+
+/// A terminal, a null device, a pipe: what is written to as it is, and not replaced.
+bool isStream(const QString& path)
+{
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(path.toStdString(), failure);
+    return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+}
+
+/// Writes the trace row by row. A file is written beside its place and renamed when it is whole, so that a failure
+/// leaves the older trace; into a stream the rows go at once.
 class TraceWriter
 {
 public:
-    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path) {}
+    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path), m_stream(m_path) {}
 
     [[nodiscard]] core::Status open()
     {
-        // Renaming over a device or a pipe would put a file in its place.
-        if ((QFileInfo::exists(m_path) && !QFileInfo(m_path).isFile()) || !m_file.open(QIODevice::WriteOnly))
+        bool opened = false;
+        if (isStandardOutput(m_path)) {
+            opened = m_stream.open(stdout, QIODevice::WriteOnly);
+            m_out = &m_stream;
+        } else if (isStream(m_path)) {
+            opened = m_stream.open(QIODevice::WriteOnly | QIODevice::Unbuffered);
+            m_out = &m_stream;
+        } else if (!QFileInfo::exists(m_path) || QFileInfo(m_path).isFile()) {
+            opened = m_file.open(QIODevice::WriteOnly);
+        }
+        if (!opened)
             return unwritable();
         m_line =
             "t_s,x_mm,y_mm,z_mm,ax_mm,ay_mm,az_mm,fx_n,fy_n,fz_n,contact,caries_mm3,enamel_mm3,dentin_mm3,pulp_mm3\n";
@@ -54,7 +79,7 @@ public:
     [[nodiscard]] core::Status finish()
     {
         flush();
-        if (!m_written || !m_file.commit())
+        if (!m_written || !(m_out == &m_file ? m_file.commit() : m_stream.flush()))
             return unwritable();
         return {};
     }
@@ -70,7 +95,7 @@ private:
     }
     void flush()
     {
-        m_written = m_written && m_file.write(m_line.data(), static_cast<qint64>(m_line.size())) ==
+        m_written = m_written && m_out->write(m_line.data(), static_cast<qint64>(m_line.size())) ==
                                      static_cast<qint64>(m_line.size());
         m_line.clear();
     }
@@ -83,6 +108,8 @@ private:
 
     QString m_path;
     QSaveFile m_file;
+    QFile m_stream;
+    QIODevice* m_out = &m_file;
     std::string m_line;
     bool m_written = true;
 };
@@ -94,7 +121,10 @@ void addOptions(QCommandLineParser& parser)
     };
     option("tooth", "The tooth to work on: a mesh file or an FDI number.", "FILE|FDI");
     option("path", "Device path: CSV with t_s,x_mm,y_mm,z_mm,drill.", "P.csv");
-    option("out", "Where the trace goes, one row a tick.", "T.csv");
+    option("out",
+           "Where the trace goes, one row a tick: a file, a pipe, or - for standard output; the figures then go to "
+           "standard error.",
+           "T.csv");
     parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
     option("bur", "2, 330 (default), 245 or 57.", "NAME");
     option("method", "continuous (default), lattice or penalty.", "M");
@@ -225,6 +255,7 @@ int simulateCommand(const QStringList& arguments)
             !written)
             return failed(written.error());
 
+    std::FILE* const figures = isStandardOutput(parser.value(QStringLiteral("out"))) ? stderr : stdout;
     const QString hash = hashText(core::terrain::stateHash(outcome->tooth));
     const QJsonObject tickUs = toJson(*outcome->tickTimes);
     if (parser.isSet(QStringLiteral("json"))) {
@@ -233,7 +264,8 @@ int simulateCommand(const QStringList& arguments)
                    {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
                    {QStringLiteral("state_hash"), hash},
                    {QStringLiteral("warnings"), toJsonArray(tooth->report.warnings)},
-                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}});
+                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}},
+                  figures);
         return kDone;
     }
     warn(tooth->report.warnings);
@@ -252,7 +284,8 @@ int simulateCommand(const QStringList& arguments)
                   .arg(removed[1], 0, 'f', 4)
                   .arg(removed[2], 0, 'f', 4)
                   .arg(removed[3], 0, 'f', 4)
-                  .arg(hash));
+                  .arg(hash),
+              figures);
     return kDone;
 }
 

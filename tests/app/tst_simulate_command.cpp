@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <thread>
+
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -35,6 +40,7 @@ private slots:
     void badPresetsSayWhatToDo_data();
     void badPresetsSayWhatToDo();
     void aFailureLeavesTheOlderTrace();
+    void theTraceGoesIntoStreams();
     void badInputIsOneSentence_data();
     void badInputIsOneSentence();
     void wrongUsage_data();
@@ -208,6 +214,40 @@ void TestSimulateCommand::aFailureLeavesTheOlderTrace()
     QVERIFY(contents(trace).startsWith("t_s,"));
     QCOMPARE(contents(users), QByteArray("mine"));
     QCOMPARE(QDir(m_folder.path()).entryList({"older*"}).size(), 2);
+}
+
+void TestSimulateCommand::theTraceGoesIntoStreams()
+{
+    const QStringList arguments{"simulate", "--tooth", "36", "--path", m_path, "--json", "--out"};
+    const QString hash = runCusp(arguments + QStringList{m_folder.filePath("t.csv")}).json()["state_hash"].toString();
+    QVERIFY(!hash.isEmpty());
+    for (const char* name : {"-", "/dev/stdout"}) {
+        const Ending ending = runCusp(arguments + QStringList{name});
+        QCOMPARE(ending.exitCode, 0);
+        QVERIFY(ending.out.startsWith("t_s,x_mm,"));
+        QCOMPARE(ending.out.count('\n'), 1202);
+        QCOMPARE(QJsonDocument::fromJson(ending.error).object()["state_hash"].toString(), hash);
+    }
+    const Ending nowhere = runCusp(arguments + QStringList{"/dev/null"});
+    QCOMPARE(nowhere.exitCode, 0);
+    QCOMPARE(nowhere.json()["state_hash"].toString(), hash);
+    const Ending full = runCusp(arguments + QStringList{"/dev/full"});
+    QCOMPARE(full.exitCode, 1);
+    QVERIFY2(full.isOneSentence(), full.error);
+
+    const QString pipe = m_folder.filePath("pipe");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    QByteArray read;
+    std::thread reader([&] {
+        QFile file(pipe);
+        if (file.open(QIODevice::ReadOnly))
+            read = file.readAll();
+    });
+    const Ending piped = runCusp(arguments + QStringList{pipe});
+    reader.join();
+    QCOMPARE(piped.exitCode, 0);
+    QCOMPARE(read.count('\n'), 1202);
+    QVERIFY2(!QFileInfo(pipe).isFile(), "the pipe is still one");
 }
 
 void TestSimulateCommand::badInputIsOneSentence_data()
