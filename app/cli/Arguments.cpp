@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <QJsonDocument>
+#include <QStringDecoder>
 
 #include "app/cli/Commands.h"
 #include "core/teeth/ToothTable.h"
@@ -21,7 +22,7 @@ void printTo(std::FILE* stream, const QString& text)
 
 void explain(const QString& sentence)
 {
-    QString text = sentence.simplified();
+    QString text = printable(sentence.simplified());
     if (!text.endsWith(u'.'))
         text += u'.';
     printTo(stderr, QStringLiteral("cusp: ") + text + u'\n');
@@ -192,6 +193,27 @@ core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString
             core::ErrorCode::OutOfRange,
             QStringLiteral("--%1 wants a whole number from %2 to %3").arg(option).arg(low).arg(high).toStdString());
     return number;
+}
+
+std::optional<int> refuseOddNames(std::span<char* const> arguments)
+{
+    for (const char* const argument : arguments) {
+        QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+        const QString name = decode(QByteArrayView(argument));
+        if (decode.hasError())
+            return failed({core::ErrorCode::FileUnreadable,
+                           "Cusp cannot open what is called \"" + name.toStdString() +
+                               "\", because the name is not written in UTF-8; rename the file and try again"});
+    }
+    return std::nullopt;
+}
+
+QString printable(QString text)
+{
+    for (QChar& letter : text)
+        if (letter.category() == QChar::Other_Control)
+            letter = u'?';
+    return text;
 }
 
 int wrongUsage(const QString& sentence)

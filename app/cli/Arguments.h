@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,13 @@ void addDeviceOption(QCommandLineParser& parser);
 /// A whole number within [low, high] given to an option, or a sentence.
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
                                                qint64 high);
+
+/// Says that a name cannot be opened, and gives the exit code, where an argument is not UTF-8: Qt would make another
+/// name of it, under which there is no file.
+[[nodiscard]] std::optional<int> refuseOddNames(std::span<char* const> arguments);
+
+/// With a question mark for each control character: words out of a file shall not steer a terminal.
+[[nodiscard]] QString printable(QString text);
 
 /// Prints the sentence to stderr and returns the exit code that goes with it.
 int wrongUsage(const QString& sentence);

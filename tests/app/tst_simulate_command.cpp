@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -41,6 +42,8 @@ private slots:
     void badPresetsSayWhatToDo();
     void aFailureLeavesTheOlderTrace();
     void theTraceGoesIntoStreams();
+    void namesThatAreNotUtf8AreRefused();
+    void wordsOutOfAFileSteerNoTerminal();
     void badInputIsOneSentence_data();
     void badInputIsOneSentence();
     void wrongUsage_data();
@@ -248,6 +251,27 @@ void TestSimulateCommand::theTraceGoesIntoStreams()
     QCOMPARE(piped.exitCode, 0);
     QCOMPARE(read.count('\n'), 1202);
     QVERIFY2(!QFileInfo(pipe).isFile(), "the pipe is still one");
+}
+
+void TestSimulateCommand::namesThatAreNotUtf8AreRefused()
+{
+    // Latin 1, as old disks have it. runCusp() speaks UTF-8 only, so a shell passes the byte on.
+    const QString script = write("latin.sh", "exec \"$1\" tooth \"$(printf 'pr\\344molar.obj')\"\n");
+    QProcess shell;
+    shell.start("sh", {script, CUSP_BINARY_DIR "/bin/cusp"});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.exitCode(), 1);
+    const QByteArray said = shell.readAllStandardError();
+    QVERIFY2(said.contains("not written in UTF-8; rename the file") && said.count('\n') == 1, said);
+}
+
+void TestSimulateCommand::wordsOutOfAFileSteerNoTerminal()
+{
+    const QString odd = m_folder.filePath("odd\x1b[2J.obj");
+    const Ending ending = runCusp({"tooth", odd});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.isOneSentence() && !ending.error.contains('\x1b') && ending.error.contains("odd?[2J"),
+             ending.error);
 }
 
 void TestSimulateCommand::badInputIsOneSentence_data()
