@@ -737,6 +737,10 @@
         <source>right or middle drag</source>
         <translation>rechts oder Mitte ziehen</translation>
     </message>
+    <message>
+        <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
+        <translation>Der türkise Bogen neben dem Instrument zeigt, wie fest es drückt; bei der eingestellten Kraft ist er voll.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>

@@ -737,6 +737,10 @@
         <source>right or middle drag</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>
