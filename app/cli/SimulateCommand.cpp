@@ -12,6 +12,7 @@
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
+#include "core/drilling/Bur.h"
 #include "haptics/simulated/PathDevice.h"
 #include "haptics/simulated/Simulation.h"
 
@@ -162,6 +163,19 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
     return options;
 }
 
+/// A sentence where the path begins below what any handpiece reaches.
+std::optional<std::string> tooDeep(const core::recording::DevicePath& path, double highestMm)
+{
+    const double firstMm = path.points.front().tipMm.z;
+    if (firstMm >= highestMm - core::drilling::kChuckMm)
+        return std::nullopt;
+    return QStringLiteral("the path begins at z %1 mm, but a handpiece stops on the crown before its bur is more than "
+                          "%2 mm below the highest cusp; begin the path above the tooth")
+        .arg(firstMm, 0, 'f', 2)
+        .arg(core::drilling::kChuckMm)
+        .toStdString();
+}
+
 /// A sentence about the first file to be written that would overwrite another one of the command line, or nothing.
 QString clashingFiles(const QCommandLineParser& parser)
 {
@@ -231,6 +245,9 @@ int simulateCommand(const QStringList& arguments)
     if (!tooth)
         return failed(tooth.error());
     tooth->mesh = {};  // only its maps are drilled
+    std::vector<std::string> warnings = tooth->report.warnings;
+    if (const auto warning = tooDeep(*path, tooth->report.highMm.z))
+        warnings.push_back(*warning);
 
     TraceWriter trace(parser.value(QStringLiteral("out")));
     if (const core::Status opened = trace.open(); !opened)
@@ -263,12 +280,12 @@ int simulateCommand(const QStringList& arguments)
                    {QStringLiteral("tick_us"), tickUs},
                    {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
                    {QStringLiteral("state_hash"), hash},
-                   {QStringLiteral("warnings"), toJsonArray(tooth->report.warnings)},
+                   {QStringLiteral("warnings"), toJsonArray(warnings)},
                    {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}},
                   figures);
         return kDone;
     }
-    warn(tooth->report.warnings);
+    warn(warnings);
     const auto& removed = outcome->last.removedMm3;
     printText(QStringLiteral("ticks          %1 at %2 Hz\n"
                              "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"

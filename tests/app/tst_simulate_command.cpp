@@ -42,6 +42,7 @@ private slots:
     void badPresetsSayWhatToDo();
     void aFailureLeavesTheOlderTrace();
     void theTraceGoesIntoStreams();
+    void aPathThatBeginsTooDeepIsWarnedAbout();
     void namesThatAreNotUtf8AreRefused();
     void wordsOutOfAFileSteerNoTerminal();
     void badInputIsOneSentence_data();
@@ -251,6 +252,21 @@ void TestSimulateCommand::theTraceGoesIntoStreams()
     QCOMPARE(piped.exitCode, 0);
     QCOMPARE(read.count('\n'), 1202);
     QVERIFY2(!QFileInfo(pipe).isFile(), "the pipe is still one");
+}
+
+void TestSimulateCommand::aPathThatBeginsTooDeepIsWarnedAbout()
+{
+    const auto warning = [&](const QByteArray& firstZ) {
+        const QString path = write("deep.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,0,0," + firstZ + ",0\n0.1,0,0,3,0\n");
+        const QStringList arguments{"simulate", "--tooth", "36", "--path", path, "--out", m_folder.filePath("t.csv")};
+        const Ending text = runCusp(arguments);
+        const QJsonArray listed = runCusp(arguments + QStringList{"--json"}).json()["warnings"].toArray();
+        return listed.size() == 1 && text.error == "cusp: warning: " + listed[0].toString().toUtf8() + ".\n"
+                   ? listed[0].toString()
+                   : QString::fromUtf8(text.error);
+    };
+    QVERIFY2(warning("-12.5").contains("begins at z -12.50 mm"), qPrintable(warning("-12.5")));
+    QCOMPARE(warning("-7.9"), QString());
 }
 
 void TestSimulateCommand::namesThatAreNotUtf8AreRefused()
