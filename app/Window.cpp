@@ -108,7 +108,9 @@ void installLanguage(QApplication& application, const QString& language)
          {std::pair(QStringLiteral("cusp"), QStringLiteral(":/i18n")),
           std::pair(QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath))}) {
         auto* const translator = new QTranslator(&application);
-        if (translator->load(locale, name, QStringLiteral("_"), folder))
+        // Who speaks neither language reads English, plurals and all.
+        if (translator->load(locale, name, QStringLiteral("_"), folder) ||
+            (name == u"cusp" && translator->load(QStringLiteral(":/i18n/cusp_en.qm"))))
             QApplication::installTranslator(translator);
     }
 }

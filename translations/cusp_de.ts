@@ -471,10 +471,6 @@
         <translation>Andere Hand</translation>
     </message>
     <message>
-        <source>Hold the handpiece in the other hand</source>
-        <translation>Das Handstück in die andere Hand nehmen</translation>
-    </message>
-    <message>
         <source>Tooth and files</source>
         <translation>Zahn und Dateien</translation>
     </message>
@@ -578,6 +574,10 @@
     <message>
         <source>Resume the replay</source>
         <translation>Wiedergabe fortsetzen</translation>
+    </message>
+    <message>
+        <source>Hold the handpiece from the other side; the view stays</source>
+        <translation>Das Handstück von der anderen Seite halten; die Ansicht bleibt</translation>
     </message>
 </context>
 <context>
@@ -744,6 +744,10 @@
     <message>
         <source>right or middle drag</source>
         <translation>rechts oder Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
+        <translation>Der türkise Bogen neben dem Instrument zeigt, wie fest es drückt; bei der eingestellten Kraft ist er voll.</translation>
     </message>
 </context>
 <context>

@@ -471,10 +471,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold the handpiece in the other hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tooth and files</source>
         <translation type="unfinished"></translation>
     </message>
@@ -577,6 +573,10 @@
     </message>
     <message>
         <source>Resume the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the handpiece from the other side; the view stays</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -743,6 +743,10 @@
     </message>
     <message>
         <source>right or middle drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <QJsonDocument>
+#include <QStringDecoder>
 
 #include "app/cli/Commands.h"
 #include "core/teeth/ToothTable.h"
@@ -21,7 +22,7 @@ void printTo(std::FILE* stream, const QString& text)
 
 void explain(const QString& sentence)
 {
-    QString text = sentence.simplified();
+    QString text = printable(sentence.simplified());
     if (!text.endsWith(u'.'))
         text += u'.';
     printTo(stderr, QStringLiteral("cusp: ") + text + u'\n');
@@ -194,6 +195,27 @@ core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString
     return number;
 }
 
+std::optional<int> refuseOddNames(std::span<char* const> arguments)
+{
+    for (const char* const argument : arguments) {
+        QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+        const QString name = decode(QByteArrayView(argument));
+        if (decode.hasError())
+            return failed({core::ErrorCode::FileUnreadable,
+                           "Cusp cannot open what is called \"" + name.toStdString() +
+                               "\", because the name is not written in UTF-8; rename the file and try again"});
+    }
+    return std::nullopt;
+}
+
+QString printable(QString text)
+{
+    for (QChar& letter : text)
+        if (letter.category() == QChar::Other_Control)
+            letter = u'?';
+    return text;
+}
+
 int wrongUsage(const QString& sentence)
 {
     explain(sentence);
@@ -212,14 +234,14 @@ void warn(const std::vector<std::string>& warnings)
         explain(QStringLiteral("warning: ") + QString::fromStdString(warning));
 }
 
-void printText(const QString& text)
+void printText(const QString& text, std::FILE* stream)
 {
-    printTo(stdout, text);
+    printTo(stream, text);
 }
 
-void printJson(const QJsonObject& object)
+void printJson(const QJsonObject& object, std::FILE* stream)
 {
-    printTo(stdout, QString::fromUtf8(QJsonDocument(object).toJson()));
+    printTo(stream, QString::fromUtf8(QJsonDocument(object).toJson()));
 }
 
 QJsonArray toJsonArray(const std::vector<std::string>& sentences)

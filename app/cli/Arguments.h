@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,13 @@ void addDeviceOption(QCommandLineParser& parser);
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
                                                qint64 high);
 
+/// Says that a name cannot be opened, and gives the exit code, where an argument is not UTF-8: Qt would make another
+/// name of it, under which there is no file.
+[[nodiscard]] std::optional<int> refuseOddNames(std::span<char* const> arguments);
+
+/// With a question mark for each control character: words out of a file shall not steer a terminal.
+[[nodiscard]] QString printable(QString text);
+
 /// Prints the sentence to stderr and returns the exit code that goes with it.
 int wrongUsage(const QString& sentence);
 int failed(const core::Error& error);
@@ -48,8 +57,9 @@ int failed(const core::Error& error);
 /// Prints each to stderr, on a line of its own: what went well enough to go on.
 void warn(const std::vector<std::string>& warnings);
 
-void printText(const QString& text);
-void printJson(const QJsonObject& object);
+/// The figures that a command answers with. They go to stderr where stdout carries something else.
+void printText(const QString& text, std::FILE* stream = stdout);
+void printJson(const QJsonObject& object, std::FILE* stream = stdout);
 [[nodiscard]] QJsonArray toJsonArray(const std::vector<std::string>& sentences);
 
 }  // namespace app::cli

@@ -67,6 +67,8 @@ std::optional<int> run(int& argc, char** argv)
 {
     if (argc < 2)
         return std::nullopt;
+    if (const auto code = refuseOddNames({argv + 1, static_cast<std::size_t>(argc - 1)}))
+        return code;
     const QString first = QString::fromLocal8Bit(argv[1]);
     const bool help = first == u"help" || first == u"--help" || first == u"-h";
     const bool version = first == u"--version" || first == u"-v";

@@ -27,7 +27,8 @@ constexpr int kPictureMs = 60'000;
 
 core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::BuiltTooth& tooth, bool simulatedDevice)
 {
-    const haptics::SimulationOptions options;
+    haptics::SimulationOptions options;
+    options.record = true;
     core::rt::TripleBuffer<core::session::PointerInput> pointer;
     const double stiffness = options.settings.force.stiffnessNPerMm;
     haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);
@@ -112,7 +113,7 @@ int demoCommand(const QStringList& arguments)
         return failed(outcome.error());
 
     const QString recording = folder.absoluteFilePath(QStringLiteral("attempt.cusprec"));
-    if (const core::Status written = core::recording::writeRecording(recording.toStdString(), outcome->recording);
+    if (const core::Status written = core::recording::writeRecording(recording.toStdString(), *outcome->recording);
         !written)
         return failed(written.error());
     const core::grading::Measures measures = core::grading::measure(outcome->tooth);
@@ -131,8 +132,8 @@ int demoCommand(const QStringList& arguments)
         !written)
         return failed(written.error());
 
-    const double lastsS = std::chrono::duration<double>(outcome->recording.duration()).count();
-    printText(QStringLiteral("%1 s of drilling, %2 ticks.\n").arg(lastsS, 0, 'f', 1).arg(outcome->recording.ticks()) +
+    const double lastsS = std::chrono::duration<double>(outcome->recording->duration()).count();
+    printText(QStringLiteral("%1 s of drilling, %2 ticks.\n").arg(lastsS, 0, 'f', 1).arg(outcome->recording->ticks()) +
               scoreText);
     const QString picture = folder.absoluteFilePath(QStringLiteral("picture.png"));
     QFile::remove(picture);

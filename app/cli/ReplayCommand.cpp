@@ -67,7 +67,7 @@ int replayCommand(const QStringList& arguments)
                        "attempt        %2 s in %3 ticks, replayed in %4 s\n"
                        "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
                        "state          %9%10\n")
-            .arg(QString::fromStdString(recording->anatomy()->name))
+            .arg(printable(QString::fromStdString(recording->anatomy()->name)))
             .arg(lastsS, 0, 'f', 2)
             .arg(recording->ticks())
             .arg(tookS, 0, 'f', 2)

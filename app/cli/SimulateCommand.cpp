@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
+#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -10,6 +12,7 @@
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
+#include "core/drilling/Bur.h"
 #include "haptics/simulated/PathDevice.h"
 #include "haptics/simulated/Simulation.h"
 
@@ -20,17 +23,40 @@ constexpr double kLeastRateHz = 20.0;
 constexpr double kMostRateHz = 20000.0;
 constexpr std::uint64_t kMostTicks = 100'000'000;
 
-/// Writes the trace row by row: into a new file beside its place, renamed when it is whole, so that a failure leaves
-/// the older trace.
+/// Standard output as a place for the trace.
+bool isStandardOutput(const QString& path)
+{
+    return path == u"-" || path == u"/dev/stdout";
+}
+
+/// A terminal, a null device, a pipe: what is written to as it is, and not replaced.
+bool isStream(const QString& path)
+{
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(path.toStdString(), failure);
+    return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+}
+
+/// Writes the trace row by row. A file is written beside its place and renamed when it is whole, so that a failure
+/// leaves the older trace; into a stream the rows go at once.
 class TraceWriter
 {
 public:
-    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path) {}
+    explicit TraceWriter(QString path) : m_path(std::move(path)), m_file(m_path), m_stream(m_path) {}
 
     [[nodiscard]] core::Status open()
     {
-        // Renaming over a device or a pipe would put a file in its place.
-        if ((QFileInfo::exists(m_path) && !QFileInfo(m_path).isFile()) || !m_file.open(QIODevice::WriteOnly))
+        bool opened = false;
+        if (isStandardOutput(m_path)) {
+            opened = m_stream.open(stdout, QIODevice::WriteOnly);
+            m_out = &m_stream;
+        } else if (isStream(m_path)) {
+            opened = m_stream.open(QIODevice::WriteOnly | QIODevice::Unbuffered);
+            m_out = &m_stream;
+        } else if (!QFileInfo::exists(m_path) || QFileInfo(m_path).isFile()) {
+            opened = m_file.open(QIODevice::WriteOnly);
+        }
+        if (!opened)
             return unwritable();
         m_line =
             "t_s,x_mm,y_mm,z_mm,ax_mm,ay_mm,az_mm,fx_n,fy_n,fz_n,contact,caries_mm3,enamel_mm3,dentin_mm3,pulp_mm3\n";
@@ -54,7 +80,7 @@ public:
     [[nodiscard]] core::Status finish()
     {
         flush();
-        if (!m_written || !m_file.commit())
+        if (!m_written || !(m_out == &m_file ? m_file.commit() : m_stream.flush()))
             return unwritable();
         return {};
     }
@@ -70,7 +96,7 @@ private:
     }
     void flush()
     {
-        m_written = m_written && m_file.write(m_line.data(), static_cast<qint64>(m_line.size())) ==
+        m_written = m_written && m_out->write(m_line.data(), static_cast<qint64>(m_line.size())) ==
                                      static_cast<qint64>(m_line.size());
         m_line.clear();
     }
@@ -83,6 +109,8 @@ private:
 
     QString m_path;
     QSaveFile m_file;
+    QFile m_stream;
+    QIODevice* m_out = &m_file;
     std::string m_line;
     bool m_written = true;
 };
@@ -94,7 +122,10 @@ void addOptions(QCommandLineParser& parser)
     };
     option("tooth", "The tooth to work on: a mesh file or an FDI number.", "FILE|FDI");
     option("path", "Device path: CSV with t_s,x_mm,y_mm,z_mm,drill.", "P.csv");
-    option("out", "Where the trace goes, one row a tick.", "T.csv");
+    option("out",
+           "Where the trace goes, one row a tick: a file, a pipe, or - for standard output; the figures then go to "
+           "standard error.",
+           "T.csv");
     parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
     option("bur", "2, 330 (default), 245 or 57.", "NAME");
     option("method", "continuous (default), lattice or penalty.", "M");
@@ -128,7 +159,21 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
         if (!isNumber || !(options.rateHz >= kLeastRateHz && options.rateHz <= kMostRateHz))
             return core::unexpected(core::ErrorCode::OutOfRange, "--rate wants a number from 20 to 20000");
     }
+    options.record = !parser.value(QStringLiteral("record")).isEmpty();
     return options;
+}
+
+/// A sentence where the path begins below what any handpiece reaches.
+std::optional<std::string> tooDeep(const core::recording::DevicePath& path, double highestMm)
+{
+    const double firstMm = path.points.front().tipMm.z;
+    if (firstMm >= highestMm - core::drilling::kChuckMm)
+        return std::nullopt;
+    return QStringLiteral("the path begins at z %1 mm, but a handpiece stops on the crown before its bur is more than "
+                          "%2 mm below the highest cusp; begin the path above the tooth")
+        .arg(firstMm, 0, 'f', 2)
+        .arg(core::drilling::kChuckMm)
+        .toStdString();
 }
 
 /// A sentence about the first file to be written that would overwrite another one of the command line, or nothing.
@@ -200,6 +245,9 @@ int simulateCommand(const QStringList& arguments)
     if (!tooth)
         return failed(tooth.error());
     tooth->mesh = {};  // only its maps are drilled
+    std::vector<std::string> warnings = tooth->report.warnings;
+    if (const auto warning = tooDeep(*path, tooth->report.highMm.z))
+        warnings.push_back(*warning);
 
     TraceWriter trace(parser.value(QStringLiteral("out")));
     if (const core::Status opened = trace.open(); !opened)
@@ -220,10 +268,11 @@ int simulateCommand(const QStringList& arguments)
     if (const core::Status written = trace.finish(); !written)
         return failed(written.error());
     if (const QString record = parser.value(QStringLiteral("record")); !record.isEmpty())
-        if (const core::Status written = core::recording::writeRecording(record.toStdString(), outcome->recording);
+        if (const core::Status written = core::recording::writeRecording(record.toStdString(), *outcome->recording);
             !written)
             return failed(written.error());
 
+    std::FILE* const figures = isStandardOutput(parser.value(QStringLiteral("out"))) ? stderr : stdout;
     const QString hash = hashText(core::terrain::stateHash(outcome->tooth));
     const QJsonObject tickUs = toJson(*outcome->tickTimes);
     if (parser.isSet(QStringLiteral("json"))) {
@@ -231,11 +280,12 @@ int simulateCommand(const QStringList& arguments)
                    {QStringLiteral("tick_us"), tickUs},
                    {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
                    {QStringLiteral("state_hash"), hash},
-                   {QStringLiteral("warnings"), toJsonArray(tooth->report.warnings)},
-                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}});
+                   {QStringLiteral("warnings"), toJsonArray(warnings)},
+                   {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}},
+                  figures);
         return kDone;
     }
-    warn(tooth->report.warnings);
+    warn(warnings);
     const auto& removed = outcome->last.removedMm3;
     printText(QStringLiteral("ticks          %1 at %2 Hz\n"
                              "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"
@@ -251,7 +301,8 @@ int simulateCommand(const QStringList& arguments)
                   .arg(removed[1], 0, 'f', 4)
                   .arg(removed[2], 0, 'f', 4)
                   .arg(removed[3], 0, 'f', 4)
-                  .arg(hash));
+                  .arg(hash),
+              figures);
     return kDone;
 }
 

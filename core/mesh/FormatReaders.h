@@ -23,6 +23,9 @@ namespace core::mesh {
 /// "scan.obj has more than 5000000 triangles, ..."
 [[nodiscard]] tl::unexpected<Error> tooManyTriangles(std::string_view name);
 
+/// "scan.obj has faces, but each has fewer than three corners, ..."
+[[nodiscard]] tl::unexpected<Error> onlyThinFaces(std::string_view name);
+
 /// The warning "2 faces with fewer than three corners were passed over".
 [[nodiscard]] std::string thinFaces(std::size_t count);
 

@@ -52,6 +52,12 @@ tl::unexpected<Error> tooManyTriangles(std::string_view name)
                                                    "(decimate) the mesh and try again");
 }
 
+tl::unexpected<Error> onlyThinFaces(std::string_view name)
+{
+    return unexpected(ErrorCode::NoTriangles, std::string(name) + " has faces, but each has fewer than three corners; "
+                                                                  "export the surface, not its edges");
+}
+
 std::string thinFaces(std::size_t count)
 {
     return std::to_string(count) + (count == 1 ? " face with fewer than three corners was passed over"

@@ -118,6 +118,8 @@ private:
             return unexpected(ErrorCode::WrongKind,
                               m_name + " does not look like an OBJ file: it has no vertex and no face; check that "
                                        "it is the mesh you meant");
+        if (mesh.triangles.empty() && m_thinFaces > 0)
+            return onlyThinFaces(m_name);
         if (mesh.triangles.empty())
             return unexpected(ErrorCode::NoTriangles,
                               m_name + " has vertices but no face; export the surface, not only its points");

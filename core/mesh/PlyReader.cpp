@@ -322,10 +322,12 @@ private:
     Result<MeshFile> finish()
     {
         const TriangleMesh& mesh = m_file.mesh;
+        if (mesh.triangles.empty() && m_thinFaces > 0)
+            return onlyThinFaces(m_name);
         if (mesh.triangles.empty())
-            return unexpected(ErrorCode::NoTriangles,
-                              m_name + " holds " + std::to_string(mesh.vertices.size()) +
-                                  " points and no face; export the surface, not only its points");
+            return unexpected(ErrorCode::NoTriangles, m_name + " holds " + std::to_string(mesh.vertices.size()) +
+                                                          (mesh.vertices.size() == 1 ? " point" : " points") +
+                                                          " and no face; export the surface, not only its points");
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             for (const std::uint32_t index : mesh.triangles[t])
                 if (index >= mesh.vertices.size())

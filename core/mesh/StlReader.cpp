@@ -21,6 +21,12 @@ std::uint32_t littleEndian(std::string_view bytes, std::size_t at)
     return word;
 }
 
+/// "1 triangle", "3 triangles"
+std::string counted(std::size_t triangles)
+{
+    return std::to_string(triangles) + (triangles == 1 ? " triangle" : " triangles");
+}
+
 Status addTriangle(MeshFile& file, const std::array<glm::vec3, 3>& corners, std::string_view name)
 {
     if (file.mesh.triangles.size() == kMaxTriangles)
@@ -54,8 +60,14 @@ Result<MeshFile> readBinary(std::string_view bytes, std::uint32_t count, const s
     }
     if (count == 0)
         return unexpected(ErrorCode::NoTriangles, name + " states 0 triangles; export the mesh again");
-    if (const std::size_t extra = bytes.size() - kHeaderBytes - kRecordBytes * count; extra > 0)
-        file.warnings.push_back(std::to_string(extra) + " bytes after the last triangle passed over");
+    const std::size_t extra = bytes.size() - kHeaderBytes - kRecordBytes * count;
+    if (extra > 0 && extra % kRecordBytes == 0)
+        file.warnings.push_back("the header states " + counted(count) + ", but " +
+                                std::to_string(count + extra / kRecordBytes) +
+                                " are there; the rest was passed over, so the mesh may not be whole");
+    else if (extra > 0)
+        file.warnings.push_back(std::to_string(extra) + (extra == 1 ? " byte" : " bytes") +
+                                " after the last triangle passed over");
     return file;
 }
 
@@ -99,8 +111,8 @@ Result<MeshFile> readAscii(std::string_view text, const std::string& name)
                                  "meant");
     if (corner != 0 || !ended)
         return unexpected(ErrorCode::FileTruncated, name + " is cut short: it ends after " +
-                                                        std::to_string(file.mesh.triangles.size()) +
-                                                        " triangles without \"endsolid\"; copy the file again");
+                                                        counted(file.mesh.triangles.size()) +
+                                                        " without \"endsolid\"; copy the file again");
     return file;
 }
 
@@ -128,10 +140,10 @@ Result<MeshFile> readStl(std::string_view bytes, std::string_view name)
         return unexpected(ErrorCode::FileTruncated, file + " is cut short: " + std::to_string(bytes.size()) +
                                                         " bytes are less than an STL header; copy the file again");
     if (bytes.size() < stated)
-        return unexpected(ErrorCode::FileTruncated, file + " is cut short: its header states " + std::to_string(count) +
-                                                        " triangles but only " +
+        return unexpected(ErrorCode::FileTruncated, file + " is cut short: its header states " + counted(count) +
+                                                        ", of which only " +
                                                         std::to_string((bytes.size() - kHeaderBytes) / kRecordBytes) +
-                                                        " are there; copy the file again");
+                                                        " can be there; copy the file again");
     return readBinary(bytes, count, file);
 }
 

@@ -228,11 +228,11 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
     return events;
 }
 
-tl::unexpected<Error> damaged(std::string_view part)
+/// @param place  "in its settings"
+tl::unexpected<Error> damaged(std::string_view place)
 {
-    return unexpected(ErrorCode::BadStructure,
-                      "The recording is damaged: its " + std::string(part) +
-                          " does not hold what it should. Use a copy of the file, or make the attempt again.");
+    return unexpected(ErrorCode::BadStructure, "The recording is damaged " + std::string(place) +
+                                                   ". Use a copy of the file, or make the attempt again.");
 }
 
 }  // namespace
@@ -327,13 +327,13 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             break;
         const std::string_view payload = in.takeBytes(static_cast<std::size_t>(size));
         if (fnv1a(payload) != checksum)
-            return damaged("section " + std::to_string(kind));
+            return damaged("in section " + std::to_string(kind));
         switch (static_cast<Section>(kind)) {
         case Section::Settings: {
             const auto raw = unpack(payload, kMaxChunkBytes);
             settings = raw ? settingsFrom(*raw) : std::nullopt;
             if (!settings)
-                return damaged("settings");
+                return damaged("in its settings");
             if (auto servo = session::makeServoTick(*settings); !servo)
                 return tl::unexpected(servo.error());
             break;
@@ -342,7 +342,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             const auto raw = unpack(payload, kMaxToothBytes);
             anatomy = raw ? toothFrom(*raw) : nullptr;
             if (!anatomy || !settings || recording)
-                return damaged("tooth");
+                return damaged("in its tooth");
             recording.emplace(*settings, anatomy);
             break;
         }
@@ -350,10 +350,10 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             const auto raw = unpack(payload, kMaxChunkBytes);
             const auto events = raw ? eventsFrom(*raw) : std::nullopt;
             if (!events || !recording)
-                return damaged("events");
+                return damaged("in its events");
             for (const ServoEvent& event : *events) {
                 if (event.kind == ServoEvent::Kind::Restore && event.value > recording->m_ticks)
-                    return damaged("undo step");
+                    return damaged("in an undo step");
                 restoredColumns += event.kind == ServoEvent::Kind::Restore ? anatomy->grid.count() : 0;
                 if (restoredColumns > kMaxRestoredColumns)
                     return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
@@ -370,15 +370,15 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             witness.tick = end.take<std::uint64_t>();
             witness.stateHash = end.take<std::uint64_t>();
             if (!end.ok() || !recording || ticks != recording->m_ticks || witness.tick > ticks)
-                return damaged("end");
+                return damaged("at its end");
             if (in.left() != 0)
-                return damaged("end (there is more behind it)");
+                return damaged("behind its end, where nothing should be");
             if (hasWitness)
                 recording->setWitness(witness);
             return std::move(*recording);
         }
         default:
-            return damaged("section " + std::to_string(kind));
+            return damaged("in section " + std::to_string(kind));
         }
     }
     return unexpected(ErrorCode::FileTruncated,

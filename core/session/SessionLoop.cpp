@@ -5,8 +5,8 @@
 
 namespace core::session {
 
-SessionLoop::SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings)
-    : m_servo(servo), m_ui(ui), m_settings(std::move(settings))
+SessionLoop::SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory)
+    : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording), m_undo(memory.undoBytes)
 {}
 
 SessionLoop::~SessionLoop()
@@ -48,7 +48,7 @@ void SessionLoop::takeEvents()
         if (event.kind == ServoEvent::Kind::Begin) {
             while (!m_upcoming.empty() && m_upcoming.front().generation < event.value)
                 m_upcoming.pop_front();
-            if (!m_upcoming.empty())
+            if (m_records && !m_upcoming.empty())
                 m_recording.emplace(m_settings, m_upcoming.front().anatomy);
             m_recordedGeneration = event.value;
             continue;

@@ -15,19 +15,27 @@
 
 namespace core::session {
 
+/// What a session remembers of an attempt. It grows with the attempt, so a headless run keeps only what it asks for.
+struct SessionMemory
+{
+    bool recording = true;
+    std::size_t undoBytes = history::UndoStack::kDefaultLimitBytes;
+};
+
 /// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
 /// restored teeth and hands them over, passes cut tiles on to the view. It may wait and allocate; the servo never does.
 class SessionLoop final : public rt::Loop
 {
 public:
     /// @param servo, ui  must outlive the loop
-    SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings);
+    SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory = {});
     ~SessionLoop() override;
 
     void tick(std::chrono::microseconds dt) override;
     void end() override;
 
-    /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth.
+    /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth, and
+    /// where no recording is kept.
     [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
     /// The tooth as the mirror has it. Any thread; empty before the first tooth.
     [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
@@ -58,6 +66,7 @@ private:
     ServoLinks& m_servo;
     UiLinks& m_ui;
     ServoSettings m_settings;
+    bool m_records;
 
     mutable std::mutex m_mutex;  ///< guards what recordingSoFar() and toothSoFar() read; the servo never comes here
     std::optional<recording::Recording> m_recording;

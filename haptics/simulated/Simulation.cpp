@@ -36,7 +36,8 @@ core::Result<SimulationOutcome> simulate(
     const std::chrono::microseconds period(std::llround(1.0e6 / options.rateHz));
     const auto servoLinks = std::make_unique<ServoLinks>();
     const auto uiLinks = std::make_unique<UiLinks>();
-    SessionLoop session(*servoLinks, *uiLinks, options.settings);
+    // Nothing is ever undone here.
+    SessionLoop session(*servoLinks, *uiLinks, options.settings, {options.record, 0});
     ServoLoop servo(device, std::move(*servoTick), *servoLinks, uiLinks->servo, period);
 
     bool drill = false;
@@ -70,10 +71,12 @@ core::Result<SimulationOutcome> simulate(
         }
     }
     session.tick(period);
-    core::recording::Recording recording =
-        session.recordingSoFar().value_or(core::recording::Recording(options.settings, anatomy));
     core::terrain::Tooth tooth = servo.tooth() != nullptr ? servo.tooth()->tooth() : core::terrain::Tooth(anatomy);
-    recording.setWitness({recording.ticks(), core::terrain::stateHash(tooth)});
+    std::optional<core::recording::Recording> recording;
+    if (options.record) {
+        recording = session.recordingSoFar().value_or(core::recording::Recording(options.settings, anatomy));
+        recording->setWitness({recording->ticks(), core::terrain::stateHash(tooth)});
+    }
     return SimulationOutcome{std::move(tooth), servo.state(), std::move(recording), std::move(tickTimes)};
 }
 

@@ -20,17 +20,19 @@ struct SimulationOptions
     core::session::ServoSettings settings;
     std::size_t burIndex = 1;  ///< 330
     double rateHz = 1000.0;
+    bool record = false;  ///< keeps a recording, which grows with every tick
 };
 
 struct SimulationOutcome
 {
     core::terrain::Tooth tooth;
     core::session::ServoState last;
-    core::recording::Recording recording;
-    std::unique_ptr<TickTimes> tickTimes;  ///< thread CPU time of each tick
+    std::optional<core::recording::Recording> recording;  ///< where one was asked for
+    std::unique_ptr<TickTimes> tickTimes;                 ///< thread CPU time of each tick
 };
 
-/// Runs the servo and session loops in this thread, as fast as they go, against a device.
+/// Runs the servo and session loops in this thread, as fast as they go, against a device. Without a recording its
+/// memory does not grow with the number of ticks.
 /// @param ticks   how many at most
 /// @param before  called before each tick with its number; may steer the device; answers whether the drill is to be on,
 ///                or nothing to stop here

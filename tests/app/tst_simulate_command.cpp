@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <thread>
+
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -35,6 +41,10 @@ private slots:
     void badPresetsSayWhatToDo_data();
     void badPresetsSayWhatToDo();
     void aFailureLeavesTheOlderTrace();
+    void theTraceGoesIntoStreams();
+    void aPathThatBeginsTooDeepIsWarnedAbout();
+    void namesThatAreNotUtf8AreRefused();
+    void wordsOutOfAFileSteerNoTerminal();
     void badInputIsOneSentence_data();
     void badInputIsOneSentence();
     void wrongUsage_data();
@@ -208,6 +218,76 @@ void TestSimulateCommand::aFailureLeavesTheOlderTrace()
     QVERIFY(contents(trace).startsWith("t_s,"));
     QCOMPARE(contents(users), QByteArray("mine"));
     QCOMPARE(QDir(m_folder.path()).entryList({"older*"}).size(), 2);
+}
+
+void TestSimulateCommand::theTraceGoesIntoStreams()
+{
+    const QStringList arguments{"simulate", "--tooth", "36", "--path", m_path, "--json", "--out"};
+    const QString hash = runCusp(arguments + QStringList{m_folder.filePath("t.csv")}).json()["state_hash"].toString();
+    QVERIFY(!hash.isEmpty());
+    for (const char* name : {"-", "/dev/stdout"}) {
+        const Ending ending = runCusp(arguments + QStringList{name});
+        QCOMPARE(ending.exitCode, 0);
+        QVERIFY(ending.out.startsWith("t_s,x_mm,"));
+        QCOMPARE(ending.out.count('\n'), 1202);
+        QCOMPARE(QJsonDocument::fromJson(ending.error).object()["state_hash"].toString(), hash);
+    }
+    const Ending nowhere = runCusp(arguments + QStringList{"/dev/null"});
+    QCOMPARE(nowhere.exitCode, 0);
+    QCOMPARE(nowhere.json()["state_hash"].toString(), hash);
+    const Ending full = runCusp(arguments + QStringList{"/dev/full"});
+    QCOMPARE(full.exitCode, 1);
+    QVERIFY2(full.isOneSentence(), full.error);
+
+    const QString pipe = m_folder.filePath("pipe");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    QByteArray read;
+    std::thread reader([&] {
+        QFile file(pipe);
+        if (file.open(QIODevice::ReadOnly))
+            read = file.readAll();
+    });
+    const Ending piped = runCusp(arguments + QStringList{pipe});
+    reader.join();
+    QCOMPARE(piped.exitCode, 0);
+    QCOMPARE(read.count('\n'), 1202);
+    QVERIFY2(!QFileInfo(pipe).isFile(), "the pipe is still one");
+}
+
+void TestSimulateCommand::aPathThatBeginsTooDeepIsWarnedAbout()
+{
+    const auto warning = [&](const QByteArray& firstZ) {
+        const QString path = write("deep.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,0,0," + firstZ + ",0\n0.1,0,0,3,0\n");
+        const QStringList arguments{"simulate", "--tooth", "36", "--path", path, "--out", m_folder.filePath("t.csv")};
+        const Ending text = runCusp(arguments);
+        const QJsonArray listed = runCusp(arguments + QStringList{"--json"}).json()["warnings"].toArray();
+        return listed.size() == 1 && text.error == "cusp: warning: " + listed[0].toString().toUtf8() + ".\n"
+                   ? listed[0].toString()
+                   : QString::fromUtf8(text.error);
+    };
+    QVERIFY2(warning("-12.5").contains("begins at z -12.50 mm"), qPrintable(warning("-12.5")));
+    QCOMPARE(warning("-7.9"), QString());
+}
+
+void TestSimulateCommand::namesThatAreNotUtf8AreRefused()
+{
+    // Latin 1, as old disks have it. runCusp() speaks UTF-8 only, so a shell passes the byte on.
+    const QString script = write("latin.sh", "exec \"$1\" tooth \"$(printf 'pr\\344molar.obj')\"\n");
+    QProcess shell;
+    shell.start("sh", {script, CUSP_BINARY_DIR "/bin/cusp"});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.exitCode(), 1);
+    const QByteArray said = shell.readAllStandardError();
+    QVERIFY2(said.contains("not written in UTF-8; rename the file") && said.count('\n') == 1, said);
+}
+
+void TestSimulateCommand::wordsOutOfAFileSteerNoTerminal()
+{
+    const QString odd = m_folder.filePath("odd\x1b[2J.obj");
+    const Ending ending = runCusp({"tooth", odd});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.isOneSentence() && !ending.error.contains('\x1b') && ending.error.contains("odd?[2J"),
+             ending.error);
 }
 
 void TestSimulateCommand::badInputIsOneSentence_data()

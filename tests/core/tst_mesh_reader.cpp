@@ -335,7 +335,15 @@ void TestMeshReader::oddButUsableFilesWarn()
     const auto longer =
         readMesh(support::asBinaryStl(support::box(1, 1, 1)) + "trailing\x01", MeshFormat::Stl, "t.stl");
     QVERIFY(longer);
-    QCOMPARE(longer->warnings.size(), std::size_t(1));
+    QCOMPARE(longer->warnings, std::vector<std::string>{"9 bytes after the last triangle passed over"});
+    // Whole records beyond the count: the header is as likely to be wrong as they are.
+    const auto more = readMesh(binaryStlHeader(3) + support::asBinaryStl(support::box(1, 1, 1)).substr(84, 200),
+                               MeshFormat::Stl, "t.stl");
+    QVERIFY(more);
+    QCOMPARE(more->mesh.triangles.size(), std::size_t(3));
+    QCOMPARE(more->warnings, std::vector<std::string>{
+                                 "the header states 3 triangles, but 4 are there; the rest was passed over, so the "
+                                 "mesh may not be whole"});
 }
 
 void TestMeshReader::badBytes_data()
@@ -369,7 +377,7 @@ void TestMeshReader::badBytes_data()
     add("stl: prose", MeshFormat::Stl, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "not an STL");
     add("stl: binary, no header", MeshFormat::Stl, std::string(40, '\0'), ErrorCode::FileTruncated, "40 bytes");
     add("stl: binary, cut short", MeshFormat::Stl, binaryStlHeader(3) + record + record.substr(0, 20),
-        ErrorCode::FileTruncated, "states 3 triangles but only 1");
+        ErrorCode::FileTruncated, "states 3 triangles, of which only 1");
     add("stl: count of 4 billion", MeshFormat::Stl, binaryStlHeader(0xFFFFFFFFU) + record, ErrorCode::FileTruncated,
         "states 4294967295 triangles");
     add("stl: no triangles", MeshFormat::Stl, binaryStlHeader(0), ErrorCode::NoTriangles, "0 triangles");
@@ -389,6 +397,9 @@ void TestMeshReader::badBytes_data()
     add("stl: ascii, nan", MeshFormat::Stl, "solid\nfacet\nvertex 0 nan 0\n", ErrorCode::BadNumber, "line 3");
     add("stl: only the word", MeshFormat::Stl, "solid as a rock\n", ErrorCode::WrongKind, "no whole facet");
 
+    add("obj: edges only", MeshFormat::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 2 3\n", ErrorCode::NoTriangles,
+        "fewer than three corners");
+
     const std::string ply =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
@@ -404,7 +415,9 @@ void TestMeshReader::badBytes_data()
     add("ply: points only", MeshFormat::Ply,
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 "
         "2 3\n",
-        ErrorCode::NoTriangles, "1 points");
+        ErrorCode::NoTriangles, "1 point and");
+    add("ply: edges only", MeshFormat::Ply, ply + points + "2 0 1\n", ErrorCode::NoTriangles,
+        "fewer than three corners");
     add("ply: no z", MeshFormat::Ply,
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n",
         ErrorCode::BadStructure, "no x, y and z");

@@ -53,6 +53,7 @@ private slots:
     void depthIsToldOverTheToothOnly();
     void viewHearsOfEveryChange();
     void attemptSoFarFromAnotherThread();
+    void nothingIsRememberedWhereNobodyAsks();
 };
 
 void TestSessionLoop::undoAndRedoGoStrokeByStroke()
@@ -334,6 +335,29 @@ void TestSessionLoop::attemptSoFarFromAnotherThread()
     stop = true;
     other.join();
     QCOMPARE(disagreements.load(), 0);
+}
+
+void TestSessionLoop::nothingIsRememberedWhereNobodyAsks()
+{
+    support::Rig rig({}, std::chrono::milliseconds(1), {false, 0});
+    rig.open(block());
+    rig.send(SetDrill{true});
+    for (int n = 0; n < 6; ++n)
+        stroke(rig, 0.5 * n - 2.0);
+    QVERIFY(!rig.session->recordingSoFar());
+    QCOMPARE(state(rig).recordedS, 0.0);
+    QCOMPARE(state(rig).strokes, 6);
+    QCOMPARE(state(rig).undoSteps, 1);
+    QCOMPARE(rig.mirrorHash(), rig.liveHash());
+    // The same work, remembered, comes to the same tooth.
+    support::Rig other;
+    other.open(block());
+    other.send(SetDrill{true});
+    for (int n = 0; n < 6; ++n)
+        stroke(other, 0.5 * n - 2.0);
+    QCOMPARE(other.liveHash(), rig.liveHash());
+    QVERIFY(other.session->recordingSoFar());
+    QCOMPARE(state(other).undoSteps, 6);
 }
 
 QTEST_APPLESS_MAIN(TestSessionLoop)

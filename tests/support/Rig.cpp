@@ -15,9 +15,9 @@ constexpr std::uint64_t kTicksPerSession = 10;
 
 }  // namespace
 
-Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat)
+Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat, const SessionMemory& memory)
     : settings(wanted), period(beat), servoLinks(std::make_unique<ServoLinks>()), uiLinks(std::make_unique<UiLinks>()),
-      session(std::make_unique<SessionLoop>(*servoLinks, *uiLinks, settings)),
+      session(std::make_unique<SessionLoop>(*servoLinks, *uiLinks, settings, memory)),
       servo(std::make_unique<haptics::ServoLoop>(device, makeServoTick(settings).value(), *servoLinks, uiLinks->servo,
                                                  period))
 {}

@@ -29,7 +29,8 @@ public:
 struct Rig
 {
     explicit Rig(const core::session::ServoSettings& settings = {},
-                 std::chrono::microseconds period = std::chrono::milliseconds(1));
+                 std::chrono::microseconds period = std::chrono::milliseconds(1),
+                 const core::session::SessionMemory& memory = {});
 
     /// Hands a new tooth to the session and lets both loops begin with it. Leaves one tick on the recording.
     void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1);

@@ -15,7 +15,6 @@ class TestCamera : public QObject
 
 private slots:
     void looksAlongYWithXToTheRight();
-    void otherHandSeesTheSceneTurned();
     void rayGoesThroughThePixelItCameFrom();
     void wholeSubjectFits_data();
     void wholeSubjectFits();
@@ -49,16 +48,6 @@ void TestCamera::looksAlongYWithXToTheRight()
     QVERIFY(camera.pixelOf({1.5, -0.25, -3.0}).x > middle.x);
     QVERIFY(camera.pixelOf({0.5, 0.75, -3.0}).y < middle.y);
     QVERIFY(camera.pixelOf({0.5, -0.25, -2.0}).y < middle.y);
-}
-
-void TestCamera::otherHandSeesTheSceneTurned()
-{
-    Camera camera = molarCamera();
-    const glm::dvec2 before = camera.pixelOf({2.5, 0.75, -3.0});
-    camera.setTurned(true);
-    // The point opposite about the middle takes its place.
-    const glm::dvec2 opposite = camera.pixelOf({-1.5, -1.25, -3.0});
-    QVERIFY(glm::distance(before, opposite) < 1e-6);
 }
 
 void TestCamera::rayGoesThroughThePixelItCameFrom()

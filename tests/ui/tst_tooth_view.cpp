@@ -47,7 +47,7 @@ private slots:
     void losingTheFocusLetsGo();
     void aClickFromBelowDoesNotDrill();
     void theToothAloneIsDrawnWithoutTheInstrument();
-    void otherHandTurnsTheSceneAndTheArrows();
+    void theOtherHandKeepsTheToothAsItIsSeen();
     void startsOnTheSideOfTheLesion_data();
     void startsOnTheSideOfTheLesion();
     void isAnEmptyRoomWithoutATooth();
@@ -375,18 +375,35 @@ void TestToothView::theToothAloneIsDrawnWithoutTheInstrument()
     QVERIFY(pictures::difference(alone, picture(), 20).pixels > 300);
 }
 
-void TestToothView::otherHandTurnsTheSceneAndTheArrows()
+void TestToothView::theOtherHandKeepsTheToothAsItIsSeen()
 {
     m_view->setCamera(0.0, 60.0, m_view->camera().fittingMm());
-    const QImage right = picture();
-    const QPoint before = pixelOf({3.0, 1.0, -2.0});
+    ServoState servo;
+    servo.tick = 1;
+    servo.anchorMm = {0.0, 0.0, -1.0};
+    m_links->servo.publish(servo);
+    const QPoint place = pixelOf(servo.anchorMm);
+    // What the handpiece hides, right and left of the bur.
+    const auto hidden = [&] {
+        const QImage alone = m_view->toothPicture();
+        const QImage whole = picture();
+        const int left = place.x() - 30;
+        return std::pair(
+            pictures::difference(alone.copy(0, 0, left, 480), whole.copy(0, 0, left, 480), 20).pixels,
+            pictures::difference(alone.copy(place.x() + 30, 0, left, 480), whole.copy(place.x() + 30, 0, left, 480), 20)
+                .pixels);
+    };
+    const auto [rightHandLeft, rightHandRight] = hidden();
+    QVERIFY2(rightHandRight > 2000 && rightHandLeft < rightHandRight / 2,
+             qPrintable(QString("%1 %2").arg(rightHandLeft).arg(rightHandRight)));
     m_view->setLeftHanded(true);
-    const QPoint after = pixelOf({3.0, 1.0, -2.0});
-    QVERIFY(before.x() > 320 && after.x() < 320);
-    QVERIFY(pictures::difference(right, picture(), 20).pixels > 5000);
+    QCOMPARE(pixelOf(servo.anchorMm), place);
+    const auto [leftHandLeft, leftHandRight] = hidden();
+    QVERIFY2(leftHandLeft > 2000 && leftHandRight < leftHandLeft / 2,
+             qPrintable(QString("%1 %2").arg(leftHandLeft).arg(leftHandRight)));
     const glm::dvec2 start = pointer().targetMm;
     QTest::keyClick(m_view.get(), Qt::Key_Right);
-    QVERIFY(pointer().targetMm.x < start.x);
+    QVERIFY(pointer().targetMm.x > start.x);
 }
 
 void TestToothView::startsOnTheSideOfTheLesion_data()
@@ -428,6 +445,11 @@ void TestToothView::startsOnTheSideOfTheLesion()
     const int there = seen(behind);
     QVERIFY2(3 * here >= there, qPrintable(QString("%1 columns of decay, %2 from behind").arg(here).arg(there)));
     QCOMPARE(here > 0 || there > 0, fdi != 22);  // the pit of a lateral incisor hides its own
+    // The other hand sees it as well, at once and in the view from the start.
+    m_view->setLeftHanded(true);
+    QCOMPARE(seen(m_view->camera()), here);
+    m_view->resetCamera();
+    QCOMPARE(seen(m_view->camera()), here);
 }
 
 void TestToothView::isAnEmptyRoomWithoutATooth()

@@ -43,7 +43,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         oneBur->addAction(action);
         burs.push_back(action);
     }
-    otherHand = add("hand", tr("Other hand"), tr("Hold the handpiece in the other hand"), {Qt::Key_H});
+    otherHand =
+        add("hand", tr("Other hand"), tr("Hold the handpiece from the other side; the view stays"), {Qt::Key_H});
     otherHand->setCheckable(true);
 
     m_groups.push_back({tr("Tooth and files"), {}});

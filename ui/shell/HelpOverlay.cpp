@@ -95,8 +95,10 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
         column[k]->setSpacing(kSpace1);
         columns->addLayout(column[k], 1);
     }
+    qsizetype lastFilled = 0;
     const auto place = [&](const QString& words, const QList<QHBoxLayout*>& rows) {
         const qsizetype k = filled[0] <= filled[1] ? 0 : 1;
+        lastFilled = k;
         if (filled[k] > 0)
             column[k]->addSpacing(kSpace4);
         column[k]->addWidget(heading(words, content));
@@ -118,6 +120,14 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     for (const Gesture& gesture : gestures())
         rows << rowOf(content, gesture.doing, gesture.with);
     place(tr("Over the tooth"), rows);
+    auto* force =
+        new QLabel(tr("The teal arc beside the bur shows how hard it presses; it is full at the force that is "
+                      "set."),
+                   content);
+    force->setWordWrap(true);
+    force->setForegroundRole(QPalette::PlaceholderText);
+    column[lastFilled]->addSpacing(kSpace1);
+    column[lastFilled]->addWidget(force);
     for (QVBoxLayout* each : column)
         each->addStretch(1);
 

@@ -17,6 +17,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
@@ -44,7 +45,10 @@ constexpr qint64 kWishMs = 500;
 constexpr int kSessionMs = 100;
 constexpr int kQuestionIconPx = 36;
 constexpr QSize kFirstSize{1280, 800};
-constexpr QSize kSmallest{960, 640};
+/// With a title bar and a task bar it fits a screen of 1024 x 600.
+constexpr QSize kSmallest{960, 500};
+/// What a title bar and borders take. They are not known before the window is shown.
+constexpr QSize kAroundWindow{8, 40};
 
 QString patternOf(const QStringList& suffixes)
 {
@@ -79,7 +83,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
     setMinimumSize(kSmallest);
-    resize(kFirstSize);
+    resize(firstSize(screen()->availableSize()));
     setAcceptDrops(true);
     setCentralWidget(m_pages);
     for (QWidget* page :
@@ -101,6 +105,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     pulse->start(kSessionMs);
     qApp->installEventFilter(this);
     goTo(m_room);
+}
+
+QSize MainWindow::firstSize(const QSize& available)
+{
+    return kFirstSize.boundedTo(available - kAroundWindow).expandedTo(kSmallest);
 }
 
 MainWindow::~MainWindow()
@@ -402,6 +411,9 @@ void MainWindow::setReplaying(bool replaying, double lengthS)
         m_workAtRest = ownWork();
     m_replaying = replaying;
     m_replayLengthS = lengthS;
+    // What was asked of one hand is no word about the other's bur.
+    m_drillWish = {};
+    m_burWish = {};
     m_room->setReplayTime(0.0, lengthS);
     setReplayPaused(false);
     m_room->setReplaying(replaying);

@@ -49,6 +49,9 @@ public:
     explicit MainWindow(core::session::UiLinks& links, QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    /// The size to begin with on a screen that has so much room for windows.
+    [[nodiscard]] static QSize firstSize(const QSize& available);
+
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
 
 public slots:

@@ -119,14 +119,9 @@ double Camera::fittingMm() const
     return m_radiusMm / std::sin(std::atan(narrower));
 }
 
-double Camera::turnedAzimuth() const
-{
-    return glm::radians(m_azimuthDeg + (m_turned ? 180.0 : 0.0));
-}
-
 glm::dvec3 Camera::eyeMm() const
 {
-    const double azimuth = turnedAzimuth();
+    const double azimuth = glm::radians(m_azimuthDeg);
     const double elevation = glm::radians(m_elevationDeg);
     return m_lookAtMm + m_distanceMm * glm::dvec3(std::sin(azimuth) * std::cos(elevation),
                                                   -std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
@@ -162,13 +157,13 @@ glm::dvec2 Camera::pixelOf(glm::dvec3 pointMm) const
 
 glm::dvec2 Camera::rightOnTooth() const
 {
-    const double azimuth = turnedAzimuth();
+    const double azimuth = glm::radians(m_azimuthDeg);
     return {std::cos(azimuth), std::sin(azimuth)};
 }
 
 glm::dvec2 Camera::awayOnTooth() const
 {
-    const double azimuth = turnedAzimuth();
+    const double azimuth = glm::radians(m_azimuthDeg);
     return {-std::sin(azimuth), std::cos(azimuth)};
 }
 

@@ -28,8 +28,6 @@ public:
     /// What must fit the picture.
     void setSubject(glm::dvec3 centreMm, double radiusMm);
     void setViewport(glm::dvec2 sizePx);
-    /// Looks from the other side: the scene turned by 180 degrees.
-    void setTurned(bool turned) { m_turned = turned; }
 
     /// The azimuth that reset() goes back to; goes there at once if it is another than before.
     void setStart(double azimuthDeg);
@@ -61,7 +59,6 @@ public:
     [[nodiscard]] glm::dvec2 awayOnTooth() const;
 
 private:
-    [[nodiscard]] double turnedAzimuth() const;  ///< radians, with the other hand's half turn
     void keepInBounds();
     void moveTo(double distanceMm);
     void fit();
@@ -77,7 +74,6 @@ private:
     double m_distanceMm = 40.0;
     double m_wantedMm = 40.0;
     bool m_fitted = true;  ///< distance follows the size of the viewport until someone zooms
-    bool m_turned = false;
 };
 
 }  // namespace ui::tooth

@@ -117,7 +117,6 @@ double startAzimuthDeg(const render::ToothSurface& surface, Camera camera)
 {
     constexpr double kFront = Camera::kStartAzimuthDeg;
     constexpr double kBehind = kFront + 180.0;
-    camera.setTurned(false);
     camera.setStart(kFront);
     camera.reset();
     const int front = lesionColumnsSeen(surface, camera);
@@ -208,7 +207,6 @@ void ToothView::setDrillOn(bool on)
 void ToothView::setLeftHanded(bool leftHanded)
 {
     m_leftHanded = leftHanded;
-    m_camera.setTurned(leftHanded);
     if (m_surface) {
         m_surface->setLight(towardsLight());
         m_changes.shading = united(m_changes.shading, m_surface->refresh().shading);
@@ -351,7 +349,7 @@ glm::vec3 ToothView::towardsLight() const
 {
     // From behind, over the other shoulder than the handpiece: fissures throw their shadows towards the eye.
     const glm::vec3 light = glm::normalize(glm::vec3(-0.45F, 0.22F, 0.87F));
-    return m_leftHanded ? glm::vec3(-light.x, -light.y, light.z) : light;
+    return m_leftHanded ? glm::vec3(-light.x, light.y, light.z) : light;
 }
 
 void ToothView::drawForce()

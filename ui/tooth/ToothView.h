@@ -54,7 +54,7 @@ public:
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
     /// For the look of the bur only.
     void setDrillOn(bool on);
-    /// The other hand: the scene turned by 180 degrees, the handpiece from the left.
+    /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen.
     void setLeftHanded(bool leftHanded);
     void resetCamera();
     /// For tests, which look from where they must.

@@ -58,6 +58,7 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* met
         return tl::unexpected(tooth.error());
     haptics::SimulationOptions options;
     options.settings.method = method;
+    options.record = true;  // as the window does
     core::rt::TripleBuffer<core::session::PointerInput> pointer;
     haptics::PointerDevice device(pointer, options.settings.force.stiffnessNPerMm, 1.0 / options.rateHz);
     const auto ticks = static_cast<std::uint64_t>(seconds * options.rateHz);
@@ -80,7 +81,7 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* met
     run.lastMiB = residentMiB();
     run.tickTimes = std::move(outcome->tickTimes);
     run.cuttingShare = static_cast<double>(cutting) / static_cast<double>(ticks);
-    run.recordedMiB = static_cast<double>(outcome->recording.packedBytes()) / 1048576.0;
+    run.recordedMiB = static_cast<double>(outcome->recording->packedBytes()) / 1048576.0;
     return run;
 }
 
