@@ -331,7 +331,7 @@ void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
     const auto pull = [&](const std::pair<int, int>& at) {
         if (!allowed(at.first, at.second))
             return static_cast<double>(kNoValue);
-        const glm::dvec2 place = grid.nodeMm(at.first, at.second);
+        const glm::dvec2 place = grid.nodeMm(at.first, at.second) - grid.middleMm();
         return static_cast<double>(height(at.first, at.second)) + 0.15 * lure.at(place.x, place.y);
     };
     int i0 = static_cast<int>(std::lround(x));

@@ -170,14 +170,14 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
             junction[k] = std::max(layers[k].dej, bottom[k]);
             minusBottom[k] = -bottom[k];
         } else {
-            junction[k] = -1000.0F;  // outside: no pulp beside it at any height
-            minusBottom[k] = -1000.0F;
+            junction[k] = terrain::kEmptyTop;  // outside: no pulp beside it at any height
+            minusBottom[k] = terrain::kEmptyTop;
         }
     }
     const std::vector<float> above(lattice.count(), kDentinAboveMm);
     const std::vector<float> beside(lattice.count(), kDentinBesideMm);
-    const std::vector<float> ceiling = lattice.ballsBelow(lattice.pick(junction, -1000.0F), above);
-    const std::vector<float> minusGround = lattice.ballsBelow(lattice.pick(minusBottom, -1000.0F), beside);
+    const std::vector<float> ceiling = lattice.ballsBelow(lattice.pick(junction, terrain::kEmptyTop), above);
+    const std::vector<float> minusGround = lattice.ballsBelow(lattice.pick(minusBottom, terrain::kEmptyTop), beside);
 
     struct Horn
     {
@@ -198,14 +198,14 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     roofMid -= figures.hornHeight;
 
     // Canals open under the deepest places of the under surface: one to a root.
-    double deepest = 0.0;
+    double deepest = highest;
     for (std::size_t k = 0; k < grid.count(); ++k)
         if (top[k] > bottom[k])
             deepest = std::min(deepest, static_cast<double>(bottom[k]));
     std::vector<Spot> canals;
     if (chamberHeight > 0.0) {
-        const std::vector<float> upsideDown = lattice.pick(minusBottom, -1000.0F);
-        for (const Spot& apex : peaks(grid, lattice, upsideDown, 1.5, 0.75 * -deepest, 4))
+        const std::vector<float> upsideDown = lattice.pick(minusBottom, terrain::kEmptyTop);
+        for (const Spot& apex : peaks(grid, lattice, upsideDown, 1.5, -(highest + 0.75 * (deepest - highest)), 4))
             canals.push_back(pulledInside(grid, print, apex.x, apex.y, 0.3));
     }
 

@@ -152,6 +152,7 @@ private slots:
     void molarPulpLiesWhereItIsMeasured();
     void incisorPulpLiesWhereItIsMeasured();
     void gridSideDoesNotChangeTheTooth();
+    void placeInTheFrameDoesNotCount();
     void seedsVaryAndRepeat();
     void leftAndRightAreTheSameTooth();
     void unknownTeethAreGuessedByTheirCrown();
@@ -340,6 +341,39 @@ void TestLayers::gridSideDoesNotChangeTheTooth()
                                         .arg(static_cast<int>(material))
                                         .arg(of(volumes, material))
                                         .arg(of(expected, material))));
+        }
+    }
+}
+
+void TestLayers::placeInTheFrameDoesNotCount()
+{
+    constexpr float kUpMm = 50.0F;
+    for (const support::NamedMaps& tooth : support::everyTooth(100)) {
+        ToothMaps moved = tooth.maps;
+        moved.grid.originMm += glm::dvec2(7.0, -3.0);
+        for (std::size_t k = 0; k < moved.top.size(); ++k) {
+            if (!solid(tooth.maps, k))
+                continue;
+            moved.top[k] += kUpMm;
+            moved.bottom[k] += kUpMm;
+        }
+        for (const std::uint64_t seed : {0U, 5U}) {
+            const auto here = lay(tooth.maps, tooth.fdi, seed);
+            const auto there = lay(moved, tooth.fdi, seed);
+            float apart = 0.0F;
+            for (std::size_t k = 0; k < here.size(); ++k) {
+                if (!solid(tooth.maps, k))
+                    continue;
+                QCOMPARE(hasPulp(there[k]), hasPulp(here[k]));
+                apart = std::max(apart, std::abs(there[k].dej - kUpMm - here[k].dej));
+                if (hasPulp(here[k]))
+                    apart = std::max({apart, std::abs(there[k].pulpRoof - kUpMm - here[k].pulpRoof),
+                                      std::abs(there[k].pulpFloor - kUpMm - here[k].pulpFloor)});
+            }
+            QVERIFY2(apart < 1e-4F, qPrintable(QStringLiteral("%1, seed %2: %3 mm apart")
+                                                   .arg(tooth.name.c_str())
+                                                   .arg(seed)
+                                                   .arg(static_cast<double>(apart))));
         }
     }
 }
