@@ -16,6 +16,7 @@
 #include "core/mesh/MeshAnalysis.h"
 #include "core/mesh/MeshReader.h"
 #include "core/mesh/Weld.h"
+#include "core/teeth/TissueFigures.h"
 #include "core/teeth/ToothGenerator.h"
 #include "core/terrain/Rasteriser.h"
 #include "core/terrain/Rim.h"
@@ -361,12 +362,24 @@ private:
         m_report.fdi = m_anatomy.fdi;
         m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom,
                                        {m_options.layers, m_anatomy.fdi, m_options.seed});
+        warnAboutPulp();
         endStage("layers");
         if (m_options.caries)
             addCaries(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers,
                       {*m_options.caries, m_options.cariesExtent, m_options.seed});
         endStage("caries");
         return {};
+    }
+
+    void warnAboutPulp()
+    {
+        if (std::any_of(m_anatomy.layers.begin(), m_anatomy.layers.end(),
+                        [](const terrain::ColumnLayers& column) { return column.pulpRoof > column.pulpFloor; }))
+            return;
+        const double crownHeight = figuresFor(m_anatomy.fdi, m_anatomy.grid, m_anatomy.top).crownHeight;
+        const bool endsEarly = m_report.highMm.z - m_report.lowMm.z < crownHeight;
+        m_report.warnings.emplace_back(endsEarly ? "this scan ends above the pulp: opening it cannot be judged"
+                                                 : "this tooth has no room for a pulp: opening it cannot be judged");
     }
 
     const ToothSource& m_source;

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/teeth/ToothBuilder.h"
+#include "core/teeth/ToothGenerator.h"
 #include "tests/support/Solids.h"
 #include "tests/support/ToothMaps.h"
 
@@ -24,6 +25,8 @@ private slots:
     void scanAgreesWithAnIndependentRasteriser_data();
     void scanAgreesWithAnIndependentRasteriser();
     void openScanIsClosedBelow();
+    void scanWithoutItsPulpIsToldApart_data();
+    void scanWithoutItsPulpIsToldApart();
     void scanOpenAboveIsRefused();
     void smallHolesArePatched();
     void undercutOfSeveralShells_data();
@@ -133,6 +136,30 @@ void TestToothBuilder::openScanIsClosedBelow()
     const QString warnings = QString::fromStdString(
         std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
     QVERIFY2(warnings.contains(QStringLiteral("open below")), qPrintable(warnings));
+}
+
+void TestToothBuilder::scanWithoutItsPulpIsToldApart_data()
+{
+    QTest::addColumn<float>("cutMm");
+    QTest::addColumn<bool>("hasPulp");
+    QTest::newRow("above the chamber") << -4.0F << false;
+    QTest::newRow("through the chamber") << -7.0F << true;
+    QTest::newRow("whole") << -100.0F << true;
+}
+
+void TestToothBuilder::scanWithoutItsPulpIsToldApart()
+{
+    QFETCH(float, cutMm);
+    QFETCH(bool, hasPulp);
+    TriangleMesh mesh = generateTooth(36, 0).value();
+    for (glm::vec3& vertex : mesh.vertices)
+        vertex.z = std::max(vertex.z, cutMm);
+    const auto tooth = buildFileFrame(mesh);
+    QVERIFY(tooth);
+    QCOMPARE(tooth->report.layersMm3[3] > 1.0, hasPulp);
+    const bool told = std::count(tooth->report.warnings.begin(), tooth->report.warnings.end(),
+                                 "this scan ends above the pulp: opening it cannot be judged") == 1;
+    QCOMPARE(told, !hasPulp);
 }
 
 void TestToothBuilder::scanOpenAboveIsRefused()
