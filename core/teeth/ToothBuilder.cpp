@@ -236,7 +236,8 @@ private:
         return {};
     }
 
-    /// Small holes are patched; one that looks down is left to the rasteriser, which puts a bottom at its lowest point.
+    /// Small holes are patched; those that look down are left to the rasteriser, which closes them at their lowest
+    /// point.
     Status closeHoles()
     {
         if (m_facts.openEdges.empty())
@@ -244,11 +245,13 @@ private:
         const std::vector<mesh::Hole> holes = mesh::findHoles(m_mesh, m_facts);
         const glm::dvec3 size = m_report.highMm - m_report.lowMm;
         std::size_t patched = 0;
+        double bottomMm2 = 0.0;
         for (const mesh::Hole& hole : holes) {
             const double area = glm::length(hole.areaVector);
             const bool small = area < kSmallHole * size.x * size.y;
             if (!small && hole.areaVector.z < -0.5 * area) {
                 m_closeAtMm = std::min(m_closeAtMm.value_or(hole.low.z), hole.low.z);
+                bottomMm2 -= hole.areaVector.z;
             } else if (!small && hole.areaVector.z > 0.5 * area) {
                 return failure(ErrorCode::BadStructure, "the mesh is open where its crown should be, so there is "
                                                         "nothing to drill; check --up or close the mesh");
@@ -260,9 +263,9 @@ private:
         m_report.warnings.push_back("the mesh is open (" + counted(m_facts.boundaryEdges, "edge", "edges") + " in " +
                                     counted(holes.size(), "hole", "holes") + "), so its volume means little");
         if (m_closeAtMm)
-            m_report.warnings.push_back(
-                "the scan is open below and was closed with a flat bottom at its lowest rim, z = " +
-                millimetres(*m_closeAtMm));
+            m_report.warnings.push_back("the scan is open below and was closed with a flat bottom, " +
+                                        std::to_string(std::llround(bottomMm2)) +
+                                        " mm2, at its lowest rim, z = " + millimetres(*m_closeAtMm));
         if (patched > 0)
             m_report.warnings.push_back(
                 counted(patched, "hole was closed with a flat patch", "holes were closed with flat patches"));

@@ -25,6 +25,8 @@ private slots:
     void scanAgreesWithAnIndependentRasteriser_data();
     void scanAgreesWithAnIndependentRasteriser();
     void openScanIsClosedBelow();
+    void openScanHoldsAsMuchAsTheClampedOne_data();
+    void openScanHoldsAsMuchAsTheClampedOne();
     void scanWithoutItsPulpIsToldApart_data();
     void scanWithoutItsPulpIsToldApart();
     void scanOpenAboveIsRefused();
@@ -135,7 +137,42 @@ void TestToothBuilder::openScanIsClosedBelow()
     QVERIFY(std::abs(tooth->report.modelVolumeMm3 / exact - 1.0) < 0.005);
     const QString warnings = QString::fromStdString(
         std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
-    QVERIFY2(warnings.contains(QStringLiteral("open below")), qPrintable(warnings));
+    QVERIFY2(warnings.contains(QStringLiteral("open below and was closed with a flat bottom, 100 mm2")),
+             qPrintable(warnings));
+}
+
+void TestToothBuilder::openScanHoldsAsMuchAsTheClampedOne_data()
+{
+    QTest::addColumn<float>("cutMm");
+    for (const float cut : {-6.0F, -7.0F, -9.0F, -10.0F, -12.0F, -15.0F})
+        QTest::addRow("%g", static_cast<double>(cut)) << cut;
+}
+
+void TestToothBuilder::openScanHoldsAsMuchAsTheClampedOne()
+{
+    QFETCH(float, cutMm);
+    const TriangleMesh whole = generateTooth(36, 0).value();
+    TriangleMesh clamped = whole;
+    for (glm::vec3& vertex : clamped.vertices)
+        vertex.z = std::max(vertex.z, cutMm);
+    TriangleMesh open = whole;
+    std::erase_if(open.triangles, [&](const auto& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return whole.vertices[v].z < cutMm; });
+    });
+    const auto expected = buildFileFrame(clamped);
+    const auto tooth = buildFileFrame(open);
+    QVERIFY(expected && tooth && !tooth->report.closed);
+    QVERIFY2(std::abs(tooth->report.modelVolumeMm3 / expected->report.modelVolumeMm3 - 1.0) < 0.01,
+             qPrintable(QStringLiteral("%1, clamped %2 mm3")
+                            .arg(tooth->report.modelVolumeMm3)
+                            .arg(expected->report.modelVolumeMm3)));
+    for (const std::size_t material : {1U, 3U})
+        QVERIFY2(std::abs(tooth->report.layersMm3[material] - expected->report.layersMm3[material]) <
+                     0.02 * expected->report.layersMm3[material] + 1.5,
+                 qPrintable(QStringLiteral("material %1: %2, clamped %3 mm3")
+                                .arg(material)
+                                .arg(tooth->report.layersMm3[material])
+                                .arg(expected->report.layersMm3[material])));
 }
 
 void TestToothBuilder::scanWithoutItsPulpIsToldApart_data()
