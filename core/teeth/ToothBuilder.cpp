@@ -363,16 +363,34 @@ private:
                              : std::get<std::filesystem::path>(m_source.what).filename().string();
         m_anatomy.seed = m_options.seed;
         m_report.fdi = m_anatomy.fdi;
-        m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom,
-                                       {m_options.layers, m_anatomy.fdi, m_options.seed});
+        m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions());
         warnAboutPulp();
         endStage("layers");
-        if (m_options.caries)
-            addCaries(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers,
-                      {*m_options.caries, m_options.cariesExtent, m_options.seed});
+        if (m_options.caries) {
+            CariesOptions caries{*m_options.caries, m_options.cariesExtent, m_options.seed, {}};
+            std::vector<LesionStop> line;
+            if (caries.rule == CariesRule::FissureWalk)
+                line = lesionLine();
+            caries.line = line;
+            addCaries(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers, caries);
+        }
         endStage("caries");
         return {};
     }
+
+    /// Where the lesion runs is a matter of the tooth, not of the grid: it is looked for on the usual grid always.
+    [[nodiscard]] std::vector<LesionStop> lesionLine() const
+    {
+        if (m_anatomy.grid.side == terrain::kDefaultGridSide)
+            return fissureLine(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers, m_options.seed);
+        const terrain::Grid grid =
+            terrain::fitGrid(glm::dvec2(m_report.lowMm), glm::dvec2(m_report.highMm), terrain::kDefaultGridSide);
+        const terrain::HeightMaps maps = terrain::rasterise(m_mesh, grid, m_closeAtMm);
+        return fissureLine(grid, maps.top, maps.bottom, buildLayers(grid, maps.top, maps.bottom, layerOptions()),
+                           m_options.seed);
+    }
+
+    [[nodiscard]] LayerOptions layerOptions() const { return {m_options.layers, m_anatomy.fdi, m_options.seed}; }
 
     void warnAboutPulp()
     {
