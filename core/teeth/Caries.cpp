@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/Rng.h"
 #include "core/teeth/Lattice.h"
@@ -19,6 +20,7 @@ constexpr double kTableShare = 0.36;      ///< of the greatest distance from the
 constexpr double kPitShare = 0.55;        ///< inside lie the pits that a lesion begins in
 constexpr float kBelowTipsMm = 1.0F;      ///< and this far below the highest cusp
 constexpr double kWallShare = 0.2;        ///< outside lies the wall, which these lesions leave alone
+constexpr double kLongestMm = 3.5;        ///< of a line, from the pit to either end
 constexpr float kValleyMm = 0.06F;        ///< deeper than this below its shoulders a place is a valley
 
 /// The tooth a lesion grows in.
@@ -45,18 +47,23 @@ struct Ground
     }
 };
 
+std::vector<std::uint8_t> solidNodes(std::span<const float> top, std::span<const float> bottom)
+{
+    std::vector<std::uint8_t> solid(top.size());
+    for (std::size_t k = 0; k < solid.size(); ++k)
+        solid[k] = top[k] > bottom[k] ? 1 : 0;
+    return solid;
+}
+
 Ground survey(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
               std::vector<terrain::ColumnLayers>& layers)
 {
     Ground ground{grid, top, bottom, layers, Lattice(grid), {}, {}, 0.0};
-    std::vector<std::uint8_t> solid(grid.count());
     std::vector<float> minusRoof(grid.count(), kNoValue);
-    for (std::size_t k = 0; k < grid.count(); ++k) {
-        solid[k] = ground.solid(k) ? 1 : 0;
-        if (solid[k] != 0 && layers[k].pulpRoof > layers[k].pulpFloor)
+    for (std::size_t k = 0; k < grid.count(); ++k)
+        if (ground.solid(k) && layers[k].pulpRoof > layers[k].pulpFloor)
             minusRoof[k] = -layers[k].pulpRoof;
-    }
-    ground.sideMm = distanceInside(grid, solid);
+    ground.sideMm = distanceInside(grid, solidNodes(top, bottom));
     ground.broadestMm = static_cast<double>(*std::max_element(ground.sideMm.begin(), ground.sideMm.end()));
     // A ball of the spared dentin around the pulp, wider by what lies between the lattice's nodes.
     const float radius = kOverPulpMm + 1.5F * static_cast<float>(ground.lattice.cellMm());
@@ -78,17 +85,19 @@ struct Stop
 class FissureMap
 {
 public:
-    explicit FissureMap(const Ground& ground) : m_ground(ground)
+    FissureMap(const terrain::Grid& grid, std::span<const float> top, std::span<const float> sideMm)
+        : m_lattice(grid), m_broadestMm(static_cast<double>(*std::max_element(sideMm.begin(), sideMm.end())))
     {
-        const Lattice& lattice = ground.lattice;
-        m_top = lattice.pick(ground.top, terrain::kEmptyTop);
-        m_side = lattice.pick(ground.sideMm, 0.0F);
-        const std::vector<float> lowest = lattice.pickLowest(ground.top, terrain::kEmptyTop);
-        const std::vector<float> mouths = lattice.close(lowest, kFissureRadiusMm, terrain::kEmptyTop);
-        m_valley = lattice.close(lowest, kValleyRadiusMm, terrain::kEmptyTop);
+        m_top = m_lattice.pick(top, terrain::kEmptyTop);
+        m_side = m_lattice.pick(sideMm, 0.0F);
+        const std::vector<float> lowest = m_lattice.pickLowest(top, terrain::kEmptyTop);
+        const std::vector<float> mouths = m_lattice.close(lowest, kFissureRadiusMm, terrain::kEmptyTop);
+        m_valley = m_lattice.close(lowest, kValleyRadiusMm, terrain::kEmptyTop);
         for (std::size_t k = 0; k < m_valley.size(); ++k)
             m_valley[k] = inTable(k) ? m_valley[k] - lowest[k] + 3.0F * (mouths[k] - lowest[k]) : 0.0F;
     }
+
+    [[nodiscard]] const Lattice& lattice() const { return m_lattice; }
 
     /// The path of a lesion: a pit and the fissure to both sides of it.
     [[nodiscard]] std::vector<Stop> walk(std::uint64_t seed, double longestMm) const
@@ -96,7 +105,7 @@ public:
         Rng rng(seed ^ 0x66697373757265ULL);
         const Stop pit = choosePit(seed, rng);
         std::vector<Stop> path{pit};
-        std::vector<std::uint8_t> taken(m_ground.lattice.count(), 0);
+        std::vector<std::uint8_t> taken(m_lattice.count(), 0);
         take(taken, pit);
         for (int arm = 0; arm < 2; ++arm) {
             Stop at = pit;
@@ -115,27 +124,26 @@ private:
 
     [[nodiscard]] bool inTable(std::size_t k) const
     {
-        return m_top[k] > terrain::kEmptyTop && static_cast<double>(m_side[k]) > kTableShare * m_ground.broadestMm;
+        return m_top[k] > terrain::kEmptyTop && static_cast<double>(m_side[k]) > kTableShare * m_broadestMm;
     }
 
     [[nodiscard]] Stop choosePit(std::uint64_t seed, Rng& rng) const
     {
-        const Lattice& lattice = m_ground.lattice;
         const float deepest = *std::max_element(m_valley.begin(), m_valley.end());
         const float tip = *std::max_element(m_top.begin(), m_top.end());
         std::vector<Stop> pits;
-        const int apart = static_cast<int>(1.0 / lattice.cellMm());
-        for (int b = 0; b < lattice.side(); ++b) {
-            for (int a = 0; a < lattice.side(); ++a) {
-                const std::size_t k = lattice.index(a, b);
+        const int apart = static_cast<int>(1.0 / m_lattice.cellMm());
+        for (int b = 0; b < m_lattice.side(); ++b) {
+            for (int a = 0; a < m_lattice.side(); ++a) {
+                const std::size_t k = m_lattice.index(a, b);
                 if (m_valley[k] < std::max(kValleyMm, 0.5F * deepest) ||
-                    static_cast<double>(m_side[k]) < kPitShare * m_ground.broadestMm || m_top[k] > tip - kBelowTipsMm)
+                    static_cast<double>(m_side[k]) < kPitShare * m_broadestMm || m_top[k] > tip - kBelowTipsMm)
                     continue;
                 bool highest = true;
-                for (int nb = std::max(0, b - apart); nb <= std::min(lattice.side() - 1, b + apart); ++nb)
-                    for (int na = std::max(0, a - apart); na <= std::min(lattice.side() - 1, a + apart); ++na)
-                        highest =
-                            highest && (m_valley[lattice.index(na, nb)] < m_valley[k] || lattice.index(na, nb) >= k);
+                for (int nb = std::max(0, b - apart); nb <= std::min(m_lattice.side() - 1, b + apart); ++nb)
+                    for (int na = std::max(0, a - apart); na <= std::min(m_lattice.side() - 1, a + apart); ++na)
+                        highest = highest &&
+                                  (m_valley[m_lattice.index(na, nb)] < m_valley[k] || m_lattice.index(na, nb) >= k);
                 if (highest)
                     pits.push_back({a, b});
             }
@@ -145,20 +153,19 @@ private:
         if (seed != 0)
             return pits[static_cast<std::size_t>(rng.below(static_cast<int>(pits.size())))];
         return *std::max_element(pits.begin(), pits.end(), [&](const Stop& p, const Stop& q) {
-            return m_side[lattice.index(p.a, p.b)] < m_side[lattice.index(q.a, q.b)];
+            return m_side[m_lattice.index(p.a, p.b)] < m_side[m_lattice.index(q.a, q.b)];
         });
     }
 
     /// On a crown without a fissure: the lowest place well inside the outline.
     [[nodiscard]] Stop lowestInside() const
     {
-        const Lattice& lattice = m_ground.lattice;
-        Stop best{lattice.side() / 2, lattice.side() / 2};
+        Stop best{m_lattice.side() / 2, m_lattice.side() / 2};
         float lowest = kNoValue;
-        for (int b = 0; b < lattice.side(); ++b) {
-            for (int a = 0; a < lattice.side(); ++a) {
-                const std::size_t k = lattice.index(a, b);
-                if (m_top[k] <= terrain::kEmptyTop || static_cast<double>(m_side[k]) < kPitShare * m_ground.broadestMm)
+        for (int b = 0; b < m_lattice.side(); ++b) {
+            for (int a = 0; a < m_lattice.side(); ++a) {
+                const std::size_t k = m_lattice.index(a, b);
+                if (m_top[k] <= terrain::kEmptyTop || static_cast<double>(m_side[k]) < kPitShare * m_broadestMm)
                     continue;
                 if (m_top[k] < lowest) {
                     lowest = m_top[k];
@@ -169,15 +176,14 @@ private:
         return best;
     }
 
-    void take(std::vector<std::uint8_t>& taken, const Stop& at) const { taken[m_ground.lattice.index(at.a, at.b)] = 1; }
+    void take(std::vector<std::uint8_t>& taken, const Stop& at) const { taken[m_lattice.index(at.a, at.b)] = 1; }
 
     /// Nodes of the path so far beside (a, b), `at` itself and its surroundings left out.
     [[nodiscard]] bool touchesPath(int a, int b, const Stop& at, const std::vector<std::uint8_t>& taken) const
     {
-        const Lattice& lattice = m_ground.lattice;
-        for (int nb = std::max(0, b - kReach); nb <= std::min(lattice.side() - 1, b + kReach); ++nb)
-            for (int na = std::max(0, a - kReach); na <= std::min(lattice.side() - 1, a + kReach); ++na)
-                if (taken[lattice.index(na, nb)] != 0 && std::max(std::abs(na - at.a), std::abs(nb - at.b)) > kReach)
+        for (int nb = std::max(0, b - kReach); nb <= std::min(m_lattice.side() - 1, b + kReach); ++nb)
+            for (int na = std::max(0, a - kReach); na <= std::min(m_lattice.side() - 1, a + kReach); ++na)
+                if (taken[m_lattice.index(na, nb)] != 0 && std::max(std::abs(na - at.a), std::abs(nb - at.b)) > kReach)
                     return true;
         return false;
     }
@@ -185,16 +191,15 @@ private:
     /// Goes on to the deepest neighbour in the valley; false at its end.
     bool step(Stop& at, std::vector<std::uint8_t>& taken, Rng& rng) const
     {
-        const Lattice& lattice = m_ground.lattice;
         Stop next = at;
         double best = 0.0;
         for (int db = -1; db <= 1; ++db) {
             for (int da = -1; da <= 1; ++da) {
                 const int a = at.a + da;
                 const int b = at.b + db;
-                if (a < 0 || b < 0 || a >= lattice.side() || b >= lattice.side())
+                if (a < 0 || b < 0 || a >= m_lattice.side() || b >= m_lattice.side())
                     continue;
-                const std::size_t k = lattice.index(a, b);
+                const std::size_t k = m_lattice.index(a, b);
                 const double wander = rng.uniform(0.8, 1.2);
                 if (taken[k] != 0 || m_valley[k] < kValleyMm || touchesPath(a, b, at, taken))
                     continue;
@@ -205,7 +210,7 @@ private:
                 const double worth = (wander + 0.2 * turn) * static_cast<double>(m_valley[k]);
                 if (worth > best) {
                     best = worth;
-                    next = {a, b, at.fromPitMm + lattice.cellMm() * std::sqrt(1.0 * (da * da + db * db)), da, db};
+                    next = {a, b, at.fromPitMm + m_lattice.cellMm() * std::sqrt(1.0 * (da * da + db * db)), da, db};
                 }
             }
         }
@@ -214,14 +219,15 @@ private:
         // Whatever could have been stepped on instead is no way forward any more.
         for (int db = -1; db <= 1; ++db)
             for (int da = -1; da <= 1; ++da)
-                if (at.a + da >= 0 && at.b + db >= 0 && at.a + da < lattice.side() && at.b + db < lattice.side())
-                    taken[lattice.index(at.a + da, at.b + db)] = 1;
+                if (at.a + da >= 0 && at.b + db >= 0 && at.a + da < m_lattice.side() && at.b + db < m_lattice.side())
+                    taken[m_lattice.index(at.a + da, at.b + db)] = 1;
         at = next;
         take(taken, at);
         return true;
     }
 
-    const Ground& m_ground;
+    Lattice m_lattice;
+    double m_broadestMm;  ///< greatest distance from the outline
     std::vector<float> m_top;
     std::vector<float> m_side;
     std::vector<float> m_valley;  ///< depth below the shoulders, mm
@@ -240,38 +246,66 @@ void addInterval(terrain::ColumnLayers& column, float roof, float floor)
     column.cariesFloor = floor;
 }
 
+/// Height of the enamel-dentin junction at a place (in cells; whole numbers on nodes), bilinear over the solid nodes
+/// around it; nothing where there is none.
+std::optional<double> junctionAt(const Ground& ground, glm::dvec2 at)
+{
+    const int i0 = static_cast<int>(std::floor(at.x));
+    const int j0 = static_cast<int>(std::floor(at.y));
+    double sum = 0.0;
+    double weights = 0.0;
+    for (int j = j0; j <= j0 + 1; ++j)
+        for (int i = i0; i <= i0 + 1; ++i) {
+            const double weight = (1.0 - std::abs(at.x - i)) * (1.0 - std::abs(at.y - j));
+            if (weight <= 0.0 || !ground.grid.contains(i, j) || !ground.solid(ground.grid.index(i, j)))
+                continue;
+            sum += weight * static_cast<double>(ground.layers[ground.grid.index(i, j)].dej);
+            weights += weight;
+        }
+    return weights > 0.0 ? std::optional(sum / weights) : std::nullopt;
+}
+
 /// The lesion of one severity (0 .. 1) at one stop. Every length grows with the severity, so that lesions nest.
-void growAt(Ground& ground, int i0, int j0, double severity)
+void growAt(Ground& ground, const LesionStop& stop, double severity)
 {
     const terrain::Grid& grid = ground.grid;
-    const std::size_t centre = grid.index(i0, j0);
-    if (!ground.solid(centre))
+    glm::dvec2 centre = grid.latticeOf(stop.atMm);
+    const glm::dvec2 node(std::round(centre.x), std::round(centre.y));
+    if (std::abs(centre.x - node.x) + std::abs(centre.y - node.y) < 1.0e-6)
+        centre = node;  // it was found on this grid
+    const auto junctionHere = junctionAt(ground, centre);
+    if (!junctionHere)
         return;
     const double through = std::min(1.0, severity / kJunctionAt);
     const double deep = std::max(0.0, (severity - kJunctionAt) / (1.0 - kJunctionAt));
     const double mouth = 0.22 * through + 0.08 * deep;
     const double base = mouth + 0.15 * through + 1.4 * deep * (2.0 - deep);
-    const auto room = std::min(2.8, static_cast<double>(ground.layers[centre].dej - ground.lowest(i0, j0)));
+    const double room = std::min(2.8, stop.roomMm);
     const double depth = std::max(0.0, 0.95 * room * deep * (2.0 - deep));
 
-    const int reach = static_cast<int>(base / grid.cellMm);
-    for (int j = std::max(0, j0 - reach); j <= std::min(grid.side - 1, j0 + reach); ++j) {
-        for (int i = std::max(0, i0 - reach); i <= std::min(grid.side - 1, i0 + reach); ++i) {
+    const double reach = std::max(0.75, base / grid.cellMm);
+    const auto lowestJunction = static_cast<float>(*junctionHere) - 1.0F;
+    const auto first = [&](double at) { return std::max(0, static_cast<int>(std::ceil(at - reach))); };
+    const auto last = [&](double at) { return std::min(grid.side - 1, static_cast<int>(std::floor(at + reach))); };
+    for (int j = first(centre.y); j <= last(centre.y); ++j) {
+        for (int i = first(centre.x); i <= last(centre.x); ++i) {
             const std::size_t k = grid.index(i, j);
             terrain::ColumnLayers& column = ground.layers[k];
-            const double aside = grid.cellMm * std::sqrt(1.0 * ((i - i0) * (i - i0) + (j - j0) * (j - j0)));
+            const double aside =
+                grid.cellMm * std::sqrt((i - centre.x) * (i - centre.x) + (j - centre.y) * (j - centre.y));
+            // However fine the mouth, it has a node.
+            const bool isNearest = i == static_cast<int>(node.x) && j == static_cast<int>(node.y);
             // Where enamel fills the whole column there is no junction to run along, and none down the wall.
-            if (!ground.solid(k) || aside > base || column.dej - ground.bottom[k] < 0.3F ||
-                column.dej < ground.layers[centre].dej - 1.0F ||
-                static_cast<double>(ground.sideMm[k]) < kWallShare * ground.broadestMm)
+            if (!ground.solid(k) || (aside > base && !isNearest) || column.dej - ground.bottom[k] < 0.3F ||
+                column.dej < lowestJunction || static_cast<double>(ground.sideMm[k]) < kWallShare * ground.broadestMm)
                 continue;
             const auto surface = static_cast<double>(ground.top[k]);
             const double junction = std::min(surface, static_cast<double>(column.dej));
             const double enamel = surface - junction;
             double roof = surface;
             double floor = surface;
-            if (aside <= mouth || aside == 0.0)
-                floor = surface - through * enamel * (1.0 - (mouth > 0.0 ? 0.6 * aside / mouth : 0.0));
+            if (aside <= mouth || isNearest)
+                floor = surface - through * enamel * (1.0 - (mouth > 0.0 ? 0.6 * std::min(1.0, aside / mouth) : 0.0));
             if (deep > 0.0) {
                 const double out = aside / base;
                 floor = std::min(floor, junction - depth * (1.0 - out) * (1.0 + 0.5 * out));
@@ -285,16 +319,28 @@ void growAt(Ground& ground, int i0, int j0, double severity)
     }
 }
 
-void walkFissures(Ground& ground, double extent, std::uint64_t seed)
+std::vector<LesionStop> walk(const Ground& ground, std::uint64_t seed)
 {
-    constexpr double kLongestMm = 3.5;
-    constexpr double kFading = 0.5;  ///< severity lost from the pit to the end of the walk
-    for (const Stop& stop : FissureMap(ground).walk(seed, kLongestMm)) {
+    const FissureMap map(ground.grid, ground.top, ground.sideMm);
+    std::vector<LesionStop> line;
+    for (const Stop& stop : map.walk(seed, kLongestMm)) {
+        const int i = stop.a * map.lattice().stride();
+        const int j = stop.b * map.lattice().stride();
+        if (!ground.grid.contains(i, j))
+            continue;
+        const float junction = ground.layers[ground.grid.index(i, j)].dej;
+        line.push_back({ground.grid.nodeMm(i, j), stop.fromPitMm, static_cast<double>(junction - ground.lowest(i, j))});
+    }
+    return line;
+}
+
+void growAlong(Ground& ground, std::span<const LesionStop> line, double extent)
+{
+    constexpr double kFading = 0.5;  ///< severity lost from the pit to the end of the longest line
+    for (const LesionStop& stop : line) {
         const double severity = extent - kFading * stop.fromPitMm / kLongestMm;
-        const int i = stop.a * ground.lattice.stride();
-        const int j = stop.b * ground.lattice.stride();
-        if (severity > 0.0 && i < ground.grid.side && j < ground.grid.side)
-            growAt(ground, i, j, std::min(1.0, severity));
+        if (severity > 0.0)
+            growAt(ground, stop, std::min(1.0, severity));
     }
 }
 
@@ -331,7 +377,7 @@ void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
     const auto pull = [&](const std::pair<int, int>& at) {
         if (!allowed(at.first, at.second))
             return static_cast<double>(kNoValue);
-        const glm::dvec2 place = grid.nodeMm(at.first, at.second);
+        const glm::dvec2 place = grid.nodeMm(at.first, at.second) - grid.middleMm();
         return static_cast<double>(height(at.first, at.second)) + 0.15 * lure.at(place.x, place.y);
     };
     int i0 = static_cast<int>(std::lround(x));
@@ -382,6 +428,13 @@ void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
 
 }  // namespace
 
+std::vector<LesionStop> fissureLine(const terrain::Grid& grid, std::span<const float> top,
+                                    std::span<const float> bottom, std::vector<terrain::ColumnLayers> layers,
+                                    std::uint64_t seed)
+{
+    return walk(survey(grid, top, bottom, layers), seed);
+}
+
 void addCaries(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                std::vector<terrain::ColumnLayers>& layers, const CariesOptions& options)
 {
@@ -389,10 +442,12 @@ void addCaries(const terrain::Grid& grid, std::span<const float> top, std::span<
     Ground ground = survey(grid, top, bottom, layers);
     if (!(extent > 0.0) || ground.broadestMm <= 0.0)
         return;
-    if (options.rule == CariesRule::FissureWalk)
-        walkFissures(ground, extent, options.seed);
-    else
+    if (options.rule == CariesRule::LowPointFill2011)
         fillLowPoints(ground, extent, options.seed);
+    else if (options.line.empty())
+        growAlong(ground, walk(ground, options.seed), extent);
+    else
+        growAlong(ground, options.line, extent);
 }
 
 }  // namespace core::teeth

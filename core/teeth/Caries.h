@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "core/terrain/Grid.h"
 #include "core/terrain/Tooth.h"
 
@@ -15,11 +17,30 @@ enum class CariesRule {
     LowPointFill2011  ///< fills low points depth first from the centre, open from above
 };
 
+/// A place on the centre line of a fissure lesion.
+struct LesionStop
+{
+    glm::dvec2 atMm{};       ///< tooth frame
+    double fromPitMm = 0.0;  ///< along the line, from the pit where it begins
+    double roomMm = 0.0;     ///< from the enamel-dentin junction down to where the dentin over the pulp must stay
+};
+
+/// Where a fissure lesion runs: a pit, and the fissure to both sides of it as far as 3.5 mm. The walk steps from node
+/// to node of a lattice (about 0.15 mm), so another grid gives another line. To have the same lesion whatever the grid,
+/// walk on one grid and lay the line into any other (CariesOptions::line).
+///
+/// @param top, bottom  [side * side], kEmptyTop and kEmptyBottom outside the tooth
+/// @param layers       made by buildLayers for these maps
+[[nodiscard]] std::vector<LesionStop> fissureLine(const terrain::Grid& grid, std::span<const float> top,
+                                                  std::span<const float> bottom,
+                                                  std::vector<terrain::ColumnLayers> layers, std::uint64_t seed);
+
 struct CariesOptions
 {
     CariesRule rule = CariesRule::FissureWalk;
     double extent = 0.5;     ///< 0 none .. 1 deepest; a larger extent contains every smaller one of the same seed
     std::uint64_t seed = 0;  ///< where the walk starts and which way it turns
+    std::span<const LesionStop> line = {};  ///< of FissureWalk, made with the same seed; empty: walk on these maps
 };
 
 /// Puts a lesion into layers made by buildLayers for the same maps: sets cariesRoof and cariesFloor.

@@ -28,7 +28,7 @@ class Enamel
 public:
     Enamel(const terrain::Grid& grid, std::span<const float> top, std::span<const float> sideMm,
            const TissueFigures& figures, std::uint64_t seed)
-        : m_figures(figures), m_patches(seed, 2.5)
+        : m_figures(figures), m_patches(seed, 2.5), m_middle(grid.middleMm())
     {
         Rng rng(seed ^ 0x656E616D656CULL);
         m_person = seed == 0 ? 1.0 : 1.0 + 0.05 * std::clamp(rng.normal(), -2.0, 2.0);
@@ -63,7 +63,10 @@ public:
     }
 
     /// Person and place: a factor near 1 on every thickness.
-    [[nodiscard]] double variation(double x, double y) const { return m_person * (1.0 + 0.08 * m_patches.at(x, y)); }
+    [[nodiscard]] double variation(double x, double y) const
+    {
+        return m_person * (1.0 + 0.08 * m_patches.at(x - m_middle.x, y - m_middle.y));
+    }
 
     /// Enamel on a side wall at a height above the CEJ (reference/teeth.md section 3: within 0.12 of a CT molar).
     [[nodiscard]] double lateral(double aboveCervix) const
@@ -100,7 +103,8 @@ private:
     static constexpr double kEdgeHeight = 0.2;
 
     TissueFigures m_figures;
-    ValueNoise m_patches;
+    ValueNoise m_patches;  ///< about the middle of the tooth: its place in the frame does not count
+    glm::dvec2 m_middle;
     double m_person = 1.0;
     double m_highest = 0.0;
     double m_fossa = 0.0;
@@ -122,6 +126,7 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
     const std::vector<float> lowest = lattice.pickLowest(top, terrain::kEmptyTop);
     const std::vector<float> closed = lattice.close(lowest, kFissureHalfMouth, terrain::kEmptyTop);
     const ValueNoise noise(seed ^ (seed == 0 ? 0 : 0x66697373ULL), 1.2);
+    const double halfWidth = grid.middleMm().x - grid.originMm.x;
     std::vector<float> limit(lattice.count(), kNoValue);
     const int reach = static_cast<int>(kReachMm / lattice.cellMm());
     for (int b = 0; b < lattice.side(); ++b) {
@@ -129,8 +134,7 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
             const std::size_t k = lattice.index(a, b);
             if (lowest[k] <= terrain::kEmptyTop || closed[k] - lowest[k] < kFissureMm)
                 continue;
-            const double vary =
-                noise.at(grid.originMm.x + a * lattice.cellMm(), grid.originMm.y + b * lattice.cellMm());
+            const double vary = noise.at(a * lattice.cellMm() - halfWidth, b * lattice.cellMm() - halfWidth);
             const double base =
                 (1.0 + 0.2 * vary) * std::max(kUnderMouth, static_cast<double>(closed[k] - lowest[k]) + kUnderBase);
             for (int nb = std::max(0, b - reach); nb <= std::min(lattice.side() - 1, b + reach); ++nb) {
@@ -247,7 +251,11 @@ std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::s
         for (int i = 0; i < grid.side; ++i)
             cervix[grid.index(i, j)] = static_cast<float>(enamel.cervixAt(grid.nodeMm(i, j).x));
     layEnamel(grid, top, bottom, side, cervix, enamel, options.seed, layers);
-    hollowPulp(grid, top, bottom, cervix, figures, options.seed, layers);
+    // Counted from the grid's corner, places do not change even in their last bits with the origin of the frame: of two
+    // equally near ones the same is chosen.
+    terrain::Grid fromCorner = grid;
+    fromCorner.originMm = {0.0, 0.0};
+    hollowPulp(fromCorner, top, bottom, cervix, figures, options.seed, layers);
     return layers;
 }
 

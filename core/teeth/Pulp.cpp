@@ -59,6 +59,33 @@ std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::
     return found;
 }
 
+/// Marks the columns that end where the model was cut off flat, as a scan of a crown is, and not at a root's surface:
+/// what lies on the lowest level, if that is a face and no tip, and the tooth is clearly shorter than it should be.
+std::vector<std::uint8_t> cutColumns(const terrain::Grid& grid, std::span<const float> top,
+                                     std::span<const float> bottom, const TissueFigures& figures)
+{
+    constexpr float kFlatMm = 0.05F;
+    constexpr double kFaceShare = 0.04;  ///< of the outline
+    constexpr double kRootShare = 0.75;
+    std::vector<std::uint8_t> cut(grid.count(), 0);
+    const float lowest = *std::min_element(bottom.begin(), bottom.end());
+    const auto highest = static_cast<double>(*std::max_element(top.begin(), top.end()));
+    if (highest - static_cast<double>(lowest) > figures.crownHeight + kRootShare * figures.sizes.rootLengthMm)
+        return cut;
+    double face = 0.0;
+    double outline = 0.0;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (!(top[k] > bottom[k]))
+            continue;
+        cut[k] = bottom[k] <= lowest + kFlatMm ? 1 : 0;
+        face += cut[k];
+        outline += 1.0;
+    }
+    if (face < kFaceShare * outline)
+        std::fill(cut.begin(), cut.end(), std::uint8_t{0});
+    return cut;
+}
+
 /// The chamber seen from above: how far inside its outline each node lies.
 struct Footprint
 {
@@ -71,11 +98,11 @@ struct Footprint
 };
 
 Footprint footprintOf(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
-                      std::span<const float> cervixMm, double wallMm)
+                      std::span<const float> cervixMm, std::span<const std::uint8_t> cut, double wallMm)
 {
     std::vector<std::uint8_t> neck(grid.count());
     for (std::size_t k = 0; k < neck.size(); ++k)
-        neck[k] = top[k] > cervixMm[k] && bottom[k] < cervixMm[k] - 0.5F ? 1 : 0;
+        neck[k] = top[k] > cervixMm[k] && (bottom[k] < cervixMm[k] - 0.5F || cut[k] != 0) ? 1 : 0;
     Footprint print;
     print.insideMm = distanceInside(grid, neck);
     const double widest = static_cast<double>(*std::max_element(print.insideMm.begin(), print.insideMm.end()));
@@ -157,7 +184,9 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     const double highest = static_cast<double>(*std::max_element(top.begin(), top.end()));
     const double tipToHorn = figures.tipToHorn + vary(0.35);
     const double chamberHeight = figures.chamberHeight > 0.0 ? figures.chamberHeight + vary(0.25) : 0.0;
-    const Footprint print = footprintOf(grid, top, bottom, cervixMm, figures.pulpWall + vary(0.15));
+    const std::vector<std::uint8_t> cut = cutColumns(grid, top, bottom, figures);
+    const bool isCut = std::find(cut.begin(), cut.end(), 1) != cut.end();
+    const Footprint print = footprintOf(grid, top, bottom, cervixMm, cut, figures.pulpWall + vary(0.15));
     if (print.deepestMm < 0.1)
         return;
 
@@ -168,16 +197,16 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     for (std::size_t k = 0; k < grid.count(); ++k) {
         if (top[k] > bottom[k]) {
             junction[k] = std::max(layers[k].dej, bottom[k]);
-            minusBottom[k] = -bottom[k];
+            minusBottom[k] = cut[k] != 0 ? kNoValue : -bottom[k];  // a cut bounds no dentin
         } else {
-            junction[k] = -1000.0F;  // outside: no pulp beside it at any height
-            minusBottom[k] = -1000.0F;
+            junction[k] = terrain::kEmptyTop;  // outside: no pulp beside it at any height
+            minusBottom[k] = terrain::kEmptyTop;
         }
     }
     const std::vector<float> above(lattice.count(), kDentinAboveMm);
     const std::vector<float> beside(lattice.count(), kDentinBesideMm);
-    const std::vector<float> ceiling = lattice.ballsBelow(lattice.pick(junction, -1000.0F), above);
-    const std::vector<float> minusGround = lattice.ballsBelow(lattice.pick(minusBottom, -1000.0F), beside);
+    const std::vector<float> ceiling = lattice.ballsBelow(lattice.pick(junction, terrain::kEmptyTop), above);
+    const std::vector<float> minusGround = lattice.ballsBelow(lattice.pick(minusBottom, terrain::kEmptyTop), beside);
 
     struct Horn
     {
@@ -197,15 +226,20 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     roofMid = horns.empty() ? highest - tipToHorn : roofMid / static_cast<double>(horns.size());
     roofMid -= figures.hornHeight;
 
-    // Canals open under the deepest places of the under surface: one to a root.
-    double deepest = 0.0;
+    // Canals open under the deepest places of the under surface: one to a root. Where the roots are cut off: over the
+    // middle of each one's section, and towards where its end would be.
+    double deepest = highest;
     for (std::size_t k = 0; k < grid.count(); ++k)
         if (top[k] > bottom[k])
             deepest = std::min(deepest, static_cast<double>(bottom[k]));
+    if (isCut)
+        deepest = std::min(deepest, highest - figures.crownHeight - figures.sizes.rootLengthMm);
     std::vector<Spot> canals;
     if (chamberHeight > 0.0) {
-        const std::vector<float> upsideDown = lattice.pick(minusBottom, -1000.0F);
-        for (const Spot& apex : peaks(grid, lattice, upsideDown, 1.5, 0.75 * -deepest, 4))
+        const std::vector<float> section = isCut ? distanceInside(grid, cut) : minusBottom;
+        const double least = isCut ? 0.6 * static_cast<double>(*std::max_element(section.begin(), section.end()))
+                                   : -(highest + 0.75 * (deepest - highest));
+        for (const Spot& apex : peaks(grid, lattice, lattice.pick(section, terrain::kEmptyTop), 1.5, least, 4))
             canals.push_back(pulledInside(grid, print, apex.x, apex.y, 0.3));
     }
 
@@ -245,7 +279,7 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
             const float highLimit = lattice.at(ceiling, i, j);
             const float lowLimit = -lattice.at(minusGround, i, j);
             const float pulpRoof = std::min(static_cast<float>(roof), highLimit);
-            const float pulpFloor = std::max(static_cast<float>(floor), lowLimit);
+            const float pulpFloor = std::max({static_cast<float>(floor), lowLimit, bottom[k]});
             if (pulpRoof - pulpFloor > 0.05F) {
                 layers[k].pulpRoof = pulpRoof;
                 layers[k].pulpFloor = pulpFloor;

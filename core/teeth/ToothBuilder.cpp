@@ -16,6 +16,7 @@
 #include "core/mesh/MeshAnalysis.h"
 #include "core/mesh/MeshReader.h"
 #include "core/mesh/Weld.h"
+#include "core/teeth/TissueFigures.h"
 #include "core/teeth/ToothGenerator.h"
 #include "core/terrain/Rasteriser.h"
 #include "core/terrain/Rim.h"
@@ -235,7 +236,8 @@ private:
         return {};
     }
 
-    /// Small holes are patched; one that looks down is left to the rasteriser, which puts a bottom at its lowest point.
+    /// Small holes are patched; those that look down are left to the rasteriser, which closes them at their lowest
+    /// point.
     Status closeHoles()
     {
         if (m_facts.openEdges.empty())
@@ -243,11 +245,13 @@ private:
         const std::vector<mesh::Hole> holes = mesh::findHoles(m_mesh, m_facts);
         const glm::dvec3 size = m_report.highMm - m_report.lowMm;
         std::size_t patched = 0;
+        double bottomMm2 = 0.0;
         for (const mesh::Hole& hole : holes) {
             const double area = glm::length(hole.areaVector);
             const bool small = area < kSmallHole * size.x * size.y;
             if (!small && hole.areaVector.z < -0.5 * area) {
                 m_closeAtMm = std::min(m_closeAtMm.value_or(hole.low.z), hole.low.z);
+                bottomMm2 -= hole.areaVector.z;
             } else if (!small && hole.areaVector.z > 0.5 * area) {
                 return failure(ErrorCode::BadStructure, "the mesh is open where its crown should be, so there is "
                                                         "nothing to drill; check --up or close the mesh");
@@ -259,9 +263,9 @@ private:
         m_report.warnings.push_back("the mesh is open (" + counted(m_facts.boundaryEdges, "edge", "edges") + " in " +
                                     counted(holes.size(), "hole", "holes") + "), so its volume means little");
         if (m_closeAtMm)
-            m_report.warnings.push_back(
-                "the scan is open below and was closed with a flat bottom at its lowest rim, z = " +
-                millimetres(*m_closeAtMm));
+            m_report.warnings.push_back("the scan is open below and was closed with a flat bottom, " +
+                                        std::to_string(std::llround(bottomMm2)) +
+                                        " mm2, at its lowest rim, z = " + millimetres(*m_closeAtMm));
         if (patched > 0)
             m_report.warnings.push_back(
                 counted(patched, "hole was closed with a flat patch", "holes were closed with flat patches"));
@@ -359,14 +363,44 @@ private:
                              : std::get<std::filesystem::path>(m_source.what).filename().string();
         m_anatomy.seed = m_options.seed;
         m_report.fdi = m_anatomy.fdi;
-        m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom,
-                                       {m_options.layers, m_anatomy.fdi, m_options.seed});
+        m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions());
+        warnAboutPulp();
         endStage("layers");
-        if (m_options.caries)
-            addCaries(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers,
-                      {*m_options.caries, m_options.cariesExtent, m_options.seed});
+        if (m_options.caries) {
+            CariesOptions caries{*m_options.caries, m_options.cariesExtent, m_options.seed, {}};
+            std::vector<LesionStop> line;
+            if (caries.rule == CariesRule::FissureWalk)
+                line = lesionLine();
+            caries.line = line;
+            addCaries(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers, caries);
+        }
         endStage("caries");
         return {};
+    }
+
+    /// Where the lesion runs is a matter of the tooth, not of the grid: it is looked for on the usual grid always.
+    [[nodiscard]] std::vector<LesionStop> lesionLine() const
+    {
+        if (m_anatomy.grid.side == terrain::kDefaultGridSide)
+            return fissureLine(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_anatomy.layers, m_options.seed);
+        const terrain::Grid grid =
+            terrain::fitGrid(glm::dvec2(m_report.lowMm), glm::dvec2(m_report.highMm), terrain::kDefaultGridSide);
+        const terrain::HeightMaps maps = terrain::rasterise(m_mesh, grid, m_closeAtMm);
+        return fissureLine(grid, maps.top, maps.bottom, buildLayers(grid, maps.top, maps.bottom, layerOptions()),
+                           m_options.seed);
+    }
+
+    [[nodiscard]] LayerOptions layerOptions() const { return {m_options.layers, m_anatomy.fdi, m_options.seed}; }
+
+    void warnAboutPulp()
+    {
+        if (std::any_of(m_anatomy.layers.begin(), m_anatomy.layers.end(),
+                        [](const terrain::ColumnLayers& column) { return column.pulpRoof > column.pulpFloor; }))
+            return;
+        const double crownHeight = figuresFor(m_anatomy.fdi, m_anatomy.grid, m_anatomy.top).crownHeight;
+        const bool endsEarly = m_report.highMm.z - m_report.lowMm.z < crownHeight;
+        m_report.warnings.emplace_back(endsEarly ? "this scan ends above the pulp: opening it cannot be judged"
+                                                 : "this tooth has no room for a pulp: opening it cannot be judged");
     }
 
     const ToothSource& m_source;

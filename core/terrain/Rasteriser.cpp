@@ -144,6 +144,34 @@ void findHeights(const MeshOverGrid& mesh, HeightMaps& maps)
     });
 }
 
+/// Does the triangle hold the point with these weights? Of two triangles that share an edge, one on either side, just
+/// one holds a point on it, and of all around a corner just one holds the corner.
+bool holds(const FlatTriangle& t, const std::array<Whole, 3>& w)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (w[k] > 0)
+            continue;
+        const Point& a = t.corner[(k + 1) % 3];
+        const Point& b = t.corner[(k + 2) % 3];
+        if (!(b.y > a.y || (b.y == a.y && b.x > a.x)))
+            return false;
+    }
+    return true;
+}
+
+/// Marks the nodes over which an odd number of triangles lies: what goes in there does not come out again.
+std::vector<std::uint8_t> nodesWithoutUnderside(const MeshOverGrid& mesh, const Grid& grid)
+{
+    std::vector<std::uint8_t> odd(grid.count(), 0);
+    mesh.forEachTriangle([&](const FlatTriangle& t) {
+        forEachPointIn(t, kStep, 0, wholeOf(grid), [&](int i, int j, const std::array<Whole, 3>& w) {
+            if (holds(t, w))
+                odd[grid.index(i, j)] ^= 1U;
+        });
+    });
+    return odd;
+}
+
 constexpr std::int32_t kNotAtRim = -1;
 
 /// Numbers the cells where the silhouette ends: solid nodes with an empty one among their eight neighbours, and
@@ -275,8 +303,10 @@ HeightMaps rasterise(const mesh::TriangleMesh& mesh, const Grid& grid, std::opti
                     std::vector<float>(grid.count(), 0.0F)};
     const MeshOverGrid over(mesh, grid);
     findHeights(over, maps);
+    const std::vector<std::uint8_t> open =
+        closeAtMm ? nodesWithoutUnderside(over, grid) : std::vector<std::uint8_t>(grid.count(), 0);
     for (std::size_t k = 0; k < grid.count(); ++k) {
-        if (closeAtMm && maps.top[k] != kEmptyTop)
+        if (open[k] != 0)
             maps.bottom[k] = std::min(maps.bottom[k], static_cast<float>(*closeAtMm));
         if (!isSolid(maps, k)) {
             maps.top[k] = kEmptyTop;

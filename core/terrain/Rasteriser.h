@@ -32,7 +32,9 @@ inline constexpr int kGridMargin = 2;
 /// meet is empty. Silhouette at the rim is measured with 16 x 16 samples a cell, each given to the nearest solid node.
 ///
 /// @param grid       must cover the mesh (fitGrid)
-/// @param closeAtMm  for a mesh open below: its bottom is put at this height, or where the mesh itself is lower
+/// @param closeAtMm  for a mesh open below: a column whose own underside is missing ends at this height. Underside is
+///                   missing where a vertical line meets the mesh an odd number of times: within the rim of the
+///                   opening. Beside it, a flank that overhangs keeps its underside.
 [[nodiscard]] HeightMaps rasterise(const mesh::TriangleMesh& mesh, const Grid& grid,
                                    std::optional<double> closeAtMm = std::nullopt);
 

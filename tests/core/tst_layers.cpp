@@ -98,7 +98,7 @@ QString broken(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
                 return where + "junction above the surface";
             if (column.pulpFloor > column.pulpRoof)
                 return where + "floor above roof";
-            if (hasPulp(column) && (column.pulpRoof >= column.dej || column.pulpFloor <= maps.bottom[k]))
+            if (hasPulp(column) && (column.pulpRoof >= column.dej || column.pulpFloor < maps.bottom[k]))
                 return where + "pulp outside dentin";
         }
     }
@@ -151,7 +151,10 @@ private slots:
     void pulpKeepsItsDentin();
     void molarPulpLiesWhereItIsMeasured();
     void incisorPulpLiesWhereItIsMeasured();
+    void pulpGoesOnToWhereAScanIsCutOff_data();
+    void pulpGoesOnToWhereAScanIsCutOff();
     void gridSideDoesNotChangeTheTooth();
+    void placeInTheFrameDoesNotCount();
     void seedsVaryAndRepeat();
     void leftAndRightAreTheSameTooth();
     void unknownTeethAreGuessedByTheirCrown();
@@ -321,6 +324,44 @@ void TestLayers::incisorPulpLiesWhereItIsMeasured()
     QVERIFY2(pulp > 10.0 && pulp < 35.0, qPrintable(QString::number(pulp)));  // 19.6 on one measured tooth
 }
 
+void TestLayers::pulpGoesOnToWhereAScanIsCutOff_data()
+{
+    QTest::addColumn<int>("fdi");
+    QTest::addColumn<double>("cutMm");
+    for (const int fdi : {21, 24, 31, 36, 26}) {
+        const double cervix = fdi == 21 ? -10.5 : fdi == 24 ? -8.5 : fdi == 31 ? -9.0 : -7.5;
+        for (const double below : {-0.5, 0.5, 1.5, 3.0, 5.0})
+            QTest::addRow("%d, %g mm below the cervix", fdi, below) << fdi << cervix - below;
+    }
+}
+
+void TestLayers::pulpGoesOnToWhereAScanIsCutOff()
+{
+    QFETCH(int, fdi);
+    QFETCH(double, cutMm);
+    const ToothMaps whole = support::generatedMaps(fdi, 0, 150);
+    const auto cut = static_cast<float>(cutMm);
+    ToothMaps maps = whole;
+    for (std::size_t k = 0; k < maps.top.size(); ++k) {
+        if (!solid(maps, k))
+            continue;
+        maps.bottom[k] = std::max(maps.bottom[k], cut);
+        if (!solid(maps, k)) {
+            maps.top[k] = kEmptyTop;
+            maps.bottom[k] = kEmptyBottom;
+        }
+    }
+    const auto layers = lay(maps, fdi);
+    const QString wrong = broken(maps, layers);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+    // As much pulp as the whole tooth has above that height.
+    const double pulp = of(volumesOf(maps, layers), Material::Pulp);
+    const double expected = of(volumesOf(maps, lay(whole, fdi)), Material::Pulp);
+    qInfo("%.2f mm3, of the whole tooth %.2f", pulp, expected);
+    QVERIFY(expected > 0.3);
+    QVERIFY(std::abs(pulp - expected) < 0.2 * expected + 0.5);
+}
+
 void TestLayers::gridSideDoesNotChangeTheTooth()
 {
     for (const int fdi : {36, 24, 21}) {
@@ -340,6 +381,39 @@ void TestLayers::gridSideDoesNotChangeTheTooth()
                                         .arg(static_cast<int>(material))
                                         .arg(of(volumes, material))
                                         .arg(of(expected, material))));
+        }
+    }
+}
+
+void TestLayers::placeInTheFrameDoesNotCount()
+{
+    constexpr float kUpMm = 50.0F;
+    for (const support::NamedMaps& tooth : support::everyTooth(100)) {
+        ToothMaps moved = tooth.maps;
+        moved.grid.originMm += glm::dvec2(7.0, -3.0);
+        for (std::size_t k = 0; k < moved.top.size(); ++k) {
+            if (!solid(tooth.maps, k))
+                continue;
+            moved.top[k] += kUpMm;
+            moved.bottom[k] += kUpMm;
+        }
+        for (const std::uint64_t seed : {0U, 5U}) {
+            const auto here = lay(tooth.maps, tooth.fdi, seed);
+            const auto there = lay(moved, tooth.fdi, seed);
+            float apart = 0.0F;
+            for (std::size_t k = 0; k < here.size(); ++k) {
+                if (!solid(tooth.maps, k))
+                    continue;
+                QCOMPARE(hasPulp(there[k]), hasPulp(here[k]));
+                apart = std::max(apart, std::abs(there[k].dej - kUpMm - here[k].dej));
+                if (hasPulp(here[k]))
+                    apart = std::max({apart, std::abs(there[k].pulpRoof - kUpMm - here[k].pulpRoof),
+                                      std::abs(there[k].pulpFloor - kUpMm - here[k].pulpFloor)});
+            }
+            QVERIFY2(apart < 1e-4F, qPrintable(QStringLiteral("%1, seed %2: %3 mm apart")
+                                                   .arg(tooth.name.c_str())
+                                                   .arg(seed)
+                                                   .arg(static_cast<double>(apart))));
         }
     }
 }

@@ -76,6 +76,7 @@ private slots:
     void areaIsTheSilhouette();
     void verticalSheetAloneGivesNothing();
     void openBowlIsClosedAtTheGivenHeight();
+    void overhangKeepsItsUndersideBesideAnOpening();
     void outsideIsEmpty();
 };
 
@@ -148,7 +149,7 @@ void TestRasteriser::heightIsThePlaneOfTheCoveringTriangle()
 
 void TestRasteriser::everyNodeOfAFineRandomMeshIsCovered()
 {
-    // A plate of 300 x 300 jittered squares over a flat bottom: many nodes fall next to edges and corners.
+    // A sheet of 300 x 300 jittered squares: many nodes fall next to edges and corners.
     core::Rng rng(7);
     constexpr int n = 300;
     TriangleMesh mesh;
@@ -167,9 +168,13 @@ void TestRasteriser::everyNodeOfAFineRandomMeshIsCovered()
         }
     for (const int side : {64, 150, 500}) {
         const HeightMaps maps = rasterise(mesh, gridAround(mesh, side), 0.0);
-        for (int j = kGridMargin; j < side - kGridMargin; ++j)
-            for (int i = kGridMargin; i < side - kGridMargin; ++i)
-                QVERIFY2(maps.top[maps.grid.index(i, j)] > 0.99F, qPrintable(QStringLiteral("%1 %2").arg(i).arg(j)));
+        // Nodes on the sheet's own rim are left out: which of them belong to it is a matter of taste.
+        for (int j = kGridMargin + 1; j < side - kGridMargin - 1; ++j)
+            for (int i = kGridMargin + 1; i < side - kGridMargin - 1; ++i) {
+                const std::size_t k = maps.grid.index(i, j);
+                QVERIFY2(maps.top[k] > 0.99F && maps.bottom[k] == 0.0F,
+                         qPrintable(QStringLiteral("%1 %2").arg(i).arg(j)));
+            }
     }
 }
 
@@ -245,6 +250,31 @@ void TestRasteriser::openBowlIsClosedAtTheGivenHeight()
     QCOMPARE(volumeOf(rasterise(mesh, gridAround(mesh, 100))), 0.0);
     QVERIFY(std::abs(volumeOf(rasterise(mesh, gridAround(mesh, 100), 0.0)) - 24.0) < 0.1);
     QVERIFY(std::abs(volumeOf(rasterise(mesh, gridAround(mesh, 100), 1.0)) - 12.0) < 0.05);
+}
+
+void TestRasteriser::overhangKeepsItsUndersideBesideAnOpening()
+{
+    // The upper part of a ball, cut off open 1 below its equator.
+    TriangleMesh mesh = support::sphereCap(3.0F, 4.0F, 360, 100);
+    const float rim = mesh.vertices.front().z;
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v].z <= rim; });
+    });
+    const HeightMaps maps = rasterise(mesh, gridAround(mesh, 150), static_cast<double>(rim));
+    const double exact = 3.14159265358979 * 16.0 * (3.0 - 4.0 / 3.0);
+    QVERIFY2(std::abs(volumeOf(maps) / exact - 1.0) < 0.005, qPrintable(QString::number(volumeOf(maps))));
+    for (int j = 0; j < 150; ++j)
+        for (int i = 0; i < 150; ++i) {
+            const std::size_t k = maps.grid.index(i, j);
+            const glm::dvec2 at = maps.grid.nodeMm(i, j);
+            const double aside = std::hypot(at.x, at.y);
+            if (maps.top[k] == kEmptyTop || std::abs(aside - std::sqrt(8.0)) < 0.02 || aside > 2.97)
+                continue;
+            const double middle = static_cast<double>(rim) + 1.0;
+            const double expected =
+                aside < std::sqrt(8.0) ? static_cast<double>(rim) : middle - std::sqrt(9.0 - aside * aside);
+            QVERIFY(std::abs(static_cast<double>(maps.bottom[k]) - expected) < 0.02);
+        }
 }
 
 void TestRasteriser::outsideIsEmpty()
