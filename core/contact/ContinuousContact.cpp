@@ -23,6 +23,8 @@ constexpr double kStillMm = 3.0e-4;     ///< a move shorter than that is none
 constexpr double kSlackMm = 1.0e-5;     ///< a bur this far above the ground stands on it
 constexpr double kSteepest = 20.0;      ///< ground steeper than that is an upright side
 constexpr double kSmoothShare = 0.001;  ///< of a move, by which a tangent plane may cut off the place it began at
+constexpr double kLiftShare = 0.1;      ///< of a move, by which its end is lifted onto the ground at most
+constexpr double kNearerMm2 = 1.0e-9;
 constexpr int kHalvings = 10;           ///< in looking for the place where the bur met the tooth
 constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
 constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
@@ -107,15 +109,14 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
 /// 1995, over the clearance field): ask for the nearest point in the half-spaces known so far, go there; if the tooth
 /// is in the way, what it is met by is one half-space more.
 ///
-/// @param movedMm  how far the device moved in this tick
-void slide(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const Touch& ground, glm::dvec3& anchor) noexcept
+/// @param left  how far it may get in this tick, mm
+void slide(LiveTooth& tooth, const glm::dvec3& device, double left, const Touch& ground, glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
     const auto add = [&](const Plane& plane) { planes.add(plane.normal, plane.offset); };
     if (anchor.z <= ground.heightMm + kSlackMm && glm::dot(ground.slope, ground.slope) < kSteepest * kSteepest)
         add(tangentAt(glm::dvec2(anchor), ground));
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
-    double left = kSlipMm + kSlipShare * movedMm;
     double best = distance2(anchor, device);
     for (int looks = 0; looks < kMaxSlides; ++looks) {
         glm::dvec3 next{0.0};
@@ -128,11 +129,14 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const Tou
         const double most = std::min(longest, left);
         if (length > most)
             next = anchor + move * (most / length);
-        const double far = distance2(next, device);
-        if (far >= best)
+        if (distance2(next, device) >= best)
             return;
         const glm::dvec2 at(next);
         const Touch touch = tooth.touchAt(at);
+        // A move cut short ends a little inside ground that bends: up onto it, if that is still nearer.
+        if (touch.heightMm > next.z && touch.heightMm - next.z <= kLiftShare * std::min(length, most) &&
+            distance2({at, touch.heightMm}, device) < best - kNearerMm2)
+            next.z = touch.heightMm;
         if (touch.heightMm > next.z + kRounding) {
             if (tooth.undersideAt(at, next.z) >= next.z) {  // the way under an overhang is open
                 anchor = next;
@@ -145,7 +149,7 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const Tou
         if (next.z > touch.heightMm + kSlackMm)
             planes.clear();
         anchor = {at, std::max(next.z, touch.heightMm)};
-        best = far;
+        best = distance2(anchor, device);
         left -= std::min(length, most);
         if (left < kStillMm)
             return;
@@ -179,6 +183,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         return m_anchor;
     }
 
+    double left = kSlipMm + kSlipShare * std::sqrt(glm::dot(moved, moved));
     bool inNotch = false;
     bool underRoof = false;
     const Touch ground = tooth.touchAt({m_anchor.x, m_anchor.y});
@@ -199,13 +204,15 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
                 m_anchor.z = std::clamp(device.z, room.floorMm, room.roofMm);
         }
     } else {
-        m_anchor.z = std::max(device.z, ground.heightMm);
+        const double z = std::max({device.z, ground.heightMm, m_anchor.z - left});
+        left -= std::max(0.0, m_anchor.z - z);
+        m_anchor.z = z;
     }
     m_mayBeInside = false;
     if (underRoof || inNotch)
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, m_anchor);
     else
-        slide(tooth, device, std::sqrt(glm::dot(moved, moved)), ground, m_anchor);
+        slide(tooth, device, left, ground, m_anchor);
     return m_anchor;
 }
 

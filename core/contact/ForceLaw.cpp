@@ -13,6 +13,7 @@ namespace {
 /// must not pass on (haptics.md 2.6).
 constexpr double kPaceCornerRadPerS = 2.0 * 3.14159265358979 * 150.0;
 constexpr double kLeastMoveMm = 1.0e-4;
+constexpr double kBrakeNSPerMm = 0.05;
 
 double lengthOf(const glm::dvec3& v)
 {
@@ -64,14 +65,16 @@ glm::dvec3 ForceLaw::damped(const glm::dvec3& stretch, double seconds) noexcept
 /// Passivity control (Hannaford & Ryu 2002) in its strict form: what the spring holds must have come from the hand.
 /// What it holds beyond that, by sampling or by a jump of the anchor, is taken out of the hand's motion; what the hand
 /// gave beyond that has been cut or rubbed away and is no credit.
-glm::dvec3 ForceLaw::braked(const glm::dvec3& wanted, const glm::dvec3& moved, double springMj) noexcept
+glm::dvec3 ForceLaw::braked(const glm::dvec3& wanted, const glm::dvec3& moved, double springMj, double seconds) noexcept
 {
     m_takenMj = std::min(m_takenMj, springMj);
     const double owed = springMj - m_takenMj;
     const double way = lengthOf(moved);
-    if (!(owed > 0.0) || way < kLeastMoveMm)
+    if (!(owed > 0.0) || way < kLeastMoveMm || !(seconds > 0.0))
         return wanted;
-    return wanted - moved * (std::min(owed / way, m_settings.brakeN) / way);
+    // A slow hand would feel a few microjoules as a click.
+    const double mostN = std::min(m_settings.brakeN, kBrakeNSPerMm * way / seconds);
+    return wanted - moved * (std::min(owed / way, mostN) / way);
 }
 
 glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, double seconds) noexcept
@@ -98,7 +101,7 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
         const double pull = glm::dot(wanted, normal);
         if (pull < 0.0)
             wanted -= normal * pull;
-        wanted = braked(wanted, moved, 0.5 * stiffness * glm::dot(stretch, stretch));
+        wanted = braked(wanted, moved, 0.5 * stiffness * glm::dot(stretch, stretch), seconds);
         wanted *= glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
     } else {
         m_pace = glm::dvec3(0.0);

@@ -53,7 +53,8 @@ public:
 
 private:
     [[nodiscard]] glm::dvec3 damped(const glm::dvec3& stretch, double seconds) noexcept;
-    [[nodiscard]] glm::dvec3 braked(const glm::dvec3& wanted, const glm::dvec3& moved, double springMj) noexcept;
+    [[nodiscard]] glm::dvec3 braked(const glm::dvec3& wanted, const glm::dvec3& moved, double springMj,
+                                    double seconds) noexcept;
 
     ForceSettings m_settings;
     glm::dvec3 m_forceN{0.0};

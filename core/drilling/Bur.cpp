@@ -59,10 +59,18 @@ Bur pearBur(std::string_view id, std::string_view name, double radius, double le
     return bur;
 }
 
-/// Straight fissure: a cylinder with a flat end.
-Bur fissureBur(std::string_view id, std::string_view name, double radius, double length, double neck)
+/// Straight fissure: a cylinder with a flat end, its edge broken by `corner`. With a sharp one the clearance would step
+/// wherever a column comes under the rim, and the bur stick there (haptics.md 3.1 asks for a corner of a cell).
+Bur fissureBur(std::string_view id, std::string_view name, double radius, double length, double neck, double corner)
 {
-    return Bur{id, name, radius, length, neck, 0.0, {{0.0, 0.0}, {radius, 0.0}, {radius, length}}};
+    Bur bur{id, name, radius, length, neck, corner, {}};
+    bur.outline.push_back({0.0, 0.0});
+    for (int k = 0; k <= kArcSteps; ++k) {
+        const Bur::Point p = unitArc(k);
+        bur.outline.push_back({radius - corner + corner * p.radiusMm, corner * (1.0 + p.heightMm)});
+    }
+    bur.outline.push_back({radius, length});
+    return bur;
 }
 
 double heightOn(const Bur::Point& a, const Bur::Point& b, double radiusMm)
@@ -78,7 +86,7 @@ const std::array<Bur, 4>& table()
         // Tangents of 8 and 4 degrees a side: teeth.md section 6.
         pearBur("330", "pear, No. 330", 0.4, 1.6, 0.25, 0.14054),
         pearBur("245", "long pear, No. 245", 0.4, 3.0, 0.2, 0.06993),
-        fissureBur("57", "straight fissure, No. 57", 0.5, 3.8, 0.4),
+        fissureBur("57", "straight fissure, No. 57", 0.5, 3.8, 0.4, 0.1),
     };
     return burs;
 }
