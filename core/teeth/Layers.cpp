@@ -150,6 +150,26 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
     return limit;
 }
 
+/// Vertical distance per distance along the normal of the underside.
+double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom, int i,
+                      int j)
+{
+    const auto rise = [&](int di, int dj) {
+        float steepest = 0.0F;
+        for (const int sign : {-1, 1}) {
+            if (!grid.contains(i + sign * di, j + sign * dj))
+                continue;
+            const std::size_t k = grid.index(i + sign * di, j + sign * dj);
+            if (top[k] > bottom[k])
+                steepest = std::max(steepest, std::abs(bottom[k] - bottom[grid.index(i, j)]));
+        }
+        return static_cast<double>(steepest);
+    };
+    const double x = rise(1, 0) / grid.cellMm;
+    const double y = rise(0, 1) / grid.cellMm;
+    return std::sqrt(1.0 + x * x + y * y);
+}
+
 void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                std::span<const float> sideMm, std::span<const float> cervixMm, const Enamel& enamel, std::uint64_t seed,
                std::vector<terrain::ColumnLayers>& layers)
@@ -192,10 +212,11 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
             dej = std::min(dej, cervix + enamel.heightOf(toSide / enamel.variation(at.x, at.y)));
             dej = std::min(dej, surface - std::min({kThinnestMm, here, std::max(0.0, surface - cervix)}));
             if (static_cast<double>(bottom[k]) > cervix) {
-                // The underside of a bulge has its own enamel; with that the column may hold no dentin at all.
+                // The underside of a bulge has its own enamel, measured along its normal and so longer in a column the
+                // steeper the flank is; with that the column may hold no dentin at all.
                 const double beneath = enamel.lateral(static_cast<double>(bottom[k]) - cervix);
-                if (dej - static_cast<double>(bottom[k]) < beneath)
-                    dej = static_cast<double>(bottom[k]);
+                if (dej - static_cast<double>(bottom[k]) < beneath * lengthPerDepth(grid, top, bottom, i, j))
+                    dej = static_cast<double>(bottom[k]) - beneath;
             } else {
                 dej = std::max(dej, std::min(cervix, surface));
             }

@@ -32,7 +32,8 @@ struct LayerOptions
 /// every side and end where a crown is cut off flat. Figures: reference/teeth.md, section 3 (Deutsch and Musikant 2004
 /// for molar pulps).
 ///
-/// A column holds one junction, so enamel on the underside of a bulge is kept only where it fills the column.
+/// A column holds one junction, so enamel on the underside of a bulge is kept only where it fills the column. The
+/// junction then lies below the bottom by the thickness of the enamel there.
 ///
 /// @param top, bottom  [side * side], kEmptyTop and kEmptyBottom outside the tooth
 /// @return one entry a node, without caries; entries of empty columns are all zero. Any thread.

@@ -144,6 +144,8 @@ class TestLayers : public QObject
 private slots:
     void enamelOfAMolarIsAsTheTableSays();
     void enamelEndsAtTheCervix();
+    void neckHasOneLineBetweenEnamelAndRoot_data();
+    void neckHasOneLineBetweenEnamelAndRoot();
     void fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase();
     void invariantsHoldOnEveryTooth_data();
     void invariantsHoldOnEveryTooth();
@@ -216,6 +218,42 @@ void TestLayers::enamelEndsAtTheCervix()
     for (std::size_t k = 0; k < maps.top.size(); ++k)
         if (solid(maps, k) && maps.bottom[k] < -7.6F)
             QVERIFY2(layers[k].dej >= -7.51F, "enamel on the root");
+}
+
+void TestLayers::neckHasOneLineBetweenEnamelAndRoot_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int fdi : {34, 35, 36, 37, 38})
+        QTest::addRow("%d", fdi) << fdi;
+}
+
+void TestLayers::neckHasOneLineBetweenEnamelAndRoot()
+{
+    // The lingual flank (+y) seen from below, from its outline inwards: enamel, then dentin, and no more of enamel. A
+    // junction on the very surface is neither, it flickers.
+    QFETCH(int, fdi);
+    const ToothMaps maps = support::generatedMaps(fdi, 0, 150);
+    const auto layers = lay(maps, fdi);
+    int flanks = 0;
+    int broken = 0;
+    for (int i = 45; i < 105; ++i) {
+        bool isRoot = false;
+        bool comesBack = false;
+        int enamel = 0;
+        for (int j = 149; j > 90; --j) {
+            const std::size_t k = maps.grid.index(i, j);
+            if (!solid(maps, k))
+                continue;
+            const bool isEnamel = layers[k].dej < maps.bottom[k] - 0.05F;
+            enamel += isEnamel ? 1 : 0;
+            comesBack = comesBack || (isRoot && isEnamel);
+            isRoot = isRoot || !isEnamel;
+        }
+        flanks += enamel > 0 ? 1 : 0;
+        broken += comesBack ? 1 : 0;
+    }
+    QVERIFY(flanks > 30);
+    QVERIFY2(broken == 0, qPrintable(QStringLiteral("%1 of %2 sections").arg(broken).arg(flanks)));
 }
 
 void TestLayers::fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase()
