@@ -315,6 +315,11 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
         return unexpected(ErrorCode::NewerVersion, "The recording is of version " + std::to_string(version) +
                                                        ", this Cusp reads up to version " + std::to_string(kVersion) +
                                                        "; open it with a newer Cusp.");
+    if (in.ok() && version < kVersion)
+        return unexpected(ErrorCode::WrongKind, "The recording is of version " + std::to_string(version) +
+                                                    ", from before the force was damped; this Cusp reads version " +
+                                                    std::to_string(kVersion) +
+                                                    " only. Make the attempt again, or keep the Cusp that made it.");
     std::optional<session::ServoSettings> settings;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     std::optional<Recording> recording;

@@ -250,6 +250,9 @@ void TestRecording::refusesStrangers_data()
     QByteArray zero = good;
     zero[8] = 0;
     QTest::newRow("version 0") << zero << code(ErrorCode::WrongKind);
+    QByteArray older = good;
+    older[8] = 1;
+    QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
     QByteArray lie = good;
     lie.replace(int(kFileHeaderBytes) + 4, 8, QByteArray(8, '\xFF'));
     QTest::newRow("a section of 2^64 bytes") << lie << code(ErrorCode::FileTruncated);
