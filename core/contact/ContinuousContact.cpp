@@ -36,30 +36,23 @@ double distance2(const glm::dvec3& a, const glm::dvec3& b)
     return glm::dot(apart, apart);
 }
 
-/// A half-space: normal . x >= offset, normal of length 1.
-struct Plane
-{
-    glm::dvec3 normal;
-    double offset;
-};
-
-Plane through(const glm::dvec3& point, const glm::dvec3& upwards)
+HalfSpace through(const glm::dvec3& point, const glm::dvec3& upwards)
 {
     const glm::dvec3 normal = upwards / std::sqrt(glm::dot(upwards, upwards));
     return {normal, glm::dot(normal, point)};
 }
 
 /// What the ground over a point lets the tip have, as its tangent plane.
-Plane tangentAt(glm::dvec2 at, const Touch& touch)
+HalfSpace tangentAt(glm::dvec2 at, const Touch& touch)
 {
     return through({at, touch.heightMm}, {-touch.slope, 1.0});
 }
 
 /// The plane that keeps a tip at `from`, which is free, out of what it would enter on its straight way to `to`: the
 /// tangent at `to` where the ground is smooth, else where the bur meets the point that carries it.
-Plane planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
+HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
-    const Plane tangent = tangentAt(glm::dvec2(to), touch);
+    const HalfSpace tangent = tangentAt(glm::dvec2(to), touch);
     const glm::dvec3 way = to - from;
     const double length = std::sqrt(glm::dot(way, way));
     if (glm::dot(tangent.normal, from) >= tangent.offset - kRounding - kSmoothShare * length)
@@ -113,9 +106,8 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
 void slide(LiveTooth& tooth, const glm::dvec3& device, double left, const Touch& ground, glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
-    const auto add = [&](const Plane& plane) { planes.add(plane.normal, plane.offset); };
     if (anchor.z <= ground.heightMm + kSlackMm && glm::dot(ground.slope, ground.slope) < kSteepest * kSteepest)
-        add(tangentAt(glm::dvec2(anchor), ground));
+        planes.add(tangentAt(glm::dvec2(anchor), ground));
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
     double best = distance2(anchor, device);
     for (int looks = 0; looks < kMaxSlides; ++looks) {
@@ -142,7 +134,7 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, double left, const Touch&
                 anchor = next;
                 return;
             }
-            add(planeBetween(tooth.mask(), anchor, next, touch));
+            planes.add(planeBetween(tooth.mask(), anchor, next, touch));
             continue;
         }
         // Planes that hold the tip off the ground are tangents of a hump that it has left: they cut off what is free.
@@ -155,7 +147,7 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, double left, const Touch&
             return;
         if (touch.heightMm > static_cast<double>(terrain::kEmptyTop) &&
             glm::dot(touch.slope, touch.slope) < kSteepest * kSteepest)
-            add(tangentAt(at, touch));
+            planes.add(tangentAt(at, touch));
     }
 }
 

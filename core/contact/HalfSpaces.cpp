@@ -19,13 +19,13 @@ double distance2(const glm::dvec3& a, const glm::dvec3& b)
 
 }  // namespace
 
-void HalfSpaces::add(const glm::dvec3& normal, double offset) noexcept
+void HalfSpaces::add(const HalfSpace& space) noexcept
 {
     if (m_count == kMost) {
         std::copy(m_planes.begin() + 1, m_planes.end(), m_planes.begin());
         --m_count;
     }
-    m_planes[m_count++] = {normal, offset};
+    m_planes[m_count++] = space;
 }
 
 bool HalfSpaces::holds(const glm::dvec3& point) const noexcept

@@ -8,7 +8,14 @@
 
 namespace core::contact {
 
-/// Up to a few half-spaces normal . x >= offset, and the point of all of them that is nearest to another: the
+/// normal . x >= offset, the normal of length 1.
+struct HalfSpace
+{
+    glm::dvec3 normal;
+    double offset;
+};
+
+/// Up to a few half-spaces, and the point of all of them that is nearest to another: the
 /// god-object's place among its active planes (Zilles & Salisbury 1995). Servo thread; no allocation.
 class HalfSpaces
 {
@@ -16,21 +23,16 @@ public:
     static constexpr std::size_t kMost = 4;
 
     void clear() noexcept { m_count = 0; }
-    /// One more; the oldest gives way if there are kMost. @param normal  of length 1
-    void add(const glm::dvec3& normal, double offset) noexcept;
+    /// One more; the oldest gives way if there are kMost.
+    void add(const HalfSpace& space) noexcept;
 
     /// False if no point lies in all of them.
     [[nodiscard]] bool nearest(const glm::dvec3& to, glm::dvec3& point) const noexcept;
 
 private:
-    struct Plane
-    {
-        glm::dvec3 normal;
-        double offset;
-    };
     [[nodiscard]] bool holds(const glm::dvec3& point) const noexcept;
 
-    std::array<Plane, kMost> m_planes{};
+    std::array<HalfSpace, kMost> m_planes{};
     std::size_t m_count = 0;
 };
 

@@ -52,7 +52,7 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
         m_masks.emplace_back(bur, grid().cellMm);
     std::size_t widest = 0;
     for (const drilling::BurMask& mask : m_masks)
-        widest = std::max(widest, 2 * static_cast<std::size_t>(mask.spanOfRow.front()) + 3);
+        widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
     m_columnsRoom.resize((widest + 2) * (widest + 2));  // and those that a cell's advance adds
     m_blockSide = (grid().side + kBlock - 1) / kBlock;
     m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
@@ -131,9 +131,6 @@ Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough) noexcept
 
 Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
 {
-    Touch smooth{};
-    if (touchOnBowl(peak, pointMm, smooth))
-        return smooth;
     const std::size_t at = grid().index(peak.i, peak.j);
     const glm::dvec2 node = grid().nodeMm(peak.i, peak.j);
     const auto top = static_cast<double>(m_tooth.top[at]);
@@ -143,6 +140,10 @@ Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
         return r > 0.0 ? out * (mask().slopeAt(r) / r) : glm::dvec2(0.0);
     };
     Touch best{static_cast<double>(peak.value), slopeTowards(node), {node, top}};
+    if (!isWhole(at))
+        return best;
+    if (Touch smooth{}; touchOnBowl(peak, pointMm, smooth))
+        return smooth;
     const double cell = grid().cellMm;
     for (const int dj : {-1, 1}) {
         for (const int di : {-1, 1}) {
@@ -150,7 +151,7 @@ Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
                 continue;
             const std::size_t besideX = grid().index(peak.i + di, peak.j);
             const std::size_t besideY = grid().index(peak.i, peak.j + dj);
-            if (!isWhole(at) || !isWhole(besideX) || !isWhole(besideY))
+            if (!isWhole(besideX) || !isWhole(besideY))
                 continue;
             const glm::dvec2 slope((static_cast<double>(m_tooth.top[besideX]) - top) / (di * cell),
                                    (static_cast<double>(m_tooth.top[besideY]) - top) / (dj * cell));
@@ -221,7 +222,7 @@ Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    const int span = mask().spanOfRow.front();
+    const int span = mask().span;
     const int midI = static_cast<int>(std::floor(lattice.x));
     const int midJ = static_cast<int>(std::floor(lattice.y));
     const auto tip = static_cast<float>(z);

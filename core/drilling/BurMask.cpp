@@ -13,15 +13,11 @@ constexpr double kRounding = 1.0e-3;
 }  // namespace
 
 BurMask::BurMask(const Bur& bur, double cellMm)
-    : radiusMm(static_cast<float>(bur.headRadiusMm)),
+    : span(static_cast<int>(std::ceil(bur.headRadiusMm / cellMm + kRounding))),
+      radiusMm(static_cast<float>(bur.headRadiusMm)),
       r2ToStep(static_cast<float>(kTableSteps / (bur.headRadiusMm * bur.headRadiusMm))), flatMm(bur.flatRadiusMm()),
       cornerMm(bur.cornerMm)
 {
-    const double radius = bur.headRadiusMm / cellMm + kRounding;
-    for (int row = 0; row <= radius; ++row)
-        spanOfRow.push_back(static_cast<int>(std::ceil(std::sqrt(radius * radius - row * row))));
-    while (static_cast<int>(spanOfRow.size()) <= spanOfRow.front())
-        spanOfRow.push_back(0);
     for (int step = 0; step <= kTableSteps; ++step) {
         // The middle of the step: a lookup rounds down.
         const double r2 = (step + 0.5) / static_cast<double>(r2ToStep);

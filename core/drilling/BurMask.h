@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/drilling/Bur.h"
 
@@ -21,8 +20,7 @@ struct BurMask
     /// Stands for the slope of an upright side.
     static constexpr double kUpright = 1.0e9;
 
-    /// Columns that the head reaches to either side, in a row so many rows from the lattice cell its axis is in.
-    std::vector<int> spanOfRow;
+    int span = 0;  ///< columns that the head reaches to either side of the lattice cell its axis is in
 
     float radiusMm = 0.0F;
     float r2ToStep = 0.0F;  ///< table steps per mm2

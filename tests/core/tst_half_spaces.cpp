@@ -32,7 +32,7 @@ void TestHalfSpaces::nothingKnownIsNoLimit()
 void TestHalfSpaces::aPointInsideStaysWhereItIs()
 {
     HalfSpaces spaces;
-    spaces.add({0.0, 0.0, 1.0}, -1.0);
+    spaces.add({{0.0, 0.0, 1.0}, -1.0});
     glm::dvec3 found{0.0};
     QVERIFY(spaces.nearest({1.0, 2.0, 0.0}, found));
     QCOMPARE(found, glm::dvec3(1.0, 2.0, 0.0));
@@ -41,9 +41,9 @@ void TestHalfSpaces::aPointInsideStaysWhereItIs()
 void TestHalfSpaces::cornerOfThreeWalls()
 {
     HalfSpaces spaces;
-    spaces.add({0.0, 0.0, 1.0}, 0.0);
-    spaces.add({-1.0, 0.0, 0.0}, 0.5);
-    spaces.add({0.0, -1.0, 0.0}, 0.25);
+    spaces.add({{0.0, 0.0, 1.0}, 0.0});
+    spaces.add({{-1.0, 0.0, 0.0}, 0.5});
+    spaces.add({{0.0, -1.0, 0.0}, 0.25});
     glm::dvec3 found{0.0};
     QVERIFY(spaces.nearest({1.0, 1.0, -1.0}, found));
     QVERIFY(glm::length(found - glm::dvec3(-0.5, -0.25, 0.0)) < 1.0e-12);
@@ -62,7 +62,7 @@ void TestHalfSpaces::agreesWithASlowProjection()
             const glm::dvec3 normal =
                 glm::normalize(glm::dvec3(rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 1.0)));
             planes.emplace_back(normal, rng.uniform(-0.3, 0.0));
-            spaces.add(normal, planes.back().second);
+            spaces.add({normal, planes.back().second});
         }
         const glm::dvec3 to(rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 0.2));
         glm::dvec3 slow = to;
@@ -89,8 +89,8 @@ void TestHalfSpaces::agreesWithASlowProjection()
 void TestHalfSpaces::whatCannotBeIsSaid()
 {
     HalfSpaces spaces;
-    spaces.add({0.0, 0.0, 1.0}, 1.0);
-    spaces.add({0.0, 0.0, -1.0}, 1.0);
+    spaces.add({{0.0, 0.0, 1.0}, 1.0});
+    spaces.add({{0.0, 0.0, -1.0}, 1.0});
     glm::dvec3 found{0.0};
     QVERIFY(!spaces.nearest({0.0, 0.0, 0.0}, found));
     spaces.clear();
