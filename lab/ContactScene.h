@@ -27,6 +27,10 @@ struct ContactScene
 };
 
 /// What a method made of scenes.
+///
+/// A bur that is pushed over an edge leaps: the right one in no time, for it has no mass. How soon after it, and how
+/// fast, a method follows is its own affair, so within kLeapTicks of a leap its position is not judged, and a change of
+/// its force only by what it exceeds the leap's own.
 struct ContactErrors
 {
     double rmsUm = 0.0;  ///< distance of the anchor from where it should be
@@ -34,6 +38,9 @@ struct ContactErrors
     double jumpN = 0.0;   ///< largest change of force in a tick beyond that of the path itself
     double tickUs = 0.0;  ///< thread CPU time of update(), 99th percentile
 };
+
+inline constexpr double kLeapMm = 0.1;  ///< in a tick, farther than the hand moved
+inline constexpr std::size_t kLeapTicks = 40;
 
 /// One row of the table: the same surface in several places and directions on the lattice.
 struct ContactFamily
