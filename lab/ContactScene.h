@@ -11,11 +11,12 @@
 
 #include "core/contact/ContactMethod.h"
 #include "core/terrain/Tooth.h"
+#include "haptics/simulated/TickTimes.h"
 
 namespace lab {
 
 /// A surface, a bur, a path of the hand, and where geometry puts the bur at each tick of it: the point of the offset
-/// surface that a bur without friction slides to (haptics.md 8.4, 1). One tick a millisecond; tooth frame, mm.
+/// surface that a bur without friction slides to (haptics.md 8.4, 1). Tooth frame, mm.
 struct ContactScene
 {
     std::string family;  ///< the row of the table it belongs to: "plane 27"
@@ -32,7 +33,9 @@ struct ContactErrors
     double rmsUm = 0.0;  ///< distance of the anchor from where it should be
     double mostUm = 0.0;
     double jumpN = 0.0;   ///< largest change of force in a tick beyond that of the path itself
+    double lagUm = 0.0;   ///< how far the anchor is behind on its way, on the average; ahead of it counts against that
     double tickUs = 0.0;  ///< thread CPU time of update(), 99th percentile
+    haptics::TickTimes times;
 };
 
 /// One row of the table: the same surface in several places and directions on the lattice.
@@ -45,8 +48,19 @@ struct ContactFamily
     double reachJumpN = 0.0;
 };
 
-/// The families on a grid of `side` x `side` over 10.5 mm: planes, fossa, cusp, groove, wall, corner, steps.
-/// @param bur  index into drilling::burs()
+/// What a family is measured with.
+struct ContactConditions
+{
+    int side = core::terrain::kDefaultGridSide;  ///< columns a side, over kBlockExtentMm
+    std::size_t bur = 0;                         ///< index into drilling::burs()
+    double rateHz = 1000.0;                      ///< ticks a second; the hand moves as fast at any rate
+};
+
+/// The names of all families: planes, fossa, cusp, grooves, wall, corner, steps.
+[[nodiscard]] std::vector<std::string> contactFamilyNames();
+/// @param name  one of contactFamilyNames()
+[[nodiscard]] ContactFamily contactFamily(const std::string& name, const ContactConditions& conditions);
+/// All of them at 1 kHz.
 [[nodiscard]] std::vector<ContactFamily> contactFamilies(int side, std::size_t bur);
 
 /// Runs a method over all scenes of a family.
