@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -21,9 +23,11 @@ namespace {
 using core::drilling::Bur;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kPushTicks = 150;
+constexpr double kPushS = 0.15;
+constexpr double kWaitS = 0.01;  ///< after it
 constexpr double kPushMm = 0.5;
 constexpr double kWallMm = 3.0;
+constexpr double kStillMm = 1.0e-6;  ///< in a tick: no way that one could lag behind on
 
 using Profile = std::function<double(double)>;
 
@@ -156,24 +160,30 @@ glm::dvec2 turned(double degrees)
     return {std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
 }
 
+std::size_t ticksIn(double seconds, const ContactConditions& conditions)
+{
+    return static_cast<std::size_t>(std::lround(seconds * conditions.rateHz));
+}
+
 /// The hand presses into the surface where `place(0)` is, along `inwards`, then goes where place() says.
 /// @param place   path over the surface, mm, of the travel so far
 /// @param ground  height that the hand takes for that of the surface, over u
-ContactScene slide(const Surface& surface, const Profile& ground, int side, glm::dvec2 shift, std::size_t bur,
+ContactScene slide(const Surface& surface, const Profile& ground, const ContactConditions& conditions, glm::dvec2 shift,
                    const glm::dvec3& inwards, const std::function<glm::dvec2(double)>& place, double lengthMm,
                    double mmPerS)
 {
     ContactScene scene;
-    scene.anatomy = enamelBlock([&](glm::dvec2 at) { return surface.height(surface.along(at)); }, side, shift);
-    scene.burIndex = bur;
+    scene.anatomy =
+        enamelBlock([&](glm::dvec2 at) { return surface.height(surface.along(at)); }, conditions.side, shift);
+    scene.burIndex = conditions.bur;
     const auto onSurface = [&](glm::dvec2 at) { return glm::dvec3(at, ground(surface.along(at))); };
     Slider slider(surface, onSurface(place(0.0)));
-    const auto travelTicks = static_cast<std::size_t>(lengthMm / (mmPerS * 1.0e-3));
-    const auto pushTicks = static_cast<std::size_t>(kPushTicks);
-    scene.counted = pushTicks + 10;
-    for (std::size_t tick = 0; tick < pushTicks + 10 + travelTicks; ++tick) {
-        const double depth = kPushMm * std::min(1.0, static_cast<double>(tick) / kPushTicks - 0.1);
-        const double travel = tick < scene.counted ? 0.0 : static_cast<double>(tick - scene.counted) * mmPerS * 1.0e-3;
+    const double tickS = 1.0 / conditions.rateHz;
+    const auto travelTicks = static_cast<std::size_t>(lengthMm / (mmPerS * tickS));
+    scene.counted = ticksIn(kPushS + kWaitS, conditions);
+    for (std::size_t tick = 0; tick < scene.counted + travelTicks; ++tick) {
+        const double depth = kPushMm * std::min(1.0, static_cast<double>(tick) * tickS / kPushS - 0.1);
+        const double travel = tick < scene.counted ? 0.0 : static_cast<double>(tick - scene.counted) * mmPerS * tickS;
         const glm::dvec3 device = onSurface(place(travel)) + inwards * depth;
         scene.device.push_back(device);
         scene.right.push_back(slider.follow(device));
@@ -181,12 +191,11 @@ ContactScene slide(const Surface& surface, const Profile& ground, int side, glm:
     return scene;
 }
 
-ContactFamily planes(double degrees, int side, std::size_t bur)
+ContactFamily planes(double degrees, const ContactConditions& conditions)
 {
     const double slope = std::tan(degrees * kDegree);
-    const double stand = standOff(core::drilling::burs()[bur], slope);
+    const double stand = standOff(core::drilling::burs()[conditions.bur], slope);
     ContactFamily family;
-    family.name = "plane " + std::to_string(static_cast<int>(degrees));
     const auto row = [&](double rms, double most, double jump) {
         family.reachRmsUm = rms;
         family.reachMostUm = most;
@@ -208,13 +217,13 @@ ContactFamily planes(double degrees, int side, std::size_t bur)
             const glm::dvec2 heading = turned(lie.turnDeg + 40.0) * std::cos(degrees * kDegree);
             const auto place = [&](double travel) { return heading * (travel - 1.5); };
             family.scenes.push_back(
-                slide(surface, surface.clearance, side, lie.shift, bur, inwards, place, 3.0, speed));
+                slide(surface, surface.clearance, conditions, lie.shift, inwards, place, 3.0, speed));
         }
     }
     return family;
 }
 
-ContactFamily bowls(bool isFossa, int side, std::size_t bur)
+ContactFamily bowls(bool isFossa, const ContactConditions& conditions)
 {
     const double radius = isFossa ? 3.0 : 2.0;
     // Beyond 60 degrees the sphere goes on as its tangent cone.
@@ -227,8 +236,8 @@ ContactFamily bowls(bool isFossa, int side, std::size_t bur)
     Surface surface;
     surface.kind = Surface::Kind::Round;
     surface.height = isFossa ? cap : Profile([cap](double u) { return -cap(u); });
-    surface.clearance = offsetOf(surface.height, core::drilling::burs()[bur]);
-    ContactFamily family{isFossa ? "fossa" : "cusp", {}, 3.0, 10.0, 0.02};
+    surface.clearance = offsetOf(surface.height, core::drilling::burs()[conditions.bur]);
+    ContactFamily family{{}, {}, 3.0, 10.0, 0.02};
     for (const Lie& lie : kLies) {
         for (const double speed : {20.0, 100.0}) {
             const glm::dvec2 heading = turned(lie.turnDeg + 25.0);
@@ -236,26 +245,25 @@ ContactFamily bowls(bool isFossa, int side, std::size_t bur)
             // Beside the axis, where a cusp has a nearest point.
             const auto place = [&](double travel) { return heading * (travel - 0.8) + aside * 0.5; };
             family.scenes.push_back(
-                slide(surface, surface.clearance, side, lie.shift, bur, {0.0, 0.0, -1.0}, place, 1.6, speed));
+                slide(surface, surface.clearance, conditions, lie.shift, {0.0, 0.0, -1.0}, place, 1.6, speed));
         }
     }
     return family;
 }
 
-ContactFamily grooves(double degrees, bool creaseOnNodes, int side, std::size_t bur)
+ContactFamily grooves(double degrees, bool creaseOnNodes, const ContactConditions& conditions)
 {
     const double slope = std::tan(degrees * kDegree);
-    const double stand = standOff(core::drilling::burs()[bur], slope);
+    const double stand = standOff(core::drilling::burs()[conditions.bur], slope);
     ContactFamily family;
-    family.name = "groove " + std::to_string(static_cast<int>(degrees)) + (creaseOnNodes ? "" : " anywhere");
-    const double cell = kBlockExtentMm / side;
+    const double cell = kBlockExtentMm / conditions.side;
     family.reachRmsUm = creaseOnNodes ? 5.0 : 500.0 * slope * cell;
     family.reachMostUm = creaseOnNodes ? 15.0 : 750.0 * slope * cell;
     family.reachJumpN = 0.05;
     for (const Lie& lie : kLies) {
         Surface surface;
         // A row of nodes lies at the origin with an odd side or half a cell of shift.
-        const double onNodes = side % 2 == 0 ? 0.5 : 0.0;
+        const double onNodes = conditions.side % 2 == 0 ? 0.5 : 0.0;
         surface.across = creaseOnNodes ? glm::dvec2(1.0, 0.0) : turned(lie.turnDeg);
         const glm::dvec2 shift = creaseOnNodes ? glm::dvec2(onNodes, lie.shift.y) : lie.shift;
         surface.height = [slope](double u) { return slope * std::abs(u); };
@@ -267,7 +275,7 @@ ContactFamily grooves(double degrees, bool creaseOnNodes, int side, std::size_t 
                 return along * (travel - 1.5) + surface.across * (0.1 * std::sin(4.0 * travel));
             };
             family.scenes.push_back(
-                slide(surface, surface.clearance, side, shift, bur, {0.0, 0.0, -1.0}, place, 3.0, speed));
+                slide(surface, surface.clearance, conditions, shift, {0.0, 0.0, -1.0}, place, 3.0, speed));
         }
     }
     return family;
@@ -283,11 +291,11 @@ Profile overStep(double heightMm, const Bur& bur)
     };
 }
 
-ContactFamily walls(int side, std::size_t bur)
+ContactFamily walls(const ContactConditions& conditions)
 {
-    const Bur& shape = core::drilling::burs()[bur];
-    const double cell = kBlockExtentMm / side;
-    ContactFamily family{"wall", {}, 500.0 * cell, 1000.0 * cell, 0.1};
+    const Bur& shape = core::drilling::burs()[conditions.bur];
+    const double cell = kBlockExtentMm / conditions.side;
+    ContactFamily family{{}, {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
         Surface surface;
         surface.across = turned(lie.turnDeg);
@@ -301,31 +309,32 @@ ContactFamily walls(int side, std::size_t bur)
         };
         for (const double speed : {20.0, 100.0})
             family.scenes.push_back(slide(
-                surface, [](double) { return 0.0; }, side, lie.shift, bur, {0.0, 0.0, -1.0}, place, 3.5, speed));
+                surface, [](double) { return 0.0; }, conditions, lie.shift, {0.0, 0.0, -1.0}, place, 3.5, speed));
     }
     return family;
 }
 
-ContactFamily corners(int side, std::size_t bur)
+ContactFamily corners(const ContactConditions& conditions)
 {
-    const Bur& shape = core::drilling::burs()[bur];
-    const double cell = kBlockExtentMm / side;
+    const Bur& shape = core::drilling::burs()[conditions.bur];
+    const double cell = kBlockExtentMm / conditions.side;
     const double radius = shape.headRadiusMm;
-    ContactFamily family{"pit corner", {}, 500.0 * cell, 1000.0 * cell, 0.1};
+    ContactFamily family{{}, {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
         const glm::dvec2 x = turned(lie.turnDeg);
         const glm::dvec2 y(-x.y, x.x);
         ContactScene scene;
-        scene.burIndex = bur;
+        scene.burIndex = conditions.bur;
         scene.anatomy =
             enamelBlock([&](glm::dvec2 at) { return glm::dot(at, x) > 0.0 || glm::dot(at, y) > 0.0 ? kWallMm : 0.0; },
-                        side, lie.shift);
-        scene.counted = 100;
-        for (int tick = 0; tick < 1500; ++tick) {
+                        conditions.side, lie.shift);
+        scene.counted = ticksIn(0.1, conditions);
+        for (std::size_t tick = 0; tick < ticksIn(1.5, conditions); ++tick) {
             // Down onto the floor, then into the corner and a little to and fro in it.
-            const double depth = 0.3 * std::min(1.0, tick / 80.0 - 0.1);
-            const double far = std::clamp((tick - 100) * 0.002, 0.0, 0.9);
-            const double sway = 0.05 * std::sin(0.02 * tick);
+            const double t = static_cast<double>(tick) / conditions.rateHz;
+            const double depth = 0.3 * std::min(1.0, t / 0.08 - 0.1);
+            const double far = std::clamp((t - 0.1) * 2.0, 0.0, 0.9);
+            const double sway = 0.05 * std::sin(20.0 * t);
             const double u = -radius - 0.5 + far + sway;
             const double v = -radius - 0.5 + far - sway;
             scene.device.emplace_back(x * u + y * v, -depth);
@@ -336,13 +345,11 @@ ContactFamily corners(int side, std::size_t bur)
     return family;
 }
 
-ContactFamily steps(double heightMm, int side, std::size_t bur)
+ContactFamily steps(double heightMm, const ContactConditions& conditions)
 {
-    const Bur& shape = core::drilling::burs()[bur];
-    const double cell = kBlockExtentMm / side;
-    char name[32];
-    std::snprintf(name, sizeof name, "step %.2f", heightMm);
-    ContactFamily family{name, {}, 500.0 * cell, 1000.0 * cell, 0.1};
+    const Bur& shape = core::drilling::burs()[conditions.bur];
+    const double cell = kBlockExtentMm / conditions.side;
+    ContactFamily family{{}, {}, 500.0 * cell, 1000.0 * cell, 0.1};
     for (const Lie& lie : kLies) {
         Surface surface;
         surface.across = turned(lie.turnDeg);
@@ -350,16 +357,17 @@ ContactFamily steps(double heightMm, int side, std::size_t bur)
         surface.clearance = overStep(heightMm, shape);
         for (const bool up : {true, false}) {
             ContactScene scene;
-            scene.burIndex = bur;
-            scene.anatomy =
-                enamelBlock([&](glm::dvec2 at) { return surface.height(surface.along(at)); }, side, lie.shift);
-            scene.counted = 60;
+            scene.burIndex = conditions.bur;
+            scene.anatomy = enamelBlock([&](glm::dvec2 at) { return surface.height(surface.along(at)); },
+                                        conditions.side, lie.shift);
+            scene.counted = ticksIn(0.06, conditions);
             const double from = up ? -1.2 : 1.2;
             const double low = up ? 0.0 : heightMm;
             Slider slider(surface, {surface.across * from, low});
-            for (int tick = 0; tick < 1300; ++tick) {
-                const double depth = 0.25 * std::min(1.0, tick / 50.0 - 0.1);
-                const double travel = 0.002 * std::max(0, tick - 60);
+            for (std::size_t tick = 0; tick < ticksIn(1.3, conditions); ++tick) {
+                const double t = static_cast<double>(tick) / conditions.rateHz;
+                const double depth = 0.25 * std::min(1.0, t / 0.05 - 0.1);
+                const double travel = 2.0 * std::max(0.0, t - 0.06);
                 const double u = from + (up ? travel : -travel);
                 // The hand keeps its height until the bur is over the edge, then follows the new ground.
                 const double ground = up ? heightMm * std::clamp((u + 0.4) / 0.8, 0.0, 1.0)
@@ -374,22 +382,63 @@ ContactFamily steps(double heightMm, int side, std::size_t bur)
     return family;
 }
 
+/// One row of the table.
+struct Maker
+{
+    std::string name;
+    std::function<ContactFamily(const ContactConditions&)> make;
+};
+
+const std::vector<Maker>& makers()
+{
+    using Conditions = ContactConditions;
+    static const std::vector<Maker> all = [] {
+        std::vector<Maker> list;
+        for (const int degrees : {0, 10, 20, 27, 45, 60, 75})
+            list.push_back(
+                {"plane " + std::to_string(degrees), [=](const Conditions& with) { return planes(degrees, with); }});
+        list.push_back({"fossa", [](const Conditions& with) { return bowls(true, with); }});
+        list.push_back({"cusp", [](const Conditions& with) { return bowls(false, with); }});
+        for (const int degrees : {30, 45})
+            for (const bool onNodes : {true, false})
+                list.push_back({"groove " + std::to_string(degrees) + (onNodes ? "" : " anywhere"),
+                                [=](const Conditions& with) { return grooves(degrees, onNodes, with); }});
+        list.push_back({"wall", walls});
+        list.push_back({"pit corner", corners});
+        for (const char* height : {"0.07", "0.20", "0.50"})
+            list.push_back({std::string("step ") + height,
+                            [=](const Conditions& with) { return steps(std::strtod(height, nullptr), with); }});
+        return list;
+    }();
+    return all;
+}
+
 }  // namespace
+
+std::vector<std::string> contactFamilyNames()
+{
+    std::vector<std::string> names;
+    for (const Maker& maker : makers())
+        names.push_back(maker.name);
+    return names;
+}
+
+ContactFamily contactFamily(const std::string& name, const ContactConditions& conditions)
+{
+    const auto found =
+        std::find_if(makers().begin(), makers().end(), [&](const Maker& maker) { return maker.name == name; });
+    assert(found != makers().end());
+    ContactFamily family = found->make(conditions);
+    family.name = name;
+    family.rateHz = conditions.rateHz;
+    return family;
+}
 
 std::vector<ContactFamily> contactFamilies(int side, std::size_t bur)
 {
     std::vector<ContactFamily> families;
-    for (const double degrees : {0.0, 10.0, 20.0, 27.0, 45.0, 60.0, 75.0})
-        families.push_back(planes(degrees, side, bur));
-    families.push_back(bowls(true, side, bur));
-    families.push_back(bowls(false, side, bur));
-    for (const double degrees : {30.0, 45.0})
-        for (const bool onNodes : {true, false})
-            families.push_back(grooves(degrees, onNodes, side, bur));
-    families.push_back(walls(side, bur));
-    families.push_back(corners(side, bur));
-    for (const double height : {0.07, 0.2, 0.5})
-        families.push_back(steps(height, side, bur));
+    for (const std::string& name : contactFamilyNames())
+        families.push_back(contactFamily(name, {side, bur}));
     return families;
 }
 
@@ -429,16 +478,17 @@ double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double
 
 namespace {
 
-/// For every tick the length of the longest leap of the right bur within kLeapTicks of it, mm; 0 where there is none.
-std::vector<double> leapsNear(const ContactScene& scene)
+/// For every tick the length of the longest leap of the right bur within kLeapS of it, mm; 0 where there is none.
+std::vector<double> leapsNear(const ContactScene& scene, double rateHz)
 {
+    const auto reach = static_cast<std::size_t>(std::lround(kLeapS * rateHz));
     std::vector<double> leaps(scene.right.size(), 0.0);
     for (std::size_t tick = 1; tick < scene.right.size(); ++tick) {
         const double moved = glm::length(scene.right[tick] - scene.right[tick - 1]);
         if (moved < kLeapMm + glm::length(scene.device[tick] - scene.device[tick - 1]))
             continue;
-        const std::size_t last = std::min(leaps.size() - 1, tick + kLeapTicks);
-        for (std::size_t near = tick - std::min(tick, kLeapTicks); near <= last; ++near)
+        const std::size_t last = std::min(leaps.size() - 1, tick + reach);
+        for (std::size_t near = tick - std::min(tick, reach); near <= last; ++near)
             leaps[near] = std::max(leaps[near], moved);
     }
     return leaps;
@@ -451,13 +501,14 @@ ContactErrors measureContact(const ContactFamily& family, const std::string& met
     ContactErrors errors;
     double sum2 = 0.0;
     double count = 0.0;
-    haptics::TickTimes times;
+    double lag = 0.0;
+    double moving = 0.0;
     for (const ContactScene& scene : family.scenes) {
         core::contact::LiveTooth tooth{core::terrain::Tooth(scene.anatomy)};
         tooth.selectBur(scene.burIndex);
         const auto contact = core::contact::makeContactMethod(method).value();
         contact->restart(scene.device.front());
-        const std::vector<double> leaps = leapsNear(scene);
+        const std::vector<double> leaps = leapsNear(scene, family.rateHz);
         glm::dvec3 before{0.0};
         glm::dvec3 anchorBefore{0.0};
         for (std::size_t tick = 0; tick < scene.device.size(); ++tick) {
@@ -466,7 +517,7 @@ ContactErrors measureContact(const ContactFamily& family, const std::string& met
             const double took = haptics::threadCpuUs() - started;
             const glm::dvec3 apart = anchor - scene.right[tick];
             if (tick >= scene.counted) {
-                times.add(took);
+                errors.times.add(took);
                 double jump = glm::length(apart - before);
                 if (leaps[tick] > 0.0) {
                     jump = glm::length(anchor - anchorBefore) - leaps[tick];
@@ -475,6 +526,12 @@ ContactErrors measureContact(const ContactFamily& family, const std::string& met
                     sum2 += far * far;
                     count += 1.0;
                     errors.mostUm = std::max(errors.mostUm, far);
+                    const glm::dvec3 way = scene.right[tick] - scene.right[tick - 1];
+                    const double wayMm = glm::length(way);
+                    if (wayMm > kStillMm) {
+                        lag -= 1000.0 * glm::dot(apart, way) / wayMm;
+                        moving += 1.0;
+                    }
                 }
                 errors.jumpN = std::max(errors.jumpN, stiffnessNPerMm * jump);
             }
@@ -483,7 +540,8 @@ ContactErrors measureContact(const ContactFamily& family, const std::string& met
         }
     }
     errors.rmsUm = std::sqrt(sum2 / std::max(1.0, count));
-    errors.tickUs = times.percentileUs(0.99);
+    errors.lagUm = lag / std::max(1.0, moving);
+    errors.tickUs = errors.times.percentileUs(0.99);
     return errors;
 }
 

@@ -11,11 +11,12 @@
 
 #include "core/contact/ContactMethod.h"
 #include "core/terrain/Tooth.h"
+#include "haptics/simulated/TickTimes.h"
 
 namespace lab {
 
 /// A surface, a bur, a path of the hand, and where geometry puts the bur at each tick of it: the point of the offset
-/// surface that a bur without friction slides to (haptics.md 8.4, 1). One tick a millisecond; tooth frame, mm.
+/// surface that a bur without friction slides to (haptics.md 8.4, 1). Tooth frame, mm.
 struct ContactScene
 {
     std::string family;  ///< the row of the table it belongs to: "plane 27"
@@ -29,18 +30,20 @@ struct ContactScene
 /// What a method made of scenes.
 ///
 /// A bur that is pushed over an edge leaps: the right one in no time, for it has no mass. How soon after it, and how
-/// fast, a method follows is its own affair, so within kLeapTicks of a leap its position is not judged, and a change of
-/// its force only by what it exceeds the leap's own.
+/// fast, a method follows is its own affair, so within kLeapS of a leap its position is not judged, and a change of its
+/// force only by what it exceeds the leap's own.
 struct ContactErrors
 {
     double rmsUm = 0.0;  ///< distance of the anchor from where it should be
     double mostUm = 0.0;
     double jumpN = 0.0;   ///< largest change of force in a tick beyond that of the path itself
+    double lagUm = 0.0;   ///< how far the anchor is behind on its way, on the average; ahead of it counts against that
     double tickUs = 0.0;  ///< thread CPU time of update(), 99th percentile
+    haptics::TickTimes times;
 };
 
 inline constexpr double kLeapMm = 0.1;  ///< in a tick, farther than the hand moved
-inline constexpr std::size_t kLeapTicks = 40;
+inline constexpr double kLeapS = 0.04;
 
 /// One row of the table: the same surface in several places and directions on the lattice.
 struct ContactFamily
@@ -50,10 +53,22 @@ struct ContactFamily
     double reachRmsUm = 0.0;  ///< what issue and haptics.md ask of a method
     double reachMostUm = 0.0;
     double reachJumpN = 0.0;
+    double rateHz = 1000.0;  ///< ticks a second
 };
 
-/// The families on a grid of `side` x `side` over 10.5 mm: planes, fossa, cusp, groove, wall, corner, steps.
-/// @param bur  index into drilling::burs()
+/// What a family is measured with.
+struct ContactConditions
+{
+    int side = core::terrain::kDefaultGridSide;  ///< columns a side, over kBlockExtentMm
+    std::size_t bur = 0;                         ///< index into drilling::burs()
+    double rateHz = 1000.0;                      ///< ticks a second; the hand moves as fast at any rate
+};
+
+/// The names of all families: planes, fossa, cusp, grooves, wall, corner, steps.
+[[nodiscard]] std::vector<std::string> contactFamilyNames();
+/// @param name  one of contactFamilyNames()
+[[nodiscard]] ContactFamily contactFamily(const std::string& name, const ContactConditions& conditions);
+/// All of them at 1 kHz.
 [[nodiscard]] std::vector<ContactFamily> contactFamilies(int side, std::size_t bur);
 
 /// Runs a method over all scenes of a family.

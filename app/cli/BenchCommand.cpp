@@ -2,17 +2,14 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <QDateTime>
 #include <QDir>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QSysInfo>
+#include <QFileInfo>
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "app/cli/bench/Progress.h"
+#include "app/cli/bench/SuiteFiles.h"
 #include "app/cli/bench/Suites.h"
-#include "core/base/WholeFile.h"
-#include "core/contact/Kernels.h"
 
 namespace app::cli {
 namespace {
@@ -25,48 +22,23 @@ struct Suite
     const char* name;
     const char* summary;
     core::Result<Figures> (*run)(const bench::Context&);
+    double seconds;  ///< it takes about so long, to say how much is left; measured on two cores of 2.4 GHz
 };
 
 constexpr Suite kSuites[] = {
-    {"volume", "volume of solids at grid 150 against closed form", bench::volumeSuite},
-    {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite},
-    {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite},
-    {"contact", "error of each contact method against exact positions", bench::contactSuite},
-    {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite},
-    {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite},
-    {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite},
+    {"volume", "volume of solids at grid 150 against closed form", bench::volumeSuite, 1.0},
+    {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite, 2.0},
+    {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite, 8.0},
+    {"contact", "error of each contact method against exact positions", bench::contactSuite, 40.0},
+    {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 30.0},
+    {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 10.0},
+    {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 35.0},
+    {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 15.0},
 };
 
-/// bench-SUITE.csv and bench-SUITE.json.
-core::Status writeFiles(const QDir& folder, const QString& suite, const Figures& figures)
+double secondsOf(const Suite& suite, const bench::Context& context)
 {
-    QByteArray csv("key,what,value,unit,reach\n");
-    QJsonArray rows;
-    for (const Figure& figure : figures) {
-        csv += figure.key.toUtf8() + ",\"" + QString(figure.what).replace(u'"', u'\'').toUtf8() + "\"," +
-               QByteArray::number(figure.value, 'g', 9) + "," + figure.unit.toUtf8() + ",\"" + figure.reach.toUtf8() +
-               "\"\n";
-        rows.append(QJsonObject{{QStringLiteral("key"), figure.key},
-                                {QStringLiteral("what"), figure.what},
-                                {QStringLiteral("value"), figure.value},
-                                {QStringLiteral("unit"), figure.unit},
-                                {QStringLiteral("reach"), figure.reach}});
-    }
-    const QJsonObject all{{QStringLiteral("suite"), suite},
-                          {QStringLiteral("date"), QDateTime::currentDateTimeUtc().toString(Qt::ISODate)},
-                          {QStringLiteral("system"), QSysInfo::prettyProductName()},
-                          {QStringLiteral("processor"), QSysInfo::currentCpuArchitecture()},
-                          {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)},
-                          {QStringLiteral("version"), QStringLiteral(CUSP_VERSION)},
-                          {QStringLiteral("figures"), rows}};
-    for (const auto& [ending, bytes] : {std::pair("csv", csv), std::pair("json", QJsonDocument(all).toJson())}) {
-        const QString name = QStringLiteral("bench-%1.%2").arg(suite, QLatin1String(ending));
-        if (core::Status written =
-                core::writeWhole(folder.filePath(name).toStdString(), bytes.toStdString(), "The figures");
-            !written)
-            return written;
-    }
-    return {};
+    return suite.run == bench::drillingSuite ? 0.1 * context.minutes * suite.seconds : suite.seconds;
 }
 
 void print(const QString& suite, const Figures& figures)
@@ -92,7 +64,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("Loads this mesh too in the suite load; may be given several times."),
                       QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("out"),
-                      QStringLiteral("Writes bench-SUITE.csv and bench-SUITE.json into this folder."),
+                      QStringLiteral("Writes bench-SUITE.csv, bench-SUITE.json and charts into this folder, as each "
+                                     "suite ends."),
                       QStringLiteral("DIR")});
     parser.addOption({QStringLiteral("minutes"), QStringLiteral("Length of the drilling suite (default 10)."),
                       QStringLiteral("N"), QStringLiteral("10")});
@@ -122,30 +95,46 @@ int benchCommand(const QStringList& arguments)
     context.meshes = parser.values(QStringLiteral("mesh"));
     const QString out = parser.value(QStringLiteral("out"));
     const QDir folder(out);
-    if (!out.isEmpty() && !folder.mkpath(QStringLiteral(".")))
+    if (!out.isEmpty() && !(folder.mkpath(QStringLiteral(".")) && QFileInfo(folder.path()).isWritable()))
         return failed({core::ErrorCode::FileUnwritable,
-                       "The folder " + out.toStdString() + " cannot be made; name another with --out."});
+                       "Nothing can be written into the folder " + out.toStdString() + "; name another with --out."});
 
+    QList<const Suite*> suites;
+    double seconds = 0.0;
+    for (const Suite& suite : kSuites)
+        if (isWanted(suite)) {
+            suites << &suite;
+            seconds += secondsOf(suite, context);
+        }
+    bench::Progress progress(seconds);
+    context.progress = [&](const QString& what, int done, int of) { progress.step(what, done, of); };
     QJsonObject all;
-    for (const Suite& suite : kSuites) {
-        if (!isWanted(suite))
-            continue;
-        context.progress = [&](const QString& what) {
-            std::fprintf(stderr, "%s: %s\n", suite.name, what.toLocal8Bit().constData());
-        };
-        const auto figures = suite.run(context);
+    QStringList files;
+    for (const Suite* suite : suites) {
+        const QLatin1String name(suite->name);
+        QList<bench::Chart> charts;
+        context.show = [&](const bench::Chart& chart) { charts << chart; };
+        progress.begin(name, secondsOf(*suite, context));
+        const auto figures = suite->run(context);
         if (!figures)
             return failed(figures.error());
+        progress.end();
         for (const Figure& figure : *figures)
             all[figure.key] = figure.value;
         if (!parser.isSet(QStringLiteral("json")))
-            print(QLatin1String(suite.name), *figures);
-        if (!out.isEmpty())
-            if (const core::Status written = writeFiles(folder, QLatin1String(suite.name), *figures); !written)
-                return failed(written.error());
+            print(name, *figures);
+        if (out.isEmpty())
+            continue;
+        const auto written = bench::writeFiles(folder, name, *figures, charts);
+        if (!written)
+            return failed(written.error());
+        files << *written;
     }
     if (parser.isSet(QStringLiteral("json")))
         printJson(all);
+    if (!files.isEmpty())
+        printText(QStringLiteral("In %1:\n  %2\n").arg(folder.absolutePath(), files.join(QStringLiteral("\n  "))),
+                  stderr);
     return kDone;
 }
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
-#include <QCoreApplication>
+#include <QApplication>
 
 #include "app/Window.h"
 #include "app/cli/Arguments.h"
@@ -17,7 +18,7 @@ constexpr Command kCommands[] = {
     {"simulate", "drive the servo tick over a device path and write what happened", simulateCommand},
     {"replay", "replay a recording, measure and score it", replayCommand},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
-    {"bench", "measure accuracy, speed and memory on this machine", benchCommand},
+    {"bench", "measure accuracy, speed and memory on this machine", benchCommand, true},
 };
 
 const Command* findCommand(const QString& name)
@@ -30,6 +31,15 @@ const Command* findCommand(const QString& name)
 int unknownCommand(const QString& name)
 {
     return wrongUsage(QStringLiteral("cusp has no command \"%1\"; \"cusp help\" lists those there are").arg(name));
+}
+
+/// Charts want Qt's widgets, but no screen, and shall look the same whatever the screen is like.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, bool draws)
+{
+    if (!draws)
+        return std::make_unique<QCoreApplication>(argc, argv);
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    return std::make_unique<QApplication>(argc, argv);
 }
 
 int printHelp()
@@ -74,7 +84,8 @@ std::optional<int> run(int& argc, char** argv)
     const bool version = first == u"--version" || first == u"-v";
     if (!help && !version && first.startsWith(u'-'))
         return std::nullopt;
-    const QCoreApplication application(argc, argv);
+    const Command* const command = findCommand(first);
+    const auto application = makeApplication(argc, argv, command != nullptr && command->draws);
     const QStringList arguments = QCoreApplication::arguments().mid(2);
     if (help)
         return helpCommand(arguments);
@@ -82,7 +93,6 @@ std::optional<int> run(int& argc, char** argv)
         printText(QStringLiteral("Cusp " CUSP_VERSION "\n"));
         return kDone;
     }
-    const Command* const command = findCommand(first);
     if (command == nullptr)
         return unknownCommand(first);
     const int exitCode = command->run(arguments);

@@ -6,8 +6,8 @@
 
 #include <QStringList>
 
-/// The program without its window (design, section 6). Commands need no display and create no QApplication; figures go
-/// to stdout, errors to stderr in one sentence.
+/// The program without its window (design, section 6). Commands need no display; figures go to
+/// stdout, errors to stderr in one sentence.
 namespace app::cli {
 
 /// Exit codes of every headless command.
@@ -18,6 +18,7 @@ struct Command
     const char* name;
     const char* summary;                       ///< one line for `cusp help`
     int (*run)(const QStringList& arguments);  ///< arguments after the command's name; returns an ExitCode
+    bool draws = false;                        ///< needs a QApplication
 };
 
 /// All of them, in the order `cusp help` shows. To add one: XCommand.cpp with a function, and a line in Commands.cpp.

@@ -14,6 +14,14 @@ void TickTimes::add(double microseconds) noexcept
     m_longest = std::max(m_longest, microseconds);
 }
 
+void TickTimes::add(const TickTimes& others) noexcept
+{
+    for (std::size_t bin = 0; bin < m_bins.size(); ++bin)
+        m_bins[bin] += others.m_bins[bin];
+    m_count += others.m_count;
+    m_longest = std::max(m_longest, others.m_longest);
+}
+
 double TickTimes::percentileUs(double share) const noexcept
 {
     const double wanted = share * static_cast<double>(m_count);

@@ -11,6 +11,7 @@ class TickTimes
 {
 public:
     void add(double microseconds) noexcept;
+    void add(const TickTimes& others) noexcept;
 
     /// The time that a share of the ticks (0 to 1) stays under, microseconds, good to 0.3 % and 0.01; 0 without ticks.
     [[nodiscard]] double percentileUs(double share) const noexcept;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <QFile>
 #include <QJsonObject>
 
 #include "app/cli/Attempt.h"
+#include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -40,6 +43,8 @@ core::session::PointerInput wander(double seconds, double radiusMm)
     return want;
 }
 
+constexpr std::uint64_t kTicksAMinute = 60'000;
+
 struct DrillingRun
 {
     std::unique_ptr<haptics::TickTimes> tickTimes;
@@ -49,7 +54,9 @@ struct DrillingRun
     double recordedMiB = 0.0;
 };
 
-core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* method, bool drill, const Context& context)
+/// @param minute  called as each begins, with its number and how many there are; may be empty
+core::Result<DrillingRun> drillFor(double seconds, int gridSide, const std::string& method, bool drill,
+                                   const std::function<void(int, int)>& minute = {})
 {
     core::teeth::BuildOptions build;
     build.gridSide = gridSide;
@@ -69,8 +76,9 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const char* met
         [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) -> std::optional<bool> {
             if (tick % 16 == 0)
                 pointer.publish(wander(static_cast<double>(tick) / options.rateHz, 4.0));
-            if (tick % 60000 == 0 && ticks > 60000)
-                context.progress(QStringLiteral("minute %1 of %2").arg(tick / 60000 + 1).arg((ticks + 59999) / 60000));
+            if (tick % kTicksAMinute == 0 && minute)
+                minute(static_cast<int>(tick / kTicksAMinute),
+                       static_cast<int>((ticks + kTicksAMinute - 1) / kTicksAMinute));
             if (tick == ticks / 10)
                 run.firstMiB = residentMiB();
             return drill;
@@ -100,18 +108,21 @@ void addPercentiles(Figures& figures, const QString& key, const QString& what, c
 core::Result<Figures> tickSuite(const Context& context)
 {
     constexpr double kSeconds = 30.0;
+    constexpr std::array kSides{150, 300, 600};
     Figures figures;
-    for (const char* method : {"continuous", "lattice", "penalty"}) {
-        context.progress(QStringLiteral("contact, %1").arg(QLatin1String(method)));
-        const auto run = drillFor(kSeconds, 150, method, false, context);
+    int done = 0;
+    const auto steps = static_cast<int>(contactMethods().size() + kSides.size());
+    for (const Contestant* method : contactMethods()) {
+        context.progress(QStringLiteral("contact, ") + method->text(), done++, steps);
+        const auto run = drillFor(kSeconds, 150, method->settings.method, false);
         if (!run)
             return tl::unexpected(run.error());
-        addPercentiles(figures, QStringLiteral("tick_contact_%1_150").arg(QLatin1String(method)),
-                       QStringLiteral("contact, %1, grid 150").arg(QLatin1String(method)), *run->tickTimes, {});
+        addPercentiles(figures, QStringLiteral("tick_contact_%1_150").arg(method->key()),
+                       QStringLiteral("contact, %1, grid 150").arg(method->text()), *run->tickTimes, {});
     }
-    for (const int side : {150, 300, 600}) {
-        context.progress(QStringLiteral("cutting, grid %1").arg(side));
-        const auto run = drillFor(kSeconds, side, "continuous", true, context);
+    for (const int side : kSides) {
+        context.progress(QStringLiteral("cutting, grid %1").arg(side), done++, steps);
+        const auto run = drillFor(kSeconds, side, "continuous", true);
         if (!run)
             return tl::unexpected(run.error());
         addPercentiles(figures, QStringLiteral("tick_cutting_%1").arg(side),
@@ -123,7 +134,9 @@ core::Result<Figures> tickSuite(const Context& context)
 
 core::Result<Figures> drillingSuite(const Context& context)
 {
-    const auto run = drillFor(60.0 * context.minutes, 150, "continuous", true, context);
+    const auto run = drillFor(60.0 * context.minutes, 150, "continuous", true, [&](int minute, int of) {
+        context.progress(QStringLiteral("minute %1").arg(minute + 1), minute, of);
+    });
     if (!run)
         return tl::unexpected(run.error());
     Figures figures;

@@ -32,8 +32,10 @@ core::Result<double> shortestLoadMs(const core::teeth::ToothSource& source)
 core::Result<Figures> loadSuite(const Context& context)
 {
     Figures figures;
+    const auto steps = 3 + static_cast<int>(context.meshes.size());
+    int done = 0;
     for (const int fdi : {21, 24, 36}) {
-        context.progress(QStringLiteral("tooth %1").arg(fdi));
+        context.progress(QStringLiteral("tooth %1").arg(fdi), done++, steps);
         const auto ms = shortestLoadMs({fdi});
         if (!ms)
             return tl::unexpected(ms.error());
@@ -44,7 +46,7 @@ core::Result<Figures> loadSuite(const Context& context)
                           {}};
     }
     for (const QString& mesh : context.meshes) {
-        context.progress(mesh);
+        context.progress(mesh, done++, steps);
         const auto ms = shortestLoadMs({std::filesystem::path(mesh.toStdString())});
         if (!ms)
             return tl::unexpected(ms.error());

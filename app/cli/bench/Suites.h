@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "app/cli/bench/charts/Chart.h"
 #include "core/base/Result.h"
 
 /// What `cusp bench` measures: one function a suite.
@@ -28,7 +29,10 @@ struct Context
 {
     double minutes = 10.0;  ///< of drilling
     QStringList meshes;     ///< files to load
-    std::function<void(const QString&)> progress;
+    /// What is being measured now, and how many steps of how many are behind.
+    std::function<void(const QString& what, int done, int of)> progress;
+    /// Takes a picture of what was measured.
+    std::function<void(const Chart&)> show;
 };
 
 /// Volume of solids at the standard grid against closed form.
@@ -39,6 +43,8 @@ struct Context
 [[nodiscard]] core::Result<Figures> tickSuite(const Context& context);
 /// Distance of each method's anchor from where geometry puts it, over surfaces whose offset is known.
 [[nodiscard]] core::Result<Figures> contactSuite(const Context& context);
+/// The same, and how far anchors lag behind, against the rate of the servo.
+[[nodiscard]] core::Result<Figures> rateSuite(const Context& context);
 /// What becomes of servo, device and hand in scenes where methods fail: how many trials of each method hold.
 [[nodiscard]] core::Result<Figures> stabilitySuite(const Context& context);
 /// Minutes of continuous drilling: ticks and memory.

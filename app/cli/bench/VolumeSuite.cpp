@@ -69,7 +69,7 @@ double volumeErrorPercent(const TriangleMesh& mesh, double exactMm3)
 
 core::Result<Figures> volumeSuite(const Context& context)
 {
-    context.progress(QStringLiteral("solids"));
+    context.progress(QStringLiteral("solids"), 0, 1);
     const auto turned = [](double x, double y, double z, double degrees) {
         const double a = degrees * std::numbers::pi / 180.0;
         return glm::vec3(x * std::cos(a) - y * std::sin(a), x * std::sin(a) + y * std::cos(a), z);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <QString>
+
+#include "app/cli/bench/charts/Chart.h"
+#include "core/session/ServoTick.h"
+
+namespace app::cli::bench {
+
+/// Someone who is measured: a servo with its settings.
+struct Contestant
+{
+    std::string name;  ///< in tables and charts
+    core::session::ServoSettings settings;
+    LookIndex look = 0;
+
+    [[nodiscard]] QString text() const { return QString::fromStdString(name); }
+    [[nodiscard]] QString key() const;  ///< for keys of figures: snake_case
+};
+
+/// Everyone, in the order of tables and charts. To add one: a line in Contestants.cpp.
+[[nodiscard]] std::span<const Contestant> contestants();
+/// Those of them that differ as contact methods.
+[[nodiscard]] std::span<const Contestant* const> contactMethods();
+
+}  // namespace app::cli::bench

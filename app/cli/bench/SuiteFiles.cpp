@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bench/SuiteFiles.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "app/cli/bench/Circumstances.h"
+#include "app/cli/bench/charts/Sheet.h"
+#include "core/base/WholeFile.h"
+
+namespace app::cli::bench {
+namespace {
+
+QByteArray csvOf(const Figures& figures)
+{
+    const auto quoted = [](QString text) { return "\"" + text.replace(u'"', u'\'').toUtf8() + "\""; };
+    QByteArray csv("key,what,value,unit,reach\n");
+    for (const Figure& figure : figures)
+        csv += figure.key.toUtf8() + "," + quoted(figure.what) + "," + QByteArray::number(figure.value, 'g', 9) + "," +
+               figure.unit.toUtf8() + "," + quoted(figure.reach) + "\n";
+    return csv;
+}
+
+QByteArray jsonOf(const QString& suite, const Figures& figures, const QList<Chart>& charts, const Circumstances& now)
+{
+    QJsonArray rows;
+    for (const Figure& figure : figures)
+        rows.append(QJsonObject{{QStringLiteral("key"), figure.key},
+                                {QStringLiteral("what"), figure.what},
+                                {QStringLiteral("value"), figure.value},
+                                {QStringLiteral("unit"), figure.unit},
+                                {QStringLiteral("reach"), figure.reach}});
+    QJsonArray names;
+    for (const Chart& chart : charts)
+        names.append(chart.name);
+    QJsonObject all = now.json();
+    all[QStringLiteral("suite")] = suite;
+    all[QStringLiteral("charts")] = names;
+    all[QStringLiteral("figures")] = rows;
+    return QJsonDocument(all).toJson();
+}
+
+}  // namespace
+
+core::Result<QStringList> writeFiles(const QDir& folder, const QString& suite, const Figures& figures,
+                                     const QList<Chart>& charts)
+{
+    QStringList written;
+    core::Status status;
+    const auto write = [&](const QString& name, const QByteArray& bytes) {
+        if (status)
+            status = core::writeWhole(folder.filePath(name).toStdString(), bytes.toStdString(), "The file");
+        written << name;
+    };
+    const Circumstances now = circumstancesNow();
+    const QString stem = QStringLiteral("bench-%1.%2");
+    write(stem.arg(suite, QStringLiteral("csv")), csvOf(figures));
+    write(stem.arg(suite, QStringLiteral("json")), jsonOf(suite, figures, charts, now));
+    for (const Chart& chart : charts) {
+        const Pictures pictures = draw(chart, now.line());
+        write(stem.arg(chart.name, QStringLiteral("svg")), pictures.svg);
+        write(stem.arg(chart.name, QStringLiteral("png")), pictures.png);
+    }
+    if (!status)
+        return tl::unexpected(status.error());
+    return written;
+}
+
+}  // namespace app::cli::bench
