@@ -75,7 +75,7 @@ HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, co
     const glm::dvec3 entry = from + way * free;
     const double r = radiusAt(entry);
     const glm::dvec2 outwards = r > 0.0 ? (glm::dvec2(entry) - glm::dvec2(touch.onMm)) / r : glm::dvec2(0.0);
-    const double slope = mask.slopeAt(std::min(r, radiusMm));
+    const double slope = std::max(touch.rise, mask.slopeAt(std::min(r, radiusMm)));
     if (r > 0.0 && (slope > kSteepest || r >= radiusMm))
         return through(entry, {outwards, 0.0});
     return through(entry, {outwards * slope, 1.0});

@@ -30,6 +30,9 @@ struct Touch
     double heightMm;   ///< of the tip: the clearance C; kEmptyTop or less if there is nothing
     glm::dvec2 slope;  ///< dC/dx and dC/dy, mm a mm; kUpright and more at an upright side
     glm::dvec3 onMm;   ///< the point of the tooth that carries the bur
+    /// On cut ground, the slope from that column to the next one outwards, mm a mm: a bur beside a wall does not climb
+    /// the columns at its foot on its way to the wall's first, which may be most of a cell beyond its rim.
+    double rise = 0.0;
 };
 
 /// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
@@ -91,6 +94,8 @@ private:
     [[nodiscard]] Touch touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept;
     /// The same on ground that bends without an edge; false if it does not.
     [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch) const noexcept;
+    /// Slope from column (i, j) to its neighbour that lies outwards of the bur's axis, mm a mm.
+    [[nodiscard]] double riseBeyond(int i, int j, glm::dvec2 outwards) const noexcept;
 
     /// Ground around a node, to the second order.
     struct Bowl
