@@ -24,6 +24,9 @@ constexpr double kAim = 0.975;
 /// Of the way a column has to go: less is a material that does not yield to this force.
 constexpr double kLeastShare = 1.0e-6;
 constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
+/// Impulse of a touch, N s, until which it is a brush: 0.3 N for 20 ms must leave no mark (dentists, 2011), which the
+/// threshold of force alone would let a ball's tip make 30 um deep.
+constexpr double kBrushNS = 0.008;
 
 using Columns = std::span<const terrain::ColumnAt>;
 
@@ -163,7 +166,8 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     done.tipMm = anchor;
     const glm::dvec3 pull = device - anchor;
     const double gap = std::sqrt(glm::dot(pull, pull));
-    if (!(gap > 0.0))
+    m_pressedNS = std::min(kBrushNS, m_pressedNS + forceN * seconds);
+    if (!(gap > 0.0) || m_pressedNS < kBrushNS)
         return done;
     const glm::dvec3 towards = pull / gap;
 
