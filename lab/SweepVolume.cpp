@@ -164,6 +164,11 @@ double sweptMm3(Sweep sweep, std::size_t bur, double depthMm)
     return 2.0 * half.areaMm2 * Way(sweep, 0.0).lengthMm() + 2.0 * std::numbers::pi * half.momentMm3;
 }
 
+double sweptSectionMm2(std::size_t bur, double depthMm)
+{
+    return 2.0 * halfSection(drilling::burs()[bur], depthMm).areaMm2;
+}
+
 SweepErrors measureSweep(Sweep sweep, int side, std::size_t bur, double depthMm)
 {
     // The fractions of multiples of these fill the unit cube evenly (powers of the root of x^4 = x + 1, the cube's
