@@ -74,13 +74,10 @@ Scene sceneOf(const PaceTrial& trial)
 /// Speed, mm/s, at which the law lets the bur of a trial advance.
 double lawfulSpeed(const PaceTrial& trial)
 {
-    const settings::MaterialHardness& hardness =
-        trial.settings.hardness.material[static_cast<std::size_t>(trial.material)];
-    const double rate = hardness.rateMm3PerNs * (trial.newtons - hardness.thresholdN) *
-                        directionShare(trial.settings.hardness, trial.towards);
     const double radius = drilling::burs()[trial.bur].headRadiusMm;
     const bool isDown = !(glm::length(glm::dvec2(trial.towards)) > 0.0);
-    return rate / (isDown ? std::numbers::pi * radius * radius : sweptSectionMm2(trial.bur, kWallDepthMm));
+    return lawfulMm3PerS(trial) /
+           (isDown ? std::numbers::pi * radius * radius : sweptSectionMm2(trial.bur, kWallDepthMm));
 }
 
 /// Rms from 20 to 300 Hz of a force sampled every `periodS`: power of the Fourier lines under a Hann window.
@@ -171,9 +168,15 @@ glm::dvec3 feed(double headingDegrees, double downDegrees)
     return {flat * std::cos(heading), flat * std::sin(heading), -std::sin(down)};
 }
 
-double directionShare(const settings::HardnessPreset& preset, const glm::dvec3& towards)
+double lawfulMm3PerS(const PaceTrial& trial)
 {
-    return preset.axialShare + (1.0 - preset.axialShare) * glm::length(glm::dvec2(towards));
+    const settings::HardnessPreset& preset = trial.settings.hardness;
+    const settings::MaterialHardness& hardness = preset.material[static_cast<std::size_t>(trial.material)];
+    const double direction = preset.axialShare + (1.0 - preset.axialShare) * glm::length(glm::dvec2(trial.towards));
+    const double radius = drilling::burs()[trial.bur].headRadiusMm;
+    const double torque = drilling::kCuttingFriction * trial.newtons * radius;
+    const double speed = trial.settings.handpiece.rpmUnder(torque) * radius / drilling::kReferenceRpmMm;
+    return hardness.rateMm3PerNs * std::max(0.0, trial.newtons - hardness.thresholdN) * direction * speed;
 }
 
 }  // namespace lab

@@ -46,7 +46,7 @@ struct Ripple
 /// Unit vector of a feed: heading about the tooth's axis, and how far down from the horizontal.
 [[nodiscard]] glm::dvec3 feed(double headingDegrees, double downDegrees);
 
-/// Share of the rate that a preset leaves to a pull in this direction.
-[[nodiscard]] double directionShare(const core::settings::HardnessPreset& preset, const glm::dvec3& towards);
+/// Pace of a trial by the law, mm3/s: S (F - F0), for the direction of the pull and the speed of the bur under it.
+[[nodiscard]] double lawfulMm3PerS(const PaceTrial& trial);
 
 }  // namespace lab

@@ -111,7 +111,7 @@ Trial sweepOnce(const Way& way, int side, std::size_t bur, double depthMm, glm::
     tooth.selectBur(bur);
     settings::HardnessPreset yielding;
     yielding.material.fill({settings::kMaxRateMm3PerNs, 0.0});
-    drilling::Drill drill(yielding);
+    drilling::Drill drill(yielding, {});
     Trial trial;
     glm::dvec3 tip(way.at(0.0), 0.0);
     const auto cutTo = [&](const glm::dvec3& next) {

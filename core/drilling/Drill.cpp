@@ -157,7 +157,9 @@ void removeUnder(const Advance& advance, const glm::dvec3& tip, float share, Cut
 
 }  // namespace
 
-Drill::Drill(const settings::HardnessPreset& preset) noexcept : m_preset(preset) {}
+Drill::Drill(const settings::HardnessPreset& preset, const settings::Handpiece& handpiece) noexcept
+    : m_preset(preset), m_handpiece(handpiece)
+{}
 
 Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
                double seconds) noexcept
@@ -173,11 +175,12 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
 
     const double sideways = std::sqrt(towards.x * towards.x + towards.y * towards.y);
     const double direction = m_preset.axialShare + (1.0 - m_preset.axialShare) * sideways;
-    const double force = std::min(forceN, m_preset.fullForceN);
+    const auto radiusMm = static_cast<double>(tooth.mask().radiusMm);
+    const double speed = rpmUnder(forceN, radiusMm) * radiusMm / kReferenceRpmMm;
     terrain::PerMaterial secondsPerMm3{};
     for (std::size_t m = 0; m < secondsPerMm3.size(); ++m) {
         const settings::MaterialHardness& hardness = m_preset.material[m];
-        const double rate = hardness.rateMm3PerNs * std::max(0.0, force - hardness.thresholdN) * direction;
+        const double rate = hardness.rateMm3PerNs * std::max(0.0, forceN - hardness.thresholdN) * direction * speed;
         secondsPerMm3[m] = rate > 0.0 ? 1.0 / rate : std::numeric_limits<double>::infinity();
     }
 

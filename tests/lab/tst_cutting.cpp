@@ -110,9 +110,7 @@ void TestCutting::paceIsThatOfTheLaw()
         trial.newtons = newtons;
         const double seconds = material == 1 ? 1.0 : 0.25;  // what is softer is soon through the block
         trial.towards = lab::feed(20.0, down);
-        const auto& hardness = trial.settings.hardness.material[static_cast<std::size_t>(material)];
-        const double lawful = hardness.rateMm3PerNs * (newtons - hardness.thresholdN) * seconds *
-                              lab::directionShare(trial.settings.hardness, trial.towards);
+        const double lawful = lab::lawfulMm3PerS(trial) * seconds;
         // Once it has begun: a touch must be more than a brush first.
         trial.seconds = seconds;
         const double begun = lab::removedMm3(trial);
@@ -272,13 +270,14 @@ void TestCutting::mixedGroundSharesTheTime()
                   removed = state.removedMm3;
                   return ++ticks < kTicks;
               });
-        const core::settings::HardnessPreset preset;
         double seconds = 0.0;
         for (const Material material : {Material::Enamel, Material::Dentin}) {
             const auto m = static_cast<std::size_t>(material);
             QVERIFY(removed[m] > 0.1);
-            seconds += removed[m] /
-                       (preset.material[m].rateMm3PerNs * (1.0 - preset.material[m].thresholdN) * preset.axialShare);
+            lab::PaceTrial alone;
+            alone.bur = bur;
+            alone.material = material;
+            seconds += removed[m] / lab::lawfulMm3PerS(alone);
         }
         QVERIFY2(std::abs(seconds - 0.001 * kTicks) < 0.03 * 0.001 * kTicks, qPrintable(QString::number(seconds)));
         // Side by side they go down together: as much of one as of the other.
