@@ -111,7 +111,7 @@ Trial sweepOnce(const Way& way, int side, std::size_t bur, double depthMm, glm::
     tooth.selectBur(bur);
     settings::HardnessPreset yielding;
     yielding.material.fill({settings::kMaxRateMm3PerNs, 0.0});
-    drilling::Drill drill(yielding);
+    drilling::Drill drill(yielding, {});
     Trial trial;
     glm::dvec3 tip(way.at(0.0), 0.0);
     const auto cutTo = [&](const glm::dvec3& next) {
@@ -162,6 +162,11 @@ double sweptMm3(Sweep sweep, std::size_t bur, double depthMm)
 {
     const HalfSection half = halfSection(drilling::burs()[bur], depthMm);
     return 2.0 * half.areaMm2 * Way(sweep, 0.0).lengthMm() + 2.0 * std::numbers::pi * half.momentMm3;
+}
+
+double sweptSectionMm2(std::size_t bur, double depthMm)
+{
+    return 2.0 * halfSection(drilling::burs()[bur], depthMm).areaMm2;
 }
 
 SweepErrors measureSweep(Sweep sweep, int side, std::size_t bur, double depthMm)

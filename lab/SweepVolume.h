@@ -28,6 +28,9 @@ inline constexpr double kSweepDepthMm = 0.4;
 /// axis (Pappus).
 [[nodiscard]] double sweptMm3(Sweep sweep, std::size_t bur, double depthMm);
 
+/// Cross-section, mm2, of a straight trench.
+[[nodiscard]] double sweptSectionMm2(std::size_t bur, double depthMm);
+
 /// Sweeps a bur through a block of one material with removal that nothing limits and compares with closed form, over
 /// kSweepLies lies of the lattice: shifts that fill the cell evenly, and headings; a quarter of them along the lattice.
 /// @param side  columns a side, over 10.5 mm

@@ -54,9 +54,8 @@ core::Result<core::settings::HardnessPreset> presetFromJson(const QString& file,
         if (!material.isEmpty())
             return inPreset(file, QStringLiteral("\"%1\" has no figure \"%2\"").arg(key, material.keys().front()));
     }
-    if (!takeNumber(object, QStringLiteral("axial_share"), preset.axialShare) ||
-        !takeNumber(object, QStringLiteral("full_force_n"), preset.fullForceN))
-        return inPreset(file, QStringLiteral("axial_share and full_force_n must be numbers"));
+    if (!takeNumber(object, QStringLiteral("axial_share"), preset.axialShare))
+        return inPreset(file, QStringLiteral("axial_share must be a number"));
     if (!object.isEmpty())
         return inPreset(file, QStringLiteral("unknown key \"%1\"").arg(object.keys().front()));
     if (const core::Status sound = core::settings::check(preset); !sound)

@@ -14,7 +14,7 @@
 namespace app::cli {
 
 /// A shipped preset by name, or a JSON file: {"name": "...", "enamel": {"rate_mm3_per_ns": 0.7, "threshold_n": 0.15},
-/// "dentin": ..., "caries": ..., "pulp": ..., "axial_share": 0.65, "full_force_n": 4}. What a file leaves out keeps the
+/// "dentin": ..., "caries": ..., "pulp": ..., "axial_share": 0.65}. What a file leaves out keeps the
 /// natural value; an unknown key is refused.
 [[nodiscard]] core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameOrFile);
 

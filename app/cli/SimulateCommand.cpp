@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 
 #include <QFile>
 #include <QFileInfo>
@@ -132,10 +133,19 @@ void addOptions(QCommandLineParser& parser)
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
     option("preset",
            "Hardness: natural (default), typodont, or a JSON file such as {\"name\": \"soft\", \"enamel\": "
-           "{\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65, \"full_force_n\": 4}; caries, "
+           "{\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65}; caries, "
            "dentin "
            "and pulp as enamel; what is left out is natural.",
            "NAME|FILE");
+    option(
+        "handpiece",
+        "What turns the bur: turbine (default), electric or low-speed. A load brakes it; at its stall torque it stops "
+        "and cuts nothing.",
+        "NAME");
+    parser.addOption(
+        {QStringLiteral("break-off"),
+         QStringLiteral("Columns and fins that a cut leaves standing, more than six times as high as wide, "
+                        "break off.")});
     option("record", "Saves a recording for cusp replay.", "FILE");
     parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
 }
@@ -153,6 +163,13 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
         options.settings.method = parser.value(QStringLiteral("method")).toStdString();
     if (const auto method = core::contact::makeContactMethod(options.settings.method); !method)
         return tl::unexpected(method.error());
+    if (parser.isSet(QStringLiteral("handpiece"))) {
+        const auto handpiece = core::settings::findHandpiece(parser.value(QStringLiteral("handpiece")).toStdString());
+        if (!handpiece)
+            return tl::unexpected(handpiece.error());
+        options.settings.handpiece = *handpiece;
+    }
+    options.settings.breakOff.on = parser.isSet(QStringLiteral("break-off"));
     if (parser.isSet(QStringLiteral("rate"))) {
         bool isNumber = false;
         options.rateHz = parser.value(QStringLiteral("rate")).toDouble(&isNumber);
@@ -279,6 +296,7 @@ int simulateCommand(const QStringList& arguments)
         printJson({{QStringLiteral("ticks"), static_cast<qint64>(ticks)},
                    {QStringLiteral("tick_us"), tickUs},
                    {QStringLiteral("removed_mm3"), toJson(outcome->last.removedMm3)},
+                   {QStringLiteral("broken_mm3"), toJson(outcome->last.brokenMm3)},
                    {QStringLiteral("state_hash"), hash},
                    {QStringLiteral("warnings"), toJsonArray(warnings)},
                    {QStringLiteral("kernels"), QLatin1String(core::contact::kernels().name)}},
@@ -287,10 +305,12 @@ int simulateCommand(const QStringList& arguments)
     }
     warn(warnings);
     const auto& removed = outcome->last.removedMm3;
+    const auto& broken = outcome->last.brokenMm3;
     printText(QStringLiteral("ticks          %1 at %2 Hz\n"
                              "tick           p50 %3, p99 %4, p99.9 %5, max %6 us (thread CPU time)\n"
                              "removed        caries %7, enamel %8, dentin %9, pulp %10 mm3\n"
-                             "state          %11\n")
+                             "broke off      %11 mm3 of it\n"
+                             "state          %12\n")
                   .arg(ticks)
                   .arg(options->rateHz)
                   .arg(tickUs[QStringLiteral("p50")].toDouble(), 0, 'f', 1)
@@ -301,6 +321,7 @@ int simulateCommand(const QStringList& arguments)
                   .arg(removed[1], 0, 'f', 4)
                   .arg(removed[2], 0, 'f', 4)
                   .arg(removed[3], 0, 'f', 4)
+                  .arg(std::accumulate(broken.begin(), broken.end(), 0.0), 0, 'f', 4)
                   .arg(hash),
               figures);
     return kDone;

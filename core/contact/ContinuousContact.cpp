@@ -90,7 +90,7 @@ HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, co
     glm::dvec2 outwards = touch.outwards;
     if (!touch.isSide() && r > 0.0)
         outwards = (glm::dvec2(entry) - glm::dvec2(touch.onMm)) / r;
-    const double slope = mask.slopeAt(std::min(r, radiusMm));
+    const double slope = std::max(touch.rise, mask.slopeAt(std::min(r, radiusMm)));
     if (r > 0.0 && (slope > kSteepest || r >= radiusMm))
         return through(entry, {outwards, 0.0});
     return through(entry, {outwards * slope, 1.0});

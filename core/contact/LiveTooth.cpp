@@ -205,6 +205,20 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
     return best;
 }
 
+double LiveTooth::riseBeyond(int i, int j, glm::dvec2 outwards) const noexcept
+{
+    const double longest = std::max(std::abs(outwards.x), std::abs(outwards.y));
+    if (!(longest > 0.0))
+        return 0.0;
+    const int di = static_cast<int>(std::floor(outwards.x / longest + 0.5));
+    const int dj = static_cast<int>(std::floor(outwards.y / longest + 0.5));
+    if (!grid().contains(i + di, j + dj))
+        return 0.0;
+    const double up = static_cast<double>(m_tooth.top[grid().index(i + di, j + dj)]) -
+                      static_cast<double>(m_tooth.top[grid().index(i, j)]);
+    return up / (grid().cellMm * std::sqrt(static_cast<double>(di * di + dj * dj)));
+}
+
 Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexcept
 {
     const std::size_t at = grid().index(peak.i, peak.j);
@@ -216,8 +230,12 @@ Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexc
         return r > 0.0 ? out * (mask().slopeAt(r) / r) : glm::dvec2(0.0);
     };
     Touch best{static_cast<double>(peak.value), slopeTowards(node), {node, top}};
-    if (!isWhole(at))
+    if (!isWhole(at)) {
+        best.rise = riseBeyond(peak.i, peak.j, node - pointMm);
+        if (best.rise > lengthOf(best.slope))
+            best.slope = (node - pointMm) * (best.rise / lengthOf(node - pointMm));
         return best;
+    }
     const double cell = grid().cellMm;
     for (const int dj : {-1, 1}) {
         for (const int di : {-1, 1}) {

@@ -104,6 +104,8 @@ private:
     /// @param node  the node that is nearest to where the bur stands
     [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch,
                                    terrain::ColumnAt& node) const noexcept;
+    /// Slope from column (i, j) to its neighbour that lies outwards of the bur's axis, mm a mm.
+    [[nodiscard]] double riseBeyond(int i, int j, glm::dvec2 outwards) const noexcept;
 
     /// Ground around a node, to the second order.
     struct Bowl

@@ -18,6 +18,9 @@ struct Touch
     /// to which the tip is free beneath it. Zero on everything else.
     glm::dvec2 outwards{0.0, 0.0};
     double roofMm = static_cast<double>(terrain::kEmptyTop);
+    /// On cut ground, the slope from that column to the next one outwards, mm a mm: a bur beside a wall does not climb
+    /// the columns at its foot on its way to the wall's first, which may be most of a cell beyond its rim.
+    double rise = 0.0;
 
     [[nodiscard]] bool isSide() const { return outwards.x != 0.0 || outwards.y != 0.0; }
 };

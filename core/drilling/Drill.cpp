@@ -24,6 +24,9 @@ constexpr double kAim = 0.975;
 /// Of the way a column has to go: less is a material that does not yield to this force.
 constexpr double kLeastShare = 1.0e-6;
 constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
+/// Impulse of a touch, N s, until which it is a brush: 0.3 N for 20 ms must leave no mark (dentists, 2011), which the
+/// threshold of force alone would let a ball's tip make 30 um deep.
+constexpr double kBrushNS = 0.008;
 
 using Columns = std::span<const terrain::ColumnAt>;
 
@@ -154,7 +157,9 @@ void removeUnder(const Advance& advance, const glm::dvec3& tip, float share, Cut
 
 }  // namespace
 
-Drill::Drill(const settings::HardnessPreset& preset) noexcept : m_preset(preset) {}
+Drill::Drill(const settings::HardnessPreset& preset, const settings::Handpiece& handpiece) noexcept
+    : m_preset(preset), m_handpiece(handpiece)
+{}
 
 Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
                double seconds) noexcept
@@ -163,17 +168,19 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     done.tipMm = anchor;
     const glm::dvec3 pull = device - anchor;
     const double gap = std::sqrt(glm::dot(pull, pull));
-    if (!(gap > 0.0))
+    m_pressedNS = std::min(kBrushNS, m_pressedNS + forceN * seconds);
+    if (!(gap > 0.0) || m_pressedNS < kBrushNS)
         return done;
     const glm::dvec3 towards = pull / gap;
 
     const double sideways = std::sqrt(towards.x * towards.x + towards.y * towards.y);
     const double direction = m_preset.axialShare + (1.0 - m_preset.axialShare) * sideways;
-    const double force = std::min(forceN, m_preset.fullForceN);
+    const auto radiusMm = static_cast<double>(tooth.mask().radiusMm);
+    const double speed = rpmUnder(forceN, radiusMm) * radiusMm / kReferenceRpmMm;
     terrain::PerMaterial secondsPerMm3{};
     for (std::size_t m = 0; m < secondsPerMm3.size(); ++m) {
         const settings::MaterialHardness& hardness = m_preset.material[m];
-        const double rate = hardness.rateMm3PerNs * std::max(0.0, force - hardness.thresholdN) * direction;
+        const double rate = hardness.rateMm3PerNs * std::max(0.0, forceN - hardness.thresholdN) * direction * speed;
         secondsPerMm3[m] = rate > 0.0 ? 1.0 / rate : std::numeric_limits<double>::infinity();
     }
 

@@ -6,9 +6,18 @@
 #include <glm/vec3.hpp>
 
 #include "core/contact/LiveTooth.h"
+#include "core/settings/Handpiece.h"
 #include "core/settings/HardnessPreset.h"
 
 namespace core::drilling {
+
+/// Tangential over normal force of a bur that cuts: 0.24 to 1.77 N over 0.60 to 2.93 N in glass ceramic (teeth.md
+/// section 5), 0.3 assumed in haptics.md 8.1.
+inline constexpr double kCuttingFriction = 0.4;
+
+/// Speed of the surface for which the rates of a preset hold, in rpm mm of radius: a 330 in the turbine that is pressed
+/// with 1 N, 11.5 m/s. Rates are proportional to it (Preston's law).
+inline constexpr double kReferenceRpmMm = 320'000.0 * (1.0 - kCuttingFriction * 0.4 / 1.1) * 0.4;
 
 /// Rectangle of columns, both ends inside; empty while i1 < i0.
 struct CutRect
@@ -30,32 +39,43 @@ struct Cut
 
 /// Removes material under the bur, paced by volume (design section 3).
 ///
-/// A tick grants dt seconds. Material m comes away at rate_m = S_m * max(0, F - F0_m) * direction mm3/s, so lowering
-/// the columns under the bur by volumes V_m takes sum V_m / rate_m seconds; the bur advances from the anchor towards
-/// the device just as far as the granted time reaches. Every column goes down by a real amount: no timer, no
-/// all-or-nothing cell, and the pace depends neither on the grid nor on the tick rate.
+/// A tick grants dt seconds. Material m comes away at rate_m = S_m * max(0, F - F0_m) * direction * speed mm3/s, with
+/// the speed of the bur's surface over the reference: the load F brakes it, until it stalls. So lowering the columns
+/// under the bur by volumes V_m takes sum V_m / rate_m seconds; the bur advances from the anchor towards the device
+/// just as far as the granted time reaches. Every column goes down by a real amount: no timer, no all-or-nothing cell,
+/// and the pace depends neither on the grid nor on the tick rate. A touch that is short and light is a brush and cuts
+/// nothing.
 ///
 /// Servo thread: no allocation, no lock, cost bounded by the bur's footprint. Heights only ever go down.
 class Drill
 {
 public:
-    explicit Drill(const settings::HardnessPreset& preset) noexcept;
+    Drill(const settings::HardnessPreset& preset, const settings::Handpiece& handpiece) noexcept;
 
     /// Cuts for `seconds` with the bur's tip at `anchor`, drawn towards `device` with `forceN` newtons.
     Cut cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
             double seconds) noexcept;
 
-    /// The bur has left the material: time left over is forgotten, the next cut begins without a guess.
+    /// Turns a minute of a bur of this radius that is pressed with `forceN`.
+    [[nodiscard]] double rpmUnder(double forceN, double radiusMm) const noexcept
+    {
+        return m_handpiece.rpmUnder(kCuttingFriction * forceN * radiusMm);
+    }
+
+    /// The bur has left the material: time left over is forgotten, and that it was more than a brush.
     void rest() noexcept
     {
         m_leftS = 0.0;
         m_lastAdvance = 0.0;
+        m_pressedNS = 0.0;
     }
 
 private:
     settings::HardnessPreset m_preset;
+    settings::Handpiece m_handpiece;
     double m_leftS = 0.0;  ///< time granted and not used, at most one tick's
     double m_lastAdvance = 0.0;
+    double m_pressedNS = 0.0;  ///< impulse of this touch, as far as it counts
 };
 
 }  // namespace core::drilling

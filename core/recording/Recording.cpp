@@ -17,7 +17,7 @@ namespace {
 using session::ServoEvent;
 
 constexpr std::string_view kMagic{"CUSPREC\n", 8};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kChunkEvents = 4096;
 constexpr int kPackLevel = 3;
 
@@ -76,7 +76,11 @@ std::string settingsBytes(const session::ServoSettings& settings)
         out.put(material.thresholdN);
     }
     out.put(settings.hardness.axialShare);
-    out.put(settings.hardness.fullForceN);
+    out.putText(settings.handpiece.name);
+    out.put(settings.handpiece.freeRpm);
+    out.put(settings.handpiece.stallTorqueNmm);
+    out.put(static_cast<std::uint8_t>(settings.breakOff.on ? 1 : 0));
+    out.put(settings.breakOff.slenderness);
     return out.bytes();
 }
 
@@ -99,7 +103,11 @@ std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
         material.thresholdN = in.take<double>();
     }
     settings.hardness.axialShare = in.take<double>();
-    settings.hardness.fullForceN = in.take<double>();
+    settings.handpiece.name = in.takeText();
+    settings.handpiece.freeRpm = in.take<double>();
+    settings.handpiece.stallTorqueNmm = in.take<double>();
+    settings.breakOff.on = in.take<std::uint8_t>() != 0;
+    settings.breakOff.slenderness = in.take<double>();
     if (!in.ok() || in.left() != 0)
         return std::nullopt;
     return settings;
@@ -317,7 +325,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
                                                        "; open it with a newer Cusp.");
     if (in.ok() && version < kVersion)
         return unexpected(ErrorCode::WrongKind, "The recording is of version " + std::to_string(version) +
-                                                    ", from before the force was damped; this Cusp reads version " +
+                                                    ", from an older Cusp; this one reads version " +
                                                     std::to_string(kVersion) +
                                                     " only. Make the attempt again, or keep the Cusp that made it.");
     std::optional<session::ServoSettings> settings;

@@ -41,9 +41,11 @@ struct ServoState
     bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;
     terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
+    double burRpm = 0.0;    ///< turns of the bur a minute under its load; 0 with the drill off
     double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside
     bool hasDepth = false;  ///< the tip stands over the tooth, away from its flanks: only there depthMm says something
     terrain::PerMaterial removedMm3{};  ///< since the tooth was handed over whole
+    terrain::PerMaterial brokenMm3{};   ///< of it, what broke off
     std::uint32_t health = 0;
 };
 

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drilling/BreakOff.h"
+
 namespace core::session {
 namespace {
 
@@ -54,7 +56,8 @@ bool isPlausible(const glm::vec3& device)
 }  // namespace
 
 ServoTick::ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings)
-    : m_method(std::move(method)), m_force(settings.force), m_drill(settings.hardness)
+    : m_method(std::move(method)), m_force(settings.force), m_drill(settings.hardness, settings.handpiece),
+      m_breakOff(settings.breakOff)
 {}
 
 Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
@@ -62,6 +65,10 @@ Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
     if (auto sound = contact::check(settings.force); !sound)
         return tl::unexpected(sound.error());
     if (auto sound = settings::check(settings.hardness); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = settings::check(settings.handpiece); !sound)
+        return tl::unexpected(sound.error());
+    if (auto sound = settings::check(settings.breakOff); !sound)
         return tl::unexpected(sound.error());
     auto method = contact::makeContactMethod(settings.method);
     if (!method)
@@ -104,6 +111,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     ++m_state.tick;
     m_changed = {};
     m_state.cutting = false;
+    m_state.burRpm = m_state.drillOn ? m_drill.rpmUnder(0.0, 0.0) : 0.0;
     m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside);
     if (device == nullptr || !isPlausible(*device)) {
         m_force.drop();
@@ -154,6 +162,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         const double pull = std::min(depth * m_force.stiffnessNPerMm(), m_force.settings().clampN);
         const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
         m_changed = cut.changed;
+        m_state.burRpm = m_drill.rpmUnder(pull, static_cast<double>(m_tooth->mask().radiusMm));
         m_state.cutting = !cut.changed.isEmpty();
         double most = 0.0;
         for (std::size_t m = 0; m < cut.removedMm3.size(); ++m) {
@@ -161,6 +170,13 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
             if (cut.removedMm3[m] > most) {
                 most = cut.removedMm3[m];
                 m_state.materialUnderBur = static_cast<terrain::Material>(m);
+            }
+        }
+        if (m_state.cutting && m_breakOff.on) {
+            const terrain::PerMaterial broken = drilling::breakOff(*m_tooth, m_breakOff.slenderness, m_changed);
+            for (std::size_t m = 0; m < broken.size(); ++m) {
+                m_state.brokenMm3[m] += broken[m];
+                m_state.removedMm3[m] += broken[m];
             }
         }
         if (m_state.cutting) {

@@ -9,6 +9,7 @@
 #include "core/contact/LiveTooth.h"
 #include "core/drilling/Drill.h"
 #include "core/session/Links.h"
+#include "core/settings/BreakOff.h"
 
 namespace core::session {
 
@@ -18,6 +19,8 @@ struct ServoSettings
     std::string method = "continuous";
     contact::ForceSettings force;
     settings::HardnessPreset hardness;
+    settings::Handpiece handpiece;
+    settings::BreakOff breakOff;
     bool operator==(const ServoSettings&) const = default;
 };
 
@@ -56,6 +59,7 @@ private:
     std::unique_ptr<contact::ContactMethod> m_method;
     contact::ForceLaw m_force;
     drilling::Drill m_drill;
+    settings::BreakOff m_breakOff;
     contact::LiveTooth* m_tooth = nullptr;
     ServoState m_state;
     drilling::CutRect m_changed;

@@ -42,9 +42,6 @@ Status check(const HardnessPreset& preset)
     if (!within(preset.axialShare, 0.01, 1.0))
         return unexpected(ErrorCode::OutOfRange,
                           "Hardness preset '" + preset.name + "': the axial share must lie between 0.01 and 1.");
-    if (!within(preset.fullForceN, 0.1, 20.0))
-        return unexpected(ErrorCode::OutOfRange,
-                          "Hardness preset '" + preset.name + "': the full force must lie between 0.1 and 20 N.");
     return {};
 }
 

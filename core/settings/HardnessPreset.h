@@ -9,7 +9,8 @@
 
 namespace core::settings {
 
-/// How one material yields: dV/dt = rate * max(0, F - threshold) (haptics.md 8.1, Preston's law).
+/// How one material yields: dV/dt = rate * max(0, F - threshold) (haptics.md 8.1, Preston's law), at the speed that
+/// drilling::kReferenceRpmMm stands for.
 struct MaterialHardness
 {
     double rateMm3PerNs = 0.7;  ///< volume a second for each newton above the threshold, pushing sideways
@@ -31,9 +32,6 @@ struct HardnessPreset
     /// Share of the rate that is left when pushing along the bur's axis: end cutting is slower than side cutting. With
     /// 0.65 ten light strokes make the trench that dentists asked for (haptics.md 8.3).
     double axialShare = 0.65;
-    /// Pressing harder than this cuts no faster: the bur stalls (teeth.md section 5: flat above about 1.5 N, 4 N at
-    /// most).
-    double fullForceN = 4.0;
     bool operator==(const HardnessPreset&) const = default;
 };
 

@@ -34,6 +34,7 @@ private slots:
     void initTestCase();
     void traceHasARowATick();
     void replayComesToTheSameHash();
+    void handpieceAndBreakingGoIntoTheRecording();
     void otherRatesAndGrids_data();
     void otherRatesAndGrids();
     void frameOfTheFileIsKept();
@@ -78,7 +79,7 @@ void TestSimulateCommand::traceHasARowATick()
     const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", m_path, "--out", trace, "--json"});
     QVERIFY2(ending.exitCode == 0, ending.error);
     const QJsonObject figures = ending.json();
-    for (const char* key : {"ticks", "tick_us", "removed_mm3", "state_hash"})
+    for (const char* key : {"ticks", "tick_us", "removed_mm3", "broken_mm3", "state_hash"})
         QVERIFY2(figures.contains(QLatin1String(key)), key);
     for (const char* key : {"p50", "p99", "p999", "max"})
         QVERIFY2(figures["tick_us"].toObject().contains(QLatin1String(key)), key);
@@ -107,6 +108,24 @@ void TestSimulateCommand::replayComesToTheSameHash()
     QVERIFY(figures["verified"].toBool());
     QVERIFY(figures.contains("score") && figures.contains("measures") && figures.contains("removed_mm3"));
     QCOMPARE(figures["ticks"].toInt(), 1201);
+}
+
+void TestSimulateCommand::handpieceAndBreakingGoIntoTheRecording()
+{
+    const auto enamelOf = [&](const QStringList& options, const char* name) {
+        const QString recording = m_folder.filePath(QLatin1String(name));
+        const Ending made = runCusp(QStringList{"simulate", "--tooth", "36", "--path", m_path, "--out",
+                                                m_folder.filePath("t.csv"), "--record", recording, "--json"} +
+                                    options);
+        const Ending replayed = runCusp({"replay", recording, "--json"});
+        return made.exitCode == 0 && replayed.json()["state_hash"] == made.json()["state_hash"]
+                   ? made.json()["removed_mm3"].toObject()["enamel"].toDouble()
+                   : -1.0;
+    };
+    const double turbine = enamelOf({}, "turbine.cusprec");
+    const double slow = enamelOf({"--handpiece", "low-speed", "--break-off"}, "slow.cusprec");
+    QVERIFY2(turbine > 0.0 && slow >= 0.0 && slow < 0.5 * turbine,
+             qPrintable(QString("%1, %2").arg(turbine).arg(slow)));
 }
 
 void TestSimulateCommand::otherRatesAndGrids_data()
@@ -330,6 +349,7 @@ void TestSimulateCommand::wrongUsage_data()
     QTest::newRow("rate twice") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "500", "--rate", "1000"};
     QTest::newRow("unit of no file") << QStringList{"--path", m_path, "--out", "t.csv", "--unit", "mm"};
     QTest::newRow("unknown bur") << QStringList{"--path", m_path, "--out", "t.csv", "--bur", "9"};
+    QTest::newRow("unknown handpiece") << QStringList{"--path", m_path, "--out", "t.csv", "--handpiece", "chisel"};
     QTest::newRow("unknown method") << QStringList{"--path", m_path, "--out", "t.csv", "--method", "magic"};
     QTest::newRow("rate 0") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "0"};
     QTest::newRow("rate nan") << QStringList{"--path", m_path, "--out", "t.csv", "--rate", "nan"};

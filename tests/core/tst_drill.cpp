@@ -2,6 +2,7 @@
 #include <QTest>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -23,11 +24,9 @@ struct Bench
     std::unique_ptr<contact::LiveTooth> tooth;
     std::unique_ptr<session::ServoTick> servo;
 
-    Bench(const support::Block& block, const char* bur, const std::string& method = "continuous")
+    Bench(const support::Block& block, const char* bur, const session::ServoSettings& settings = {})
         : tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock(block))))
     {
-        session::ServoSettings settings;
-        settings.method = method;
         servo = session::makeServoTick(settings).value();
         servo->setBur(drilling::findBur(bur).value());
         servo->swapTooth(tooth.get(), true);
@@ -43,9 +42,9 @@ struct Bench
 
 /// Presses straight down with a constant force for some seconds and returns what was removed, all materials together.
 double plunge(const support::Block& block, const char* bur, double newtons, double seconds, int dtUs = 1000,
-              glm::dvec2 at = {0.013, 0.021})
+              glm::dvec2 at = {0.013, 0.021}, const session::ServoSettings& settings = {})
 {
-    const Bench bench(block, bur);
+    const Bench bench(block, bur, settings);
     bench.step({at.x, at.y, 1.0});
     double removed = 0.0;
     for (int tick = 0; tick < static_cast<int>(seconds * 1.0e6 / dtUs); ++tick) {
@@ -63,11 +62,14 @@ class TestDrill : public QObject
     Q_OBJECT
 private slots:
     void volumeIsWhatTheMapsLost();
+    void brushLeavesNoMark_data();
     void brushLeavesNoMark();
     void rateIsLinearInForce();
-    void rateFollowsThePreset();
-    void paceIsIndependentOfGridAndRate();
+    void loadSlowsTheBurToAStall();
+    void handpiecesCutAsFastAsTheyTurn();
+    void ratesAreThoseOfTheTissues();
     void dentinGivesWayFaster();
+    void tenLightStrokesMakeATrenchThatHolds_data();
     void tenLightStrokesMakeATrenchThatHolds();
     void perforatedColumnIsGoneFromBothMaps();
     void pressedBurNeverStalls_data();
@@ -97,50 +99,131 @@ void TestDrill::volumeIsWhatTheMapsLost()
         QVERIFY(std::abs(counted[m] - lost[m]) < 1.0e-4);
 }
 
+void TestDrill::brushLeavesNoMark_data()
+{
+    QTest::addColumn<QString>("bur");
+    for (const char* bur : {"2", "330", "245", "57"})
+        QTest::addRow("%s", bur) << QString(bur);
+}
+
 void TestDrill::brushLeavesNoMark()
 {
-    // Dentists, 2011: an accidental brush leaves no mark. 0.1 N at 100 mm/s.
-    const Bench bench({}, "2");
-    bench.step({-1.0, 0.0, 0.5});
-    for (int tick = 0; tick <= 20; ++tick)
-        bench.step({-1.0 + 0.1 * tick, 0.0, -0.1 / 2.0});
-    QVERIFY(bench.servo->state().touching);
-    QCOMPARE(terrain::stateHash(bench.tooth->tooth()),
-             terrain::stateHash(terrain::Tooth(bench.tooth->tooth().anatomy)));
+    // Dentists, 2011: an accidental brush leaves no mark. 0.1 N at 100 mm/s; 0.3 N for 20 ms, in passing and on the
+    // spot.
+    QFETCH(QString, bur);
+    struct Brush
+    {
+        double newtons;
+        double mmPerS;
+        int ticks;
+    };
+    for (const double dej : {-100.0, 100.0})
+        for (const Brush& brush : {Brush{0.1, 100.0, 20}, Brush{0.3, 100.0, 20}, Brush{0.3, 0.0, 20}}) {
+            support::Block block;
+            block.dejMm = dej;
+            const Bench bench(block, qPrintable(bur));
+            bench.step({-1.0, 0.0, 0.5});
+            for (int tick = 0; tick < brush.ticks; ++tick) {
+                bench.step({-1.0 + 0.001 * brush.mmPerS * tick, 0.0, -brush.newtons / 2.0});
+                QVERIFY(bench.servo->state().touching);
+            }
+            bench.step({1.0, 0.0, 0.5});
+            const terrain::Tooth& tooth = bench.tooth->tooth();
+            double deepest = 0.0;
+            for (std::size_t k = 0; k < tooth.top.size(); ++k)
+                deepest =
+                    std::max(deepest, static_cast<double>(tooth.anatomy->top[k]) - static_cast<double>(tooth.top[k]));
+            QVERIFY2(deepest < 0.002, qPrintable(QString("%1 N: %2 um").arg(brush.newtons).arg(1000.0 * deepest)));
+        }
 }
 
 void TestDrill::rateIsLinearInForce()
 {
-    // dV/dt = S (F - F0), S less when pushing along the axis: 0.65 of 0.7 mm3/(N s) in enamel.
-    for (const double newtons : {0.5, 1.0, 1.5}) {
-        const double rate = plunge({}, "57", newtons, 1.0);
-        const double expected = 0.65 * 0.7 * (newtons - 0.15);
-        QVERIFY2(std::abs(rate - expected) < 0.03 * expected,
-                 qPrintable(QString("%1 N: %2 against %3 mm3/s").arg(newtons).arg(rate).arg(expected)));
+    // About 1 N: the torque of the load bends the line by less than one can feel (force, 7 to 10 %: haptics.md 7).
+    const std::vector<double> newtons{0.5, 0.75, 1.0, 1.25, 1.5};
+    std::vector<double> rates;
+    double meanRate = 0.0;
+    double slope = 0.0;
+    for (const double force : newtons) {
+        rates.push_back((plunge({}, "330", force, 1.5) - plunge({}, "330", force, 0.5)) / 1.0);
+        meanRate += rates.back() / 5.0;
+        slope += (force - 1.0) * rates.back() / 0.625;
     }
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+        const double line = meanRate + slope * (newtons[k] - 1.0);
+        QVERIFY2(std::abs(rates[k] - line) < 0.03 * rates[2],
+                 qPrintable(QString("%1 N: %2 against %3 mm3/s").arg(newtons[k]).arg(rates[k]).arg(line)));
+    }
+    // S (F - F0), S less when pushing along the axis: 0.65 of 0.7 mm3/(N s) in enamel.
+    QVERIFY2(std::abs(rates[2] - 0.65 * 0.7 * 0.85) < 0.01, qPrintable(QString::number(rates[2])));
 }
 
-void TestDrill::rateFollowsThePreset()
+void TestDrill::loadSlowsTheBurToAStall()
 {
-    const double enamel = plunge({}, "330", 1.0, 1.0);
-    QVERIFY(enamel > 0.3 && enamel < 0.6);  // teeth.md 5, occlusal work with a 330 at 1 N
+    // omega = omega0 (1 - T / Tstall), T = 0.4 F r (teeth.md 5). A round bur in the turbine stalls at 1.1 / 0.2 N.
+    const auto rpmAt = [](double newtons) {
+        const Bench bench({}, "2");
+        bench.step({0.0, 0.0, 1.0});
+        double rpm = bench.servo->state().burRpm;
+        for (int tick = 0; tick < 5; ++tick)
+            rpm = bench.step({0.0, 0.0, bench.servo->state().anchorMm.z - (tick == 0 ? 1.0 : newtons / 2.0)}).burRpm;
+        return rpm;
+    };
+    const double freeRpm = settings::Handpiece{}.freeRpm;
+    QVERIFY(std::abs(rpmAt(1.0) - freeRpm * (1.0 - 0.2 / 1.1)) < 0.01 * freeRpm);
+    QVERIFY(std::abs(rpmAt(2.0) - freeRpm * (1.0 - 0.4 / 1.1)) < 0.01 * freeRpm);
+    QCOMPARE(rpmAt(5.6), 0.0);
+    QVERIFY(plunge({}, "2", 2.5, 0.5) > plunge({}, "2", 1.0, 0.5));
+    QVERIFY(plunge({}, "2", 5.2, 0.5) < 0.5 * plunge({}, "2", 2.5, 0.5));
+
+    const Bench bench({}, "2");
+    bench.step({0.0, 0.0, 1.0});
+    QCOMPARE(bench.servo->state().burRpm, freeRpm);
+    bench.servo->setDrill(false);
+    bench.step({0.0, 0.0, 1.0});
+    QCOMPARE(bench.servo->state().burRpm, 0.0);
 }
 
-void TestDrill::paceIsIndependentOfGridAndRate()
+void TestDrill::handpiecesCutAsFastAsTheyTurn()
 {
-    const double reference = plunge({}, "330", 1.0, 2.0);
-    for (const int side : {100, 300, 600}) {
+    support::Block caries;
+    caries.cariesFloorMm = -100.0;
+    const auto rate = [&](const settings::Handpiece& handpiece, double newtons) {
+        session::ServoSettings settings;
+        settings.handpiece = handpiece;
+        return plunge(caries, "2", newtons, 0.5, 1000, {0.013, 0.021}, settings);
+    };
+    const double turbine = rate(settings::findHandpiece("turbine").value(), 1.0);
+    const double electric = rate(settings::findHandpiece("electric").value(), 1.0);
+    const double slow = rate(settings::findHandpiece("low-speed").value(), 1.0);
+    QVERIFY2(electric < turbine && slow < 0.12 * electric && slow > 0.0,
+             qPrintable(QString("%1, %2, %3 mm3").arg(turbine).arg(electric).arg(slow)));
+    // It holds its speed where the turbine loses it.
+    QVERIFY(rate(settings::findHandpiece("electric").value(), 4.0) > rate(settings::Handpiece{}, 4.0));
+    QVERIFY(!settings::findHandpiece("chisel"));
+
+    session::ServoSettings settings;
+    settings.handpiece.stallTorqueNmm = 0.0;
+    QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
+}
+
+void TestDrill::ratesAreThoseOfTheTissues()
+{
+    // teeth.md 5, occlusal work with a 330 at 1 N: mm3/s.
+    struct Tissue
+    {
+        double least;
+        double most;
         support::Block block;
-        block.side = side;
-        block.cellMm = 10.5 / side;
-        const double removed = plunge(block, "330", 1.0, 2.0);
-        QVERIFY2(std::abs(removed - reference) < 0.03 * reference,
-                 qPrintable(QString("grid %1: %2 against %3").arg(side).arg(removed).arg(reference)));
-    }
-    for (const int dtUs : {250, 500, 2000, 4000}) {
-        const double removed = plunge({}, "330", 1.0, 2.0, dtUs);
-        QVERIFY2(std::abs(removed - reference) < 0.03 * reference,
-                 qPrintable(QString("%1 us: %2 against %3").arg(dtUs).arg(removed).arg(reference)));
+    };
+    support::Block enamel;
+    support::Block dentin;
+    dentin.dejMm = 10.0;
+    support::Block caries;
+    caries.cariesFloorMm = -100.0;
+    for (const Tissue& tissue : {Tissue{0.3, 0.6, enamel}, Tissue{1.0, 2.0, dentin}, Tissue{3.0, 6.0, caries}}) {
+        const double rate = plunge(tissue.block, "330", 1.0, 0.5) / 0.5;
+        QVERIFY2(rate > tissue.least && rate < tissue.most, qPrintable(QString("%1 mm3/s").arg(rate)));
     }
 }
 
@@ -152,9 +235,18 @@ void TestDrill::dentinGivesWayFaster()
     QVERIFY2(ratio > 3.0 && ratio < 6.0, qPrintable(QString::number(ratio)));  // teeth.md 4: 3 to 6
 }
 
+void TestDrill::tenLightStrokesMakeATrenchThatHolds_data()
+{
+    QTest::addColumn<QString>("bur");
+    for (const char* bur : {"2", "330"})
+        QTest::addRow("%s", bur) << QString(bur);
+}
+
 void TestDrill::tenLightStrokesMakeATrenchThatHolds()
 {
-    const Bench bench({}, "2");
+    // Dentists, 2011: ten strokes of 5 mm with 0.5 N, 20 mm/s.
+    QFETCH(QString, bur);
+    const Bench bench({}, qPrintable(bur));
     bench.step({-2.5, 0.0, 0.5});
     glm::dvec3 anchor{};
     for (int stroke = 0; stroke < 10; ++stroke) {
@@ -163,12 +255,18 @@ void TestDrill::tenLightStrokesMakeATrenchThatHolds()
             anchor = bench.step({x, 0.0, bench.servo->state().anchorMm.z - 0.25}).anchorMm;
         }
     }
-    // Pushed 0.3 N sideways and 0.3 N down, drill off: the walls of the trench hold the bur.
     bench.servo->setDrill(false);
+    for (int tick = 0; tick < 200; ++tick)
+        anchor = bench.step({0.0, 0.0, anchor.z - 0.1}).anchorMm;
+    const double bottom = anchor.z;
+    QVERIFY2(bottom < -0.08, qPrintable(QString("%1 mm deep").arg(-bottom)));
+    // Pushed 0.3 N sideways while it is pressed 0.3 N down, then while the hand only keeps its height: the walls hold.
     for (int tick = 0; tick < 400; ++tick)
-        anchor = bench.step({0.0, 0.15 * std::min(1.0, tick / 100.0) + anchor.y * 0.0, anchor.z - 0.15}).anchorMm;
-    const double depth = -anchor.z;
-    QVERIFY2(anchor.y < 0.12 && depth > 0.08, qPrintable(QString("aside %1, deep %2").arg(anchor.y).arg(depth)));
+        anchor = bench.step({0.0, 0.15 * std::min(1.0, tick / 100.0), anchor.z - 0.15}).anchorMm;
+    QVERIFY2(anchor.y < 0.12, qPrintable(QString("%1 mm aside").arg(anchor.y)));
+    for (int tick = 0; tick < 400; ++tick)
+        anchor = bench.step({0.0, 0.15, bottom}).anchorMm;
+    QVERIFY2(anchor.y < 0.12 && anchor.z < -0.03, qPrintable(QString("aside %1, at %2").arg(anchor.y).arg(anchor.z)));
 }
 
 void TestDrill::perforatedColumnIsGoneFromBothMaps()
@@ -222,7 +320,9 @@ void TestDrill::pressedBurNeverStalls()
         return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
     };
     for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
-        Bench bench(block, "2", method.toStdString());
+        session::ServoSettings settings;
+        settings.method = method.toStdString();
+        const Bench bench(block, "2", settings);
         bench.servo->setBur(static_cast<std::size_t>(bur));
         bench.step({at.x, at.y, 2.0});
         int idle = 0;

@@ -29,6 +29,8 @@ std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block)
             tooth->bottom[k] = static_cast<float>(block.bottomMm);
             tooth->areaMm2[k] = static_cast<float>(block.cellMm * block.cellMm);
             tooth->layers[k].dej = static_cast<float>(block.dejMm);
+            tooth->layers[k].cariesRoof = 100.0F;
+            tooth->layers[k].cariesFloor = static_cast<float>(block.cariesFloorMm);
         }
     }
     return tooth;

@@ -18,6 +18,7 @@ struct Block
     std::function<double(double x, double y)> topMm = [](double, double) { return 0.0; };  ///< NaN: no material
     /// Enamel above this height, dentin below; the default is enamel all through.
     double dejMm = -100.0;
+    double cariesFloorMm = 100.0;  ///< caries above this height; the default is none
 };
 
 /// Block centred on the origin of the tooth frame.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/Result.h"
+
+namespace core::settings {
+
+/// What turns the bur. Its torque falls in a straight line from stall to free speed (Dyson & Darvell 1999, teeth.md
+/// section 5), so that a load of T N mm leaves (1 - T / stall) of the speed. Default: the air turbine.
+struct Handpiece
+{
+    std::string name = "turbine";
+    double freeRpm = 320'000.0;
+    double stallTorqueNmm = 1.1;
+    bool operator==(const Handpiece&) const = default;
+
+    /// Turns a minute under a load; 0 from the stall torque on.
+    [[nodiscard]] double rpmUnder(double torqueNmm) const noexcept;
+};
+
+/// Those that are shipped. Figures with the certainty teeth.md section 5 gives them (S read in a source, T textbook, W
+/// weak):
+/// turbine    320,000 rpm, 1.1 N mm: its worked example; 300,000 to 450,000 and up to 2.33 N mm measured [S]
+/// electric   1:5, 200,000 rpm, 3 N mm [T]: holds its speed
+/// low-speed  1:1, 20,000 rpm [T], 20 N mm [W]: for caries
+[[nodiscard]] std::span<const Handpiece> handpieces();
+
+/// By name, or UnknownName naming those there are.
+[[nodiscard]] Result<Handpiece> findHandpiece(std::string_view name);
+
+/// OutOfRange naming the first value outside its limits: 100 to 500,000 rpm, 0.1 to 100 N mm.
+[[nodiscard]] Status check(const Handpiece& handpiece);
+
+}  // namespace core::settings

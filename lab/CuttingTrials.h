@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+
+#include "core/session/ServoTick.h"
+
+namespace lab {
+
+/// A bur that is guided along a straight line through a block and pulled along it with a constant force, the drill on:
+/// whatever the servo does to it, this is how fast it cuts.
+struct PaceTrial
+{
+    int side = core::terrain::kDefaultGridSide;  ///< columns a side, over 10.5 mm
+    double rateHz = 1000.0;                      ///< whole microseconds a tick
+    std::size_t bur = 1;                         ///< index into drilling::burs(): 330
+    glm::dvec3 towards{0.0, 0.0, -1.0};          ///< unit vector of the feed, z not above 0
+    double newtons = 1.0;
+    double seconds = 2.0;
+    core::terrain::Material material = core::terrain::Material::Enamel;
+    core::session::ServoSettings settings;
+};
+
+/// Volume, mm3, that is removed in the trial. Straight down begins on the flat top of the block, any other feed beside
+/// a wall, with the tip 1 mm deep.
+[[nodiscard]] double removedMm3(const PaceTrial& trial);
+
+/// Who moves the handpiece while the force is watched.
+enum class Feeder {
+    Speed,  ///< a slide, as fast as `newtons` cut by the preset's law
+    Force,  ///< a hand that presses with `newtons` and holds the line with a spring: it and the device are one mass
+};
+
+struct Ripple
+{
+    double rmsN;   ///< of the force on the hand from 20 to 300 Hz, all axes together (haptics.md 8.4)
+    double meanN;  ///< of that force
+};
+
+/// Over the last two of the trial's seconds.
+/// @param trial  sideways or straight down, at least 3 s, at least 1 kHz
+[[nodiscard]] Ripple measureRipple(const PaceTrial& trial, Feeder feeder);
+
+/// Unit vector of a feed: heading about the tooth's axis, and how far down from the horizontal.
+[[nodiscard]] glm::dvec3 feed(double headingDegrees, double downDegrees);
+
+/// Pace of a trial by the law, mm3/s: S (F - F0), for the direction of the pull and the speed of the bur under it.
+[[nodiscard]] double lawfulMm3PerS(const PaceTrial& trial);
+
+}  // namespace lab
