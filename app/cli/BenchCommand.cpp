@@ -33,6 +33,8 @@ constexpr Suite kSuites[] = {
     {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 30.0},
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 10.0},
     {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 35.0},
+    {"cutting", "volume of swept cuts against closed form, by grid", bench::cuttingSuite, 10.0},
+    {"model", "height stack and dense voxels: size, time, volume", bench::modelSuite, 12.0},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 15.0},
 };
 
