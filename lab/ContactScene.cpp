@@ -115,11 +115,17 @@ public:
             return (u - deviceU) * (u - deviceU) + rise * rise;
         };
         constexpr double kStepMm = 1.0e-3;
+        // A ball with its equator at an edge rises by 0.03 mm in the first step; more is a cliff, and no bur climbs it.
+        constexpr double kCliffMm = 0.035;
+        const auto isCliff = [&](double from, double to) {
+            const double rise = m_surface.clearance(to) - m_surface.clearance(from);
+            return rise > kCliffMm && m_surface.clearance(to) > device.z;
+        };
         for (const double step : {kStepMm, -kStepMm})
-            while (far2(m_u + step) < far2(m_u))
+            while (far2(m_u + step) < far2(m_u) && !isCliff(m_u, m_u + step))
                 m_u += step;
-        double low = m_u - kStepMm;
-        double high = m_u + kStepMm;
+        double low = m_u - (isCliff(m_u, m_u - kStepMm) ? 0.0 : kStepMm);
+        double high = m_u + (isCliff(m_u, m_u + kStepMm) ? 0.0 : kStepMm);
         for (int k = 0; k < 40; ++k) {
             const double a = low + (high - low) / 3.0;
             const double b = high - (high - low) / 3.0;
@@ -424,6 +430,7 @@ ContactFamily contactFamily(const std::string& name, const ContactConditions& co
     assert(found != makers().end());
     ContactFamily family = found->make(conditions);
     family.name = name;
+    family.rateHz = conditions.rateHz;
     return family;
 }
 
@@ -469,6 +476,26 @@ double ridgeHoldsN(const std::string& method, int cells, std::size_t bur, double
     return least;
 }
 
+namespace {
+
+/// For every tick the length of the longest leap of the right bur within kLeapS of it, mm; 0 where there is none.
+std::vector<double> leapsNear(const ContactScene& scene, double rateHz)
+{
+    const auto reach = static_cast<std::size_t>(std::lround(kLeapS * rateHz));
+    std::vector<double> leaps(scene.right.size(), 0.0);
+    for (std::size_t tick = 1; tick < scene.right.size(); ++tick) {
+        const double moved = glm::length(scene.right[tick] - scene.right[tick - 1]);
+        if (moved < kLeapMm + glm::length(scene.device[tick] - scene.device[tick - 1]))
+            continue;
+        const std::size_t last = std::min(leaps.size() - 1, tick + reach);
+        for (std::size_t near = tick - std::min(tick, reach); near <= last; ++near)
+            leaps[near] = std::max(leaps[near], moved);
+    }
+    return leaps;
+}
+
+}  // namespace
+
 ContactErrors measureContact(const ContactFamily& family, const std::string& method, double stiffnessNPerMm)
 {
     ContactErrors errors;
@@ -481,7 +508,9 @@ ContactErrors measureContact(const ContactFamily& family, const std::string& met
         tooth.selectBur(scene.burIndex);
         const auto contact = core::contact::makeContactMethod(method).value();
         contact->restart(scene.device.front());
+        const std::vector<double> leaps = leapsNear(scene, family.rateHz);
         glm::dvec3 before{0.0};
+        glm::dvec3 anchorBefore{0.0};
         for (std::size_t tick = 0; tick < scene.device.size(); ++tick) {
             const double started = haptics::threadCpuUs();
             const glm::dvec3 anchor = contact->update(tooth, scene.device[tick]);
@@ -489,20 +518,25 @@ ContactErrors measureContact(const ContactFamily& family, const std::string& met
             const glm::dvec3 apart = anchor - scene.right[tick];
             if (tick >= scene.counted) {
                 errors.times.add(took);
-                const double far = 1000.0 * std::sqrt(glm::dot(apart, apart));
-                sum2 += far * far;
-                count += 1.0;
-                errors.mostUm = std::max(errors.mostUm, far);
-                const glm::dvec3 way = scene.right[tick] - scene.right[tick - 1];
-                const double wayMm = std::sqrt(glm::dot(way, way));
-                if (wayMm > kStillMm) {
-                    lag -= 1000.0 * glm::dot(apart, way) / wayMm;
-                    moving += 1.0;
+                double jump = glm::length(apart - before);
+                if (leaps[tick] > 0.0) {
+                    jump = glm::length(anchor - anchorBefore) - leaps[tick];
+                } else {
+                    const double far = 1000.0 * glm::length(apart);
+                    sum2 += far * far;
+                    count += 1.0;
+                    errors.mostUm = std::max(errors.mostUm, far);
+                    const glm::dvec3 way = scene.right[tick] - scene.right[tick - 1];
+                    const double wayMm = glm::length(way);
+                    if (wayMm > kStillMm) {
+                        lag -= 1000.0 * glm::dot(apart, way) / wayMm;
+                        moving += 1.0;
+                    }
                 }
-                const glm::dvec3 jump = apart - before;
-                errors.jumpN = std::max(errors.jumpN, stiffnessNPerMm * std::sqrt(glm::dot(jump, jump)));
+                errors.jumpN = std::max(errors.jumpN, stiffnessNPerMm * jump);
             }
             before = apart;
+            anchorBefore = anchor;
         }
     }
     errors.rmsUm = std::sqrt(sum2 / std::max(1.0, count));

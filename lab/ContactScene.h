@@ -28,6 +28,10 @@ struct ContactScene
 };
 
 /// What a method made of scenes.
+///
+/// A bur that is pushed over an edge leaps: the right one in no time, for it has no mass. How soon after it, and how
+/// fast, a method follows is its own affair, so within kLeapS of a leap its position is not judged, and a change of its
+/// force only by what it exceeds the leap's own.
 struct ContactErrors
 {
     double rmsUm = 0.0;  ///< distance of the anchor from where it should be
@@ -38,6 +42,9 @@ struct ContactErrors
     haptics::TickTimes times;
 };
 
+inline constexpr double kLeapMm = 0.1;  ///< in a tick, farther than the hand moved
+inline constexpr double kLeapS = 0.04;
+
 /// One row of the table: the same surface in several places and directions on the lattice.
 struct ContactFamily
 {
@@ -46,6 +53,7 @@ struct ContactFamily
     double reachRmsUm = 0.0;  ///< what issue and haptics.md ask of a method
     double reachMostUm = 0.0;
     double reachJumpN = 0.0;
+    double rateHz = 1000.0;  ///< ticks a second
 };
 
 /// What a family is measured with.

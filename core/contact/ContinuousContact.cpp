@@ -26,6 +26,10 @@ constexpr double kSmoothShare = 0.001;  ///< of a move, by which a tangent plane
 constexpr double kLiftShare = 0.1;      ///< of a move, by which its end is lifted onto the ground at most
 constexpr double kNearerMm2 = 1.0e-9;
 constexpr int kHalvings = 10;           ///< in looking for the place where the bur met the tooth
+constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is put right and no more
+constexpr int kCornerLooks = 4;         ///< at nearer and nearer places, for what stops the bur at a corner
+constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
+constexpr double kCornerMm = 0.002;     ///< what stands behind a side by less stands before it
 constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
 constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
 constexpr int kMaxFreeSamples = 128;    ///< points looked at along a move through the air
@@ -58,9 +62,11 @@ HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, co
     if (glm::dot(tangent.normal, from) >= tangent.offset - kRounding - kSmoothShare * length)
         return tangent;
     const auto radiusMm = static_cast<double>(mask.radiusMm);
+    if (touch.isSide() && touch.onMm.z - std::max(from.z, to.z) >= mask.cornerMm)
+        return {{touch.outwards, 0.0}, glm::dot(glm::dvec2(touch.onMm), touch.outwards) + radiusMm + kSlackMm};
     const auto radiusAt = [&](const glm::dvec3& tip) {
-        const glm::dvec2 apart = glm::dvec2(touch.onMm) - glm::dvec2(tip);
-        return std::sqrt(glm::dot(apart, apart));
+        const glm::dvec2 apart = glm::dvec2(tip) - glm::dvec2(touch.onMm);
+        return touch.isSide() ? std::max(0.0, glm::dot(apart, touch.outwards)) : std::sqrt(glm::dot(apart, apart));
     };
     const auto meets = [&](const glm::dvec3& tip) {
         const double r = radiusAt(tip);
@@ -74,15 +80,33 @@ HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, co
     }
     const glm::dvec3 entry = from + way * free;
     const double r = radiusAt(entry);
-    const glm::dvec2 outwards = r > 0.0 ? (glm::dvec2(entry) - glm::dvec2(touch.onMm)) / r : glm::dvec2(0.0);
+    glm::dvec2 outwards = touch.outwards;
+    if (!touch.isSide() && r > 0.0)
+        outwards = (glm::dvec2(entry) - glm::dvec2(touch.onMm)) / r;
     const double slope = mask.slopeAt(std::min(r, radiusMm));
     if (r > 0.0 && (slope > kSteepest || r >= radiusMm))
         return through(entry, {outwards, 0.0});
     return through(entry, {outwards * slope, 1.0});
 }
 
+/// True if a tip at `to` is stopped by a side that the tip at `from` already stands behind: the side goes round a
+/// corner between them, and it is the corner that stops the tip first.
+bool isRoundCorner(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
+{
+    if (!touch.isSide() || !(touch.heightMm > to.z + kRounding))
+        return false;
+    const double needs = mask.reachAt(std::max(0.0, touch.onMm.z - from.z));
+    return glm::dot(glm::dvec2(from) - glm::dvec2(touch.onMm), touch.outwards) < needs - kCornerMm;
+}
+
+/// True if a tip that is below what carries it is free beneath.
+bool isFreeBeneath(const LiveTooth& tooth, const Touch& touch, const glm::dvec3& tip) noexcept
+{
+    return !(touch.isSide() && touch.roofMm < tip.z) && tooth.undersideAt(glm::dvec2(tip), tip.z) >= tip.z;
+}
+
 /// True if the straight way from the anchor to a free device meets nothing.
-bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) noexcept
+bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm::dvec3& to) noexcept
 {
     const glm::dvec2 flat(to.x - from.x, to.y - from.y);
     const double length = std::sqrt(glm::dot(flat, flat));
@@ -92,7 +116,7 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
     for (int k = 1; k <= samples; ++k) {
         const double share = static_cast<double>(k) / samples;
         const double z = from.z + (to.z - from.z) * share;
-        if (tooth.clearanceAt({from.x + flat.x * share, from.y + flat.y * share}, z) > z)
+        if (tooth.touchAt({from.x + flat.x * share, from.y + flat.y * share}, z, edges).heightMm > z)
             return false;
     }
     return true;
@@ -103,13 +127,15 @@ bool wayIsFree(LiveTooth& tooth, const glm::dvec3& from, const glm::dvec3& to) n
 /// is in the way, what it is met by is one half-space more.
 ///
 /// @param left  how far it may get in this tick, mm
-void slide(LiveTooth& tooth, const glm::dvec3& device, double left, const Touch& ground, glm::dvec3& anchor) noexcept
+void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, const Touch& ground,
+           glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
     if (anchor.z <= ground.heightMm + kSlackMm && glm::dot(ground.slope, ground.slope) < kSteepest * kSteepest)
         planes.add(tangentAt(glm::dvec2(anchor), ground));
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
     double best = distance2(anchor, device);
+    bool metSide = false;
     for (int looks = 0; looks < kMaxSlides; ++looks) {
         glm::dvec3 next{0.0};
         if (!planes.nearest(device, next))
@@ -123,26 +149,34 @@ void slide(LiveTooth& tooth, const glm::dvec3& device, double left, const Touch&
             next = anchor + move * (most / length);
         if (distance2(next, device) >= best)
             return;
+        Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
+        for (int k = 0; k < kCornerLooks && isRoundCorner(tooth.mask(), anchor, next, touch); ++k) {
+            next = anchor + (next - anchor) * kCornerShare;
+            touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
+        }
         const glm::dvec2 at(next);
-        const Touch touch = tooth.touchAt(at);
         // A move cut short ends a little inside ground that bends: up onto it, if that is still nearer.
         if (touch.heightMm > next.z && touch.heightMm - next.z <= kLiftShare * std::min(length, most) &&
             distance2({at, touch.heightMm}, device) < best - kNearerMm2)
             next.z = touch.heightMm;
         if (touch.heightMm > next.z + kRounding) {
-            if (tooth.undersideAt(at, next.z) >= next.z) {  // the way under an overhang is open
+            if (isFreeBeneath(tooth, touch, next)) {  // the way under an overhang is open
                 anchor = next;
                 return;
             }
             planes.add(planeBetween(tooth.mask(), anchor, next, touch));
+            metSide = metSide || touch.isSide();
             continue;
         }
         // Planes that hold the tip off the ground are tangents of a hump that it has left: they cut off what is free.
-        if (next.z > touch.heightMm + kSlackMm)
+        // So does a side that it may have come to the end of.
+        if (next.z > touch.heightMm + kSlackMm || metSide)
             planes.clear();
+        metSide = false;
+        const glm::dvec3 from = anchor;
         anchor = {at, std::max(next.z, touch.heightMm)};
         best = distance2(anchor, device);
-        left -= std::min(length, most);
+        left -= std::sqrt(distance2(from, anchor));
         if (left < kStillMm)
             return;
         if (touch.heightMm > static_cast<double>(terrain::kEmptyTop) &&
@@ -165,11 +199,36 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
     m_mayBeInside = true;
 }
 
+/// Puts an anchor right that grazes an upright side, as where two chords meet. One that is in it by more is cutting
+/// into it, or came from beneath: for this tick the side is its columns.
+/// @param ground  at the anchor, sides included; brought up to date
+Edges ContinuousContact::standClear(LiveTooth& tooth, Touch& ground) noexcept
+{
+    if (!ground.isSide() || ground.heightMm <= m_anchor.z + kRounding)
+        return Edges::Sides;
+    const double reach = tooth.mask().reachAt(std::max(0.0, ground.onMm.z - m_anchor.z));
+    const glm::dvec2 apart = glm::dvec2(m_anchor) - glm::dvec2(ground.onMm);
+    const double depth = reach - glm::dot(apart, ground.outwards);
+    if (ground.roofMm < m_anchor.z && depth <= kGrazedMm) {
+        const glm::dvec2 aside = glm::dvec2(m_anchor) + ground.outwards * (depth + kSlackMm);
+        const Touch there = tooth.touchAt(aside, 1.0e9, Edges::Sides);
+        if (there.heightMm <= m_anchor.z + kRounding) {
+            m_anchor = {aside, m_anchor.z};
+            ground = there;
+            return Edges::Sides;
+        }
+    }
+    ground = tooth.touchAt(glm::dvec2(m_anchor));
+    return Edges::Columns;
+}
+
 glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device) noexcept
 {
     const glm::dvec3 moved = device - m_device;
     m_device = device;
-    if (wayIsFree(tooth, m_anchor, device)) {
+    Touch ground = tooth.touchAt(glm::dvec2(m_anchor), 1.0e9, Edges::Sides);
+    const Edges edges = standClear(tooth, ground);
+    if (wayIsFree(tooth, edges, m_anchor, device)) {
         m_anchor = device;
         m_mayBeInside = false;
         return m_anchor;
@@ -178,7 +237,6 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     double left = kSlipMm + kSlipShare * std::sqrt(glm::dot(moved, moved));
     bool inNotch = false;
     bool underRoof = false;
-    const Touch ground = tooth.touchAt({m_anchor.x, m_anchor.y});
     if (ground.heightMm > m_anchor.z + kRounding) {
         const double roof = tooth.undersideAt({m_anchor.x, m_anchor.y});
         underRoof = roof >= m_anchor.z - kRounding;
@@ -204,7 +262,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     if (underRoof || inNotch)
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, m_anchor);
     else
-        slide(tooth, device, left, ground, m_anchor);
+        slide(tooth, edges, device, left, ground, m_anchor);
     return m_anchor;
 }
 

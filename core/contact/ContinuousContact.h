@@ -22,6 +22,8 @@ public:
     void restart(const glm::dvec3& device) noexcept override;
 
 private:
+    [[nodiscard]] Edges standClear(LiveTooth& tooth, Touch& ground) noexcept;
+
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
     glm::dvec3 m_device{0.0, 0.0, 10.0};
     bool m_mayBeInside = true;  ///< the anchor was not free where it stands by any move of its own

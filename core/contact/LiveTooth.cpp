@@ -43,7 +43,7 @@ double lengthOf(glm::dvec2 v)
 }  // namespace
 
 LiveTooth::LiveTooth(terrain::Tooth tooth)
-    : m_tooth(std::move(tooth)),
+    : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy),
       m_floorMm(static_cast<double>(*std::max_element(m_tooth.anatomy->top.begin(), m_tooth.anatomy->top.end())) -
                 drilling::kChuckMm),
       m_kernels(kernels())
@@ -99,7 +99,15 @@ bool LiveTooth::bowlAt(int i, int j, Bowl& bowl) const noexcept
     return std::max({std::abs(bendX), std::abs(bendY), std::abs(twist)}) < kSharpestPerMm * steep2;
 }
 
-Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough) noexcept
+Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough, Edges edges) noexcept
+{
+    const Touch touch = touchColumnsAt(pointMm, enough);
+    if (edges == Edges::Columns || touch.heightMm > enough)
+        return touch;
+    return m_sides.touchAt(pointMm, m_tooth, mask(), touch);
+}
+
+Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     const float spread = kSpikeShare * static_cast<float>(grid().cellMm);

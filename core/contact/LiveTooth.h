@@ -12,6 +12,8 @@
 
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
+#include "core/contact/Touch.h"
+#include "core/contact/UprightSides.h"
 #include "core/drilling/BurMask.h"
 #include "core/terrain/Tooth.h"
 
@@ -24,13 +26,9 @@ struct Room
     double roofMm;
 };
 
-/// What a bur let down over a point comes to stand on.
-struct Touch
-{
-    double heightMm;   ///< of the tip: the clearance C; kEmptyTop or less if there is nothing
-    glm::dvec2 slope;  ///< dC/dx and dC/dy, mm a mm; kUpright and more at an upright side
-    glm::dvec3 onMm;   ///< the point of the tooth that carries the bur
-};
+/// How the edges of uncut ground are felt: as the columns they are sampled by, or as the upright sides that the samples
+/// stand for.
+enum class Edges { Columns, Sides };
 
 /// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
 /// dilation,
@@ -65,7 +63,7 @@ public:
     /// alone are a bed of spikes (haptics.md 3.1). Cut ground is its columns and no more: a pocket must be as wide as
     /// the bur that made it.
     /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
-    [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept;
+    [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, double enough = 1.0e9, Edges edges = Edges::Columns) noexcept;
     /// C alone.
     [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept
     {
@@ -87,6 +85,7 @@ public:
     [[nodiscard]] std::span<terrain::ColumnAt> columnsRoom() noexcept { return m_columnsRoom; }
 
 private:
+    [[nodiscard]] Touch touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept;
     /// The bur over p carried by the highest of a quarter, and by the surface around it.
     [[nodiscard]] Touch touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept;
     /// The same on ground that bends without an edge; false if it does not.
@@ -105,6 +104,7 @@ private:
     [[nodiscard]] bool isWhole(std::size_t k) const noexcept;
 
     terrain::Tooth m_tooth;
+    UprightSides m_sides;
     std::vector<drilling::BurMask> m_masks;
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;

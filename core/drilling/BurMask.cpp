@@ -46,4 +46,18 @@ double BurMask::slopeAt(double radius) const noexcept
     return down2 > 0.0 ? std::min(kUpright, out / std::sqrt(down2)) : kUpright;
 }
 
+double BurMask::reachAt(double height) const noexcept
+{
+    if (height >= cornerMm)
+        return static_cast<double>(radiusMm);
+    const double down = cornerMm - height;
+    return flatMm + std::sqrt(std::max(0.0, cornerMm * cornerMm - down * down));
+}
+
+double BurMask::upperAt(double radius) const noexcept
+{
+    const double step = radius * radius * static_cast<double>(r2ToStep);
+    return static_cast<double>(upperOfR2[static_cast<std::size_t>(std::min(step, static_cast<double>(kTableSteps)))]);
+}
+
 }  // namespace core::drilling

@@ -35,8 +35,12 @@ struct BurMask
     [[nodiscard]] double standsAt(double slope) const noexcept;
     /// Height of the underside above the tip at a radius up to radiusMm.
     [[nodiscard]] double heightAt(double radius) const noexcept;
-    /// Its slope there; kUpright at the side.
+    /// Slope of the underside there; kUpright at the side.
     [[nodiscard]] double slopeAt(double radius) const noexcept;
+    /// Radius up to which the underside is no higher above the tip than `height` (>= 0): radiusMm from the corner up.
+    [[nodiscard]] double reachAt(double height) const noexcept;
+    /// Height of the upper side above the tip at a radius up to radiusMm.
+    [[nodiscard]] double upperAt(double radius) const noexcept;
 };
 
 }  // namespace core::drilling

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/LiveTooth.h"
+#include "core/drilling/Bur.h"
+#include "core/teeth/ToothBuilder.h"
+#include "lab/Block.h"
+
+using core::contact::Edges;
+using core::contact::LiveTooth;
+
+namespace {
+
+constexpr double kDegree = 3.14159265358979 / 180.0;
+constexpr double kWallMm = 3.0;
+
+/// A floor at 0 with a wall where `across` is positive.
+LiveTooth wallAcross(glm::dvec2 across, glm::dvec2 shift = {0.0, 0.0})
+{
+    return LiveTooth{core::terrain::Tooth(lab::enamelBlock(
+        [across](glm::dvec2 at) { return at.x * across.x + at.y * across.y > 0.0 ? kWallMm : 0.0; }, 150, shift))};
+}
+
+/// How far along `across` a bur on the floor gets, mm, from where it is clear of the wall.
+double stopsAt(LiveTooth& tooth, glm::dvec2 across, double aside, Edges edges)
+{
+    const glm::dvec2 along(-across.y, across.x);
+    double low = -1.5;
+    double high = 0.5;
+    for (int k = 0; k < 40; ++k) {
+        const double middle = 0.5 * (low + high);
+        (tooth.touchAt(across * middle + along * aside, 1.0e9, edges).heightMm > 0.01 ? high : low) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+class TestUprightSides : public QObject
+{
+    Q_OBJECT
+private slots:
+    void aSideStandsHalfACellBeforeItsNodes();
+    void aSideAcrossTheLatticeIsSmooth_data();
+    void aSideAcrossTheLatticeIsSmooth();
+    void everyBurIsStoppedAtItsRadius();
+    void thePocketOfABurHoldsTheBur();
+    void slopesAndGroovesHaveNone();
+    void beneathTheRimOfAToothTheWayIsFree();
+};
+
+void TestUprightSides::aSideStandsHalfACellBeforeItsNodes()
+{
+    // Even a side: the nodes nearest to the wall at 0 lie half a cell before and behind it.
+    LiveTooth tooth = wallAcross({1.0, 0.0});
+    QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Sides) + 0.5) < 1.0e-5);
+    QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Columns) + 0.5 - 0.035) < 2.0e-3);
+}
+
+void TestUprightSides::aSideAcrossTheLatticeIsSmooth_data()
+{
+    QTest::addColumn<double>("degrees");
+    for (const double degrees : {7.0, 15.0, 26.0, 33.0, 45.0, 71.0})
+        QTest::addRow("%g degrees", degrees) << degrees;
+}
+
+void TestUprightSides::aSideAcrossTheLatticeIsSmooth()
+{
+    QFETCH(double, degrees);
+    const glm::dvec2 across(std::cos(degrees * kDegree), std::sin(degrees * kDegree));
+    LiveTooth tooth = wallAcross(across, {0.1, 0.4});
+    constexpr double kStepMm = 0.005;
+    constexpr double kCellMm = 0.07;
+    const auto steepest = [&](Edges edges) {
+        double most = 0.0;
+        double before = stopsAt(tooth, across, -2.0, edges);
+        for (double aside = -2.0 + kStepMm; aside < 2.0; aside += kStepMm) {
+            const double now = stopsAt(tooth, across, aside, edges);
+            most = std::max(most, std::abs(now - before) / kStepMm);
+            before = now;
+        }
+        return most;
+    };
+    for (double aside = -2.0; aside < 2.0; aside += 0.05) {
+        const double off = stopsAt(tooth, across, aside, Edges::Sides) + 0.5;
+        QVERIFY2(std::abs(off) < 0.55 * kCellMm, qPrintable(QString("%1 mm beside %2").arg(off).arg(aside)));
+    }
+    const double smooth = steepest(Edges::Sides);
+    QVERIFY2(smooth < 0.2, qPrintable(QString("slope %1, of columns %2").arg(smooth).arg(steepest(Edges::Columns))));
+}
+
+void TestUprightSides::everyBurIsStoppedAtItsRadius()
+{
+    const glm::dvec2 across(0.8, 0.6);
+    LiveTooth tooth = wallAcross(across);
+    for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
+        tooth.selectBur(bur);
+        for (double aside = -1.0; aside < 1.0; aside += 0.1) {
+            const double off = stopsAt(tooth, across, aside, Edges::Sides) + core::drilling::burs()[bur].headRadiusMm;
+            QVERIFY2(std::abs(off) < 0.04, qPrintable(QString("bur %1: %2 mm").arg(bur).arg(off)));
+        }
+    }
+}
+
+/// Cut ground is its columns: where a bur has been it can be again, at the top edge of a wall as anywhere.
+void TestUprightSides::thePocketOfABurHoldsTheBur()
+{
+    LiveTooth tooth = wallAcross({1.0, 0.0});
+    const auto& grid = tooth.grid();
+    const glm::dvec2 axis(-0.4, 0.013);
+    const double radius = core::drilling::burs()[0].headRadiusMm;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const glm::dvec2 apart = grid.nodeMm(i, j) - axis;
+            const double r = std::sqrt(apart.x * apart.x + apart.y * apart.y);
+            if (r <= radius + 1.0e-6 && tooth.tooth().top[grid.index(i, j)] > 1.0F)
+                tooth.lower(i, j, static_cast<float>(core::drilling::burs()[0].undersideMm(std::min(r, radius))));
+        }
+    }
+    QVERIFY(tooth.touchAt(axis, 1.0e9, Edges::Columns).heightMm < 1.0e-3);
+    const core::contact::Touch touch = tooth.touchAt(axis, 1.0e9, Edges::Sides);
+    QVERIFY2(touch.heightMm < 1.0e-3, qPrintable(QString("held at %1 mm").arg(touch.heightMm)));
+}
+
+void TestUprightSides::slopesAndGroovesHaveNone()
+{
+    for (const double slope : {0.5, 1.0, 3.7}) {
+        for (const bool groove : {false, true}) {
+            LiveTooth tooth{core::terrain::Tooth(lab::enamelBlock([&](glm::dvec2 at) {
+                const double u = 0.8 * at.x + 0.6 * at.y;
+                return slope * (groove ? std::abs(u) : u);
+            }))};
+            for (double x = -2.0; x < 2.0; x += 0.11)
+                for (double y = -2.0; y < 2.0; y += 0.13)
+                    QVERIFY(!tooth.touchAt({x, y}, 1.0e9, Edges::Sides).isSide());
+        }
+    }
+}
+
+void TestUprightSides::beneathTheRimOfAToothTheWayIsFree()
+{
+    const auto built = core::teeth::buildTooth({36}, {});
+    QVERIFY(built.has_value());
+    LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
+    int found = 0;
+    for (double angle = 0.0; angle < 360.0; angle += 5.0) {
+        const glm::dvec2 towards(std::cos(angle * kDegree), std::sin(angle * kDegree));
+        for (double r = 8.0; r > 2.0; r -= 0.01) {
+            const core::contact::Touch touch = tooth.touchAt(towards * r, 1.0e9, Edges::Sides);
+            if (!touch.isSide())
+                continue;
+            ++found;
+            QVERIFY(touch.roofMm < touch.heightMm);
+            QVERIFY(std::abs(touch.outwards.x * touch.outwards.x + touch.outwards.y * touch.outwards.y - 1.0) < 1e-9);
+            QVERIFY(touch.outwards.x * towards.x + touch.outwards.y * towards.y > 0.0);
+            break;
+        }
+    }
+    QVERIFY2(found > 60, qPrintable(QString::number(found)));
+}
+
+QTEST_APPLESS_MAIN(TestUprightSides)
+#include "tst_upright_sides.moc"
