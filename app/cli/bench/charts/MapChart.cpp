@@ -73,8 +73,8 @@ void add(QGraphicsScene& scene, const QRectF& place, const MapChart& content)
             const double left = leftOf(k / content.columns.size(), k % content.columns.size());
             scene.addRect(left + 1.0, top + 1.0, width - 2.0, height - 2.0, Qt::NoPen, colour);
             addText(scene, finding.letter, chartFont(kTextPx, true), inkOn(colour),
-                    {left + 0.32 * width, top + 0.5 * height}, Qt::AlignHCenter);
-            addText(scene, cell.note, chartFont(kNotePx), inkOn(colour), {left + 0.66 * width, top + 0.5 * height},
+                    {left + 0.24 * width, top + 0.5 * height}, Qt::AlignHCenter);
+            addText(scene, cell.note, chartFont(kNotePx), inkOn(colour), {left + 0.64 * width, top + 0.5 * height},
                     Qt::AlignHCenter);
         }
     }
