@@ -120,7 +120,8 @@ MapChart::Cell cellOf(const Tally& tally)
         if (found > 0)
             cell.finding = static_cast<int>(k);
     }
-    cell.note = QStringLiteral("%1/%2").arg(tally[0]).arg(trials);
+    if (tally[0] < trials)
+        cell.note = QStringLiteral("%1/%2").arg(tally[0]).arg(trials);
     return cell;
 }
 
@@ -158,7 +159,8 @@ Chart chartOf(const std::vector<Trials>& all)
     return {QStringLiteral("stability"), QStringLiteral("Where loops fail: scene by method and delay"),
             QStringLiteral(
                 "Simulated Falcon at 1 kHz, spring of %1 N/mm; a light, a medium and a firm hand, all variants of "
-                "a scene. In a cell: the worst\nthat became of a trial, and how many come to rest or follow "
+                "a scene. In a cell: the worst\nthat became of a trial, and unless it is all, how many come to rest or "
+                "follow "
                 "the hand without a tremble that can be felt.")
                 .arg(kStiffnessNPerMm[kShipped]),
             map};

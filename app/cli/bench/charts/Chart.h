@@ -85,7 +85,7 @@ struct MapChart
     struct Cell
     {
         int finding = 0;  ///< index into findings
-        QString note;
+        QString note;     ///< beside the letter; may be empty
     };
     QList<Finding> findings;
     QStringList rows;

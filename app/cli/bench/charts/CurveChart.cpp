@@ -178,7 +178,11 @@ void addNotes(QGraphicsScene& scene, QChart& chart, QAbstractSeries& any, const 
             text->setRotation(90.0);
             text->setPos(inScene({limit.at, content.y.high}) + QPointF(-6.0, 12.0));
             notes.keepFree(text->sceneBoundingRect());
+            notes.keepFree({inScene({limit.at, content.y.high}) - QPointF(2.0, 0.0),
+                            inScene({limit.at, content.y.low}) + QPointF(2.0, 0.0)});
         } else {
+            notes.keepFree({inScene({content.x.low, limit.at}) - QPointF(0.0, 2.0),
+                            inScene({content.x.high, limit.at}) + QPointF(0.0, 2.0)});
             notes.addLimit(limit.text, inScene({content.x.low, limit.at}), inScene({content.x.high, limit.at}));
         }
     }

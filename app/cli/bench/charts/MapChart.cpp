@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLegendHeight = 48.0;
 constexpr double kHeadHeight = 66.0;
-constexpr double kRowTitleWidth = 120.0;
+constexpr double kRowTitleWidth = 140.0;
 constexpr double kGroupGap = 14.0;
 constexpr double kSwatchPx = 34.0;
 
@@ -73,9 +73,10 @@ void add(QGraphicsScene& scene, const QRectF& place, const MapChart& content)
             const double left = leftOf(k / content.columns.size(), k % content.columns.size());
             scene.addRect(left + 1.0, top + 1.0, width - 2.0, height - 2.0, Qt::NoPen, colour);
             addText(scene, finding.letter, chartFont(kTextPx, true), inkOn(colour),
-                    {left + 0.24 * width, top + 0.5 * height}, Qt::AlignHCenter);
-            addText(scene, cell.note, chartFont(kNotePx), inkOn(colour), {left + 0.64 * width, top + 0.5 * height},
-                    Qt::AlignHCenter);
+                    {left + (cell.note.isEmpty() ? 0.5 : 0.2) * width, top + 0.5 * height}, Qt::AlignHCenter);
+            if (!cell.note.isEmpty())
+                addText(scene, cell.note, chartFont(kNotePx), inkOn(colour), {left + 0.63 * width, top + 0.5 * height},
+                        Qt::AlignHCenter);
         }
     }
 }
