@@ -116,7 +116,7 @@ bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm:
     for (int k = 1; k <= samples; ++k) {
         const double share = static_cast<double>(k) / samples;
         const double z = from.z + (to.z - from.z) * share;
-        if (tooth.touchAt({from.x + flat.x * share, from.y + flat.y * share}, z, edges).heightMm > z)
+        if (tooth.isAbove({from.x + flat.x * share, from.y + flat.y * share}, z, edges))
             return false;
     }
     return true;
@@ -126,8 +126,9 @@ bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm:
 /// 1995, over the clearance field): ask for the nearest point in the half-spaces known so far, go there; if the tooth
 /// is in the way, what it is met by is one half-space more.
 ///
-/// @param left  how far it may get in this tick, mm
-void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, const Touch& ground,
+/// @param left    how far it may get in this tick, mm
+/// @param ground  touchAt() the anchor, and so again in the end
+void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, Touch& ground,
            glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
@@ -162,6 +163,7 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         if (touch.heightMm > next.z + kRounding) {
             if (isFreeBeneath(tooth, touch, next)) {  // the way under an overhang is open
                 anchor = next;
+                ground = touch;
                 return;
             }
             planes.add(planeBetween(tooth.mask(), anchor, next, touch));
@@ -175,6 +177,7 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         metSide = false;
         const glm::dvec3 from = anchor;
         anchor = {at, std::max(next.z, touch.heightMm)};
+        ground = touch;
         best = distance2(anchor, device);
         left -= std::sqrt(distance2(from, anchor));
         if (left < kStillMm)
@@ -226,7 +229,9 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
 {
     const glm::dvec3 moved = device - m_device;
     m_device = device;
-    Touch ground = tooth.touchAt(glm::dvec2(m_anchor), 1.0e9, Edges::Sides);
+    Touch ground =
+        m_known.isOf(tooth, m_anchor) ? m_known.touch : tooth.touchAt(glm::dvec2(m_anchor), 1.0e9, Edges::Sides);
+    m_known.tooth = nullptr;
     const Edges edges = standClear(tooth, ground);
     if (wayIsFree(tooth, edges, m_anchor, device)) {
         m_anchor = device;
@@ -259,10 +264,13 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_anchor.z = z;
     }
     m_mayBeInside = false;
-    if (underRoof || inNotch)
+    if (underRoof || inNotch) {
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, m_anchor);
-    else
-        slide(tooth, edges, device, left, ground, m_anchor);
+        return m_anchor;
+    }
+    slide(tooth, edges, device, left, ground, m_anchor);
+    if (edges == Edges::Sides)
+        m_known = {&tooth, tooth.revision(), glm::dvec2(m_anchor), ground};
     return m_anchor;
 }
 

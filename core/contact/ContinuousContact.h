@@ -18,12 +18,31 @@ public:
     [[nodiscard]] std::string_view name() const noexcept override { return "continuous"; }
     glm::dvec3 update(LiveTooth& tooth, const glm::dvec3& device) noexcept override;
     void moveTo(const glm::dvec3& anchor) noexcept override;
-    void toothChanged() noexcept override { m_mayBeInside = true; }
+    void toothChanged() noexcept override
+    {
+        m_mayBeInside = true;
+        m_known.tooth = nullptr;
+    }
     void restart(const glm::dvec3& device) noexcept override;
 
 private:
     [[nodiscard]] Edges standClear(LiveTooth& tooth, Touch& ground) noexcept;
 
+    /// What the last look found, and where: mostly that is where the next tick begins.
+    struct Known
+    {
+        const LiveTooth* tooth = nullptr;
+        std::uint64_t revision = 0;
+        glm::dvec2 atMm{0.0};
+        Touch touch{};
+
+        [[nodiscard]] bool isOf(const LiveTooth& now, const glm::dvec3& anchor) const noexcept
+        {
+            return tooth == &now && revision == now.revision() && atMm == glm::dvec2(anchor);
+        }
+    };
+
+    Known m_known;
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
     glm::dvec3 m_device{0.0, 0.0, 10.0};
     bool m_mayBeInside = true;  ///< the anchor was not free where it stands by any move of its own

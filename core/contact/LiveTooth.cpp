@@ -19,8 +19,11 @@ constexpr float kSpikeShare = 0.35F;
 
 /// Ground that bends more than this, along itself, is an edge.
 constexpr double kSharpestPerMm = 2.0;
-constexpr int kBowlRounds = 4;
-constexpr int kFootRounds = 4;
+constexpr int kFootRounds = 12;
+/// A node's second-order ground reaches this far: a little into its neighbours' cells, or a foot on the border would
+/// belong to neither.
+constexpr double kOwnCells = 0.6;
+constexpr double kFootMm = 3.0e-4;  ///< a foot that moves by less has been found: the height there is a maximum
 
 const Peak& highestOf(const Peaks& peaks)
 {
@@ -33,6 +36,12 @@ glm::dvec2 footOn(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 {
     const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
+}
+
+/// The whole number nearest to a place on the lattice, or a negative one before its edge.
+int nearestTo(double place)
+{
+    return static_cast<int>(place + 1.5) - 1;
 }
 
 double lengthOf(glm::dvec2 v)
@@ -62,6 +71,14 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
             highest = std::max(highest, m_tooth.top[grid().index(i, j)]);
         }
     }
+    m_bends.assign(grid().count(), 0);
+    for (int j = 1; j < grid().side - 1; ++j)
+        for (int i = 1; i < grid().side - 1; ++i)
+            m_bends[grid().index(i, j)] = bends(*m_tooth.anatomy, i, j) ? 1 : 0;
+    for (int j = 0; j < grid().side; ++j)
+        for (int i = 0; i < grid().side; ++i)
+            if (!isWhole(grid().index(i, j)))
+                noteCut(i, j);
 }
 
 bool LiveTooth::isWhole(std::size_t k) const noexcept
@@ -69,34 +86,53 @@ bool LiveTooth::isWhole(std::size_t k) const noexcept
     return m_tooth.isSolid(k) && m_tooth.top[k] >= m_tooth.anatomy->top[k];
 }
 
-bool LiveTooth::bowlAt(int i, int j, Bowl& bowl) const noexcept
+/// Whether the uncut ground around a node inside the map bends without an edge.
+bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexcept
 {
-    if (i < 1 || j < 1 || i > grid().side - 2 || j > grid().side - 2)
-        return false;
-    std::array<std::array<double, 3>, 3> height{};
+    const terrain::Grid& grid = anatomy.grid;
     for (int dj = -1; dj <= 1; ++dj) {
         for (int di = -1; di <= 1; ++di) {
-            const std::size_t k = grid().index(i + di, j + dj);
-            if (!isWhole(k))
+            const std::size_t k = grid.index(i + di, j + dj);
+            if (!(anatomy.top[k] > anatomy.bottom[k]))
                 return false;
-            height[static_cast<std::size_t>(dj + 1)][static_cast<std::size_t>(di + 1)] =
-                static_cast<double>(m_tooth.top[k]);
         }
     }
-    const auto& [low, mid, high] = height;
-    const double cell = grid().cellMm;
-    const double bendX = (mid[0] - 2.0 * mid[1] + mid[2]) / (cell * cell);
-    const double bendY = (low[1] - 2.0 * mid[1] + high[1]) / (cell * cell);
-    const double twist = (low[0] - low[2] - high[0] + high[2]) / (4.0 * cell * cell);
-    bowl = {{grid().nodeMm(i, j), mid[1]},
-            {(mid[2] - mid[0]) / (2.0 * cell), (high[1] - low[1]) / (2.0 * cell)},
-            {bendX, bendY},
-            twist};
+    const auto rise = [&](int di, int dj) {
+        return std::abs(static_cast<double>(anatomy.top[grid.index(i + di, j + dj)]) -
+                        static_cast<double>(anatomy.top[grid.index(i, j)])) /
+               grid.cellMm;
+    };
     // An edge has two slopes: the gentler of them says how steep the ground is.
-    const double steepX = std::min(std::abs(mid[2] - mid[1]), std::abs(mid[1] - mid[0])) / cell;
-    const double steepY = std::min(std::abs(high[1] - mid[1]), std::abs(mid[1] - low[1])) / cell;
+    const double steepX = std::min(rise(1, 0), rise(-1, 0));
+    const double steepY = std::min(rise(0, 1), rise(0, -1));
     const double steep2 = 1.0 + steepX * steepX + steepY * steepY;
-    return std::max({std::abs(bendX), std::abs(bendY), std::abs(twist)}) < kSharpestPerMm * steep2;
+    const Bowl bowl = bowlAt(grid, anatomy.top, i, j);
+    return std::max({std::abs(bowl.bend.x), std::abs(bowl.bend.y), std::abs(bowl.twist)}) < kSharpestPerMm * steep2;
+}
+
+/// The ground around a node is its columns from now on.
+void LiveTooth::noteCut(int i, int j) noexcept
+{
+    for (int atJ = std::max(0, j - 1); atJ <= std::min(grid().side - 1, j + 1); ++atJ)
+        for (int atI = std::max(0, i - 1); atI <= std::min(grid().side - 1, i + 1); ++atI)
+            m_bends[grid().index(atI, atJ)] = 0;
+}
+
+LiveTooth::Bowl LiveTooth::bowlAt(const terrain::Grid& grid, const std::vector<float>& top, int i, int j) noexcept
+{
+    const auto row = [&](int dj) {
+        const float* from = top.data() + grid.index(i - 1, j + dj);
+        return std::array<double, 3>{static_cast<double>(from[0]), static_cast<double>(from[1]),
+                                     static_cast<double>(from[2])};
+    };
+    const auto low = row(-1);
+    const auto mid = row(0);
+    const auto high = row(1);
+    const double cell = grid.cellMm;
+    return {{grid.nodeMm(i, j), mid[1]},
+            {(mid[2] - mid[0]) / (2.0 * cell), (high[1] - low[1]) / (2.0 * cell)},
+            {(mid[0] - 2.0 * mid[1] + mid[2]) / (cell * cell), (low[1] - 2.0 * mid[1] + high[1]) / (cell * cell)},
+            (low[0] - low[2] - high[0] + high[2]) / (4.0 * cell * cell)};
 }
 
 Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough, Edges edges) noexcept
@@ -107,18 +143,32 @@ Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough, Edges edges) noexcep
     return m_sides.touchAt(pointMm, m_tooth, mask(), touch);
 }
 
+bool LiveTooth::isAbove(glm::dvec2 pointMm, double z, Edges edges) noexcept
+{
+    // Mostly the column that was the highest a tick ago says it all.
+    if (const Peak last = lastPeakAt(grid().latticeOf(pointMm)); last.i >= 0 && static_cast<double>(last.value) > z)
+        return true;
+    return touchAt(pointMm, z, edges).heightMm > z;
+}
+
+Peak LiveTooth::lastPeakAt(glm::dvec2 lattice) const noexcept
+{
+    if (m_peak.i < 0)
+        return {};
+    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    const float top = m_tooth.top[grid().index(m_peak.i, m_peak.j)];
+    return {valueOver<Side::Above>(top, m_peak.i, dy2Of(m_peak.j, head), head), m_peak.i, m_peak.j};
+}
+
 Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     const float spread = kSpikeShare * static_cast<float>(grid().cellMm);
     Search wanted{-drilling::BurMask::kAbsent, spread, static_cast<float>(enough)};
-    if (m_peak.i >= 0) {  // the bur has moved by a fraction of a cell: mostly it is still near the highest
-        const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-        m_peak.value = valueOver<Side::Above>(m_tooth.top[grid().index(m_peak.i, m_peak.j)], m_peak.i,
-                                              dy2Of(m_peak.j, head), head);
-        wanted.atLeast = m_peak.value;
-        if (m_peak.value > wanted.enough)
-            return touchOn(m_peak, pointMm);
+    if (const Peak last = lastPeakAt(lattice); last.i >= 0) {
+        wanted.atLeast = last.value;
+        if (last.value > wanted.enough)  // the bur has moved by a fraction of a cell: mostly it is the highest still
+            return {static_cast<double>(last.value), {0.0, 0.0}, {pointMm, static_cast<double>(last.value)}};
     }
     const Peaks peaks = m_kernels.highestAtPoint({m_tooth.top.data(), grid().side, m_blocks.data(), m_blockSide},
                                                  mask(), grid().cellMm, lattice.x, lattice.y, wanted);
@@ -127,17 +177,29 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
     Touch best{static_cast<double>(terrain::kEmptyTop), {0.0, 0.0}, {pointMm, static_cast<double>(terrain::kEmptyTop)}};
     // A column that stands a little lower than another may lie on ground that is higher.
     const float least = highestOf(peaks).value - spread;
+    // Those of one smooth spot, one in each quarter, all lead to the place on it where the bur stands.
+    terrain::ColumnAt spot{};
+    bool isSmooth = false;
     for (const Peak& peak : peaks) {
         if (peak.i < 0 || peak.value < least)
             continue;
-        const Touch touch = touchOn(peak, pointMm);
+        if (isSmooth && std::max(std::abs(peak.i - spot.i), std::abs(peak.j - spot.j)) <= 1)
+            continue;
+        Touch touch{};
+        terrain::ColumnAt node{};
+        if (touchOnBowl(peak, pointMm, touch, node)) {
+            spot = node;
+            isSmooth = true;
+        } else {
+            touch = touchOnFacets(peak, pointMm);
+        }
         if (touch.heightMm > best.heightMm)
             best = touch;
     }
     return best;
 }
 
-Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
+Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexcept
 {
     const std::size_t at = grid().index(peak.i, peak.j);
     const glm::dvec2 node = grid().nodeMm(peak.i, peak.j);
@@ -150,8 +212,6 @@ Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
     Touch best{static_cast<double>(peak.value), slopeTowards(node), {node, top}};
     if (!isWhole(at))
         return best;
-    if (Touch smooth{}; touchOnBowl(peak, pointMm, smooth))
-        return smooth;
     const double cell = grid().cellMm;
     for (const int dj : {-1, 1}) {
         for (const int di : {-1, 1}) {
@@ -180,32 +240,41 @@ Touch LiveTooth::touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept
 
 /// The bur stands where bur and ground have the same slope. From the highest column go there, and from the node that is
 /// nearest to it again: on steep ground the highest column may be some cells to the side.
-bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch) const noexcept
+bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, terrain::ColumnAt& node) const noexcept
 {
     int i = peak.i;
     int j = peak.j;
-    for (int round = 0; round < kBowlRounds; ++round) {
-        Bowl bowl{};
-        if (!bowlAt(i, j, bowl))
-            return false;
-        glm::dvec2 out(0.0);
-        glm::dvec2 slope = bowl.slope;
-        const bool bends = bowl.twist != 0.0 || bowl.bend.x != 0.0 || bowl.bend.y != 0.0;
-        for (int k = 0; k < (bends ? kFootRounds : 1); ++k) {
-            out = footOn(mask(), pointMm, slope) - glm::dvec2(bowl.nodeMm);
-            slope = bowl.slope + bowl.bend * out + glm::dvec2(out.y, out.x) * bowl.twist;
+    if (m_bends[grid().index(i, j)] == 0)
+        return false;
+    Bowl bowl = bowlAt(grid(), m_tooth.top, i, j);
+    glm::dvec2 slope = bowl.slope;
+    glm::dvec2 foot(bowl.nodeMm);
+    for (int round = 0; round < kFootRounds; ++round) {
+        const glm::dvec2 before = foot;
+        foot = footOn(mask(), pointMm, slope);
+        const glm::dvec2 lattice = grid().latticeOf(foot);
+        const bool isElsewhere = std::abs(lattice.x - i) > kOwnCells || std::abs(lattice.y - j) > kOwnCells;
+        if (isElsewhere) {
+            const int nearI = nearestTo(lattice.x);
+            const int nearJ = nearestTo(lattice.y);
+            if (!grid().contains(nearI, nearJ) || m_bends[grid().index(nearI, nearJ)] == 0)
+                return false;
+            i = nearI;
+            j = nearJ;
+            bowl = bowlAt(grid(), m_tooth.top, i, j);
         }
-        const glm::dvec2 foot = glm::dvec2(bowl.nodeMm) + out;
-        const glm::dvec2 nearest = glm::round(grid().latticeOf(foot));
-        if (static_cast<int>(nearest.x) == i && static_cast<int>(nearest.y) == j) {
-            const double ground = bowl.nodeMm.z + glm::dot(bowl.slope, out) + 0.5 * glm::dot(bowl.bend, out * out) +
-                                  bowl.twist * out.x * out.y;
-            const double r = std::min(lengthOf(foot - pointMm), static_cast<double>(mask().radiusMm));
-            touch = {ground - mask().heightAt(r), slope, {foot, ground}};
-            return touch.heightMm >= static_cast<double>(peak.value) - kFloatMm;
-        }
-        i = static_cast<int>(nearest.x);
-        j = static_cast<int>(nearest.y);
+        const glm::dvec2 out = foot - glm::dvec2(bowl.nodeMm);
+        slope = bowl.slope + bowl.bend * out + glm::dvec2(out.y, out.x) * bowl.twist;
+        const glm::dvec2 moved = foot - before;
+        const bool isPlane = bowl.twist == 0.0 && bowl.bend.x == 0.0 && bowl.bend.y == 0.0;
+        if (isElsewhere || (!isPlane && glm::dot(moved, moved) > kFootMm * kFootMm))
+            continue;
+        const double ground = bowl.nodeMm.z + glm::dot(bowl.slope, out) + 0.5 * glm::dot(bowl.bend, out * out) +
+                              bowl.twist * out.x * out.y;
+        const double r = std::min(lengthOf(foot - pointMm), static_cast<double>(mask().radiusMm));
+        touch = {ground - mask().heightAt(r), slope, {foot, ground}};
+        node = {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)};
+        return touch.heightMm >= static_cast<double>(peak.value) - kFloatMm;
     }
     return false;
 }
@@ -258,6 +327,9 @@ Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
 void LiveTooth::lower(int i, int j, float heightMm) noexcept
 {
     const std::size_t index = grid().index(i, j);
+    ++m_revision;
+    if (isWhole(index))
+        noteCut(i, j);
     if (heightMm > m_tooth.bottom[index]) {
         m_tooth.top[index] = heightMm;
         return;

@@ -54,7 +54,13 @@ public:
     [[nodiscard]] double floorMm() const noexcept { return m_floorMm; }
 
     /// Takes another bur in hand: index into drilling::burs().
-    void selectBur(std::size_t index) noexcept { m_bur = index; }
+    void selectBur(std::size_t index) noexcept
+    {
+        m_bur = index;
+        ++m_revision;
+    }
+    /// Another one whenever an answer below may be another.
+    [[nodiscard]] std::uint64_t revision() const noexcept { return m_revision; }
 
     /// C at any point of the tooth frame, and what gives it.
     ///
@@ -64,6 +70,8 @@ public:
     /// the bur that made it.
     /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
     [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, double enough = 1.0e9, Edges edges = Edges::Columns) noexcept;
+    /// Whether touchAt() is higher than `z`.
+    [[nodiscard]] bool isAbove(glm::dvec2 pointMm, double z, Edges edges) noexcept;
     /// C alone.
     [[nodiscard]] double clearanceAt(glm::dvec2 pointMm, double enough = 1.0e9) noexcept
     {
@@ -85,11 +93,15 @@ public:
     [[nodiscard]] std::span<terrain::ColumnAt> columnsRoom() noexcept { return m_columnsRoom; }
 
 private:
+    /// The last highest column as it stands under a bur at a place on the lattice; i < 0 if there is none.
+    [[nodiscard]] Peak lastPeakAt(glm::dvec2 lattice) const noexcept;
     [[nodiscard]] Touch touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept;
-    /// The bur over p carried by the highest of a quarter, and by the surface around it.
-    [[nodiscard]] Touch touchOn(const Peak& peak, glm::dvec2 pointMm) const noexcept;
+    /// The bur over p carried by the highest of a quarter, and by the facets around it.
+    [[nodiscard]] Touch touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexcept;
     /// The same on ground that bends without an edge; false if it does not.
-    [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch) const noexcept;
+    /// @param node  the node that is nearest to where the bur stands
+    [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch,
+                                   terrain::ColumnAt& node) const noexcept;
 
     /// Ground around a node, to the second order.
     struct Bowl
@@ -99,18 +111,22 @@ private:
         glm::dvec2 bend;  ///< of slope.x along x and of slope.y along y, 1 / mm
         double twist;     ///< of slope.x along y, 1 / mm
     };
-    /// False beside an edge, a cut or the end of the tooth.
-    [[nodiscard]] bool bowlAt(int i, int j, Bowl& bowl) const noexcept;
+    [[nodiscard]] static bool bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexcept;
+    /// Of the uncut ground around a node inside the map.
+    [[nodiscard]] static Bowl bowlAt(const terrain::Grid& grid, const std::vector<float>& top, int i, int j) noexcept;
     [[nodiscard]] bool isWhole(std::size_t k) const noexcept;
+    void noteCut(int i, int j) noexcept;
 
     terrain::Tooth m_tooth;
     UprightSides m_sides;
     std::vector<drilling::BurMask> m_masks;
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
+    std::uint64_t m_revision = 0;
     std::vector<terrain::ColumnAt> m_columnsRoom;
     std::vector<float> m_blocks;  ///< highest top of kBlock x kBlock columns as they began
     int m_blockSide = 0;
+    std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each
     Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer
     const Kernels& m_kernels;
 };

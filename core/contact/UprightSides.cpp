@@ -23,6 +23,9 @@ constexpr double kTopSlope = 2.0;
 /// Longest chord: of a bur's radius. Farther apart are the two sides of a corner that it is in.
 constexpr double kChordShare = 0.75;
 
+/// Farther from the axis, in radii, is no node that counts: a radius, half a cell and a chord.
+constexpr double kReachShare = 2.0;
+
 constexpr double kRounding = 1.0e-9;
 
 struct Node
@@ -60,7 +63,7 @@ bool fallsOff(const terrain::ToothAnatomy& anatomy, int i, int j, int di, int dj
 }  // namespace
 
 UprightSides::UprightSides(const terrain::ToothAnatomy& anatomy)
-    : m_blockSide((anatomy.grid.side + kBlock - 1) / kBlock),
+    : m_side(anatomy.grid.side), m_blockSide((anatomy.grid.side + kBlock - 1) / kBlock),
       m_edges(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), 0)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -74,6 +77,25 @@ UprightSides::UprightSides(const terrain::ToothAnatomy& anatomy)
                     std::uint64_t{1} << static_cast<unsigned>(j % kBlock * kBlock + i % kBlock);
         }
     }
+    double widest = 0.0;
+    for (const drilling::Bur& bur : drilling::burs())
+        widest = std::max(widest, bur.headRadiusMm);
+    const auto reach = static_cast<int>(std::ceil(kReachShare * widest / grid.cellMm / kBlock)) + 1;
+    m_hasNear.assign(m_edges.size(), 0);
+    for (int j = 0; j < m_blockSide; ++j)
+        for (int i = 0; i < m_blockSide; ++i)
+            if (m_edges[static_cast<std::size_t>(j * m_blockSide + i)] != 0)
+                for (int nearJ = std::max(0, j - reach); nearJ <= std::min(m_blockSide - 1, j + reach); ++nearJ)
+                    for (int nearI = std::max(0, i - reach); nearI <= std::min(m_blockSide - 1, i + reach); ++nearI)
+                        m_hasNear[static_cast<std::size_t>(nearJ * m_blockSide + nearI)] = 1;
+}
+
+bool UprightSides::isFar(glm::dvec2 lattice) const noexcept
+{
+    // A place outside the map is as near as the block at its edge.
+    const int i = std::clamp(static_cast<int>(lattice.x), 0, m_side - 1) / kBlock;
+    const int j = std::clamp(static_cast<int>(lattice.y), 0, m_side - 1) / kBlock;
+    return m_hasNear[static_cast<std::size_t>(j * m_blockSide + i)] == 0;
 }
 
 /// A node and its neighbours are as they began: beside a cut the columns alone count, or the pocket that a bur made
@@ -92,10 +114,9 @@ bool UprightSides::isUncut(int i, int j, const terrain::Tooth& tooth) const noex
 }
 
 template <class Visit>
-void UprightSides::forEachNear(glm::dvec2 lattice, double cells, const terrain::Tooth& tooth,
-                               Visit&& visit) const noexcept
+void UprightSides::forEachNear(glm::dvec2 lattice, double cells, Visit&& visit) const noexcept
 {
-    const int last = tooth.grid().side - 1;
+    const int last = m_side - 1;
     const int firstI = std::max(0, static_cast<int>(std::ceil(lattice.x - cells)));
     const int lastI = std::min(last, static_cast<int>(std::floor(lattice.x + cells)));
     const int firstJ = std::max(0, static_cast<int>(std::ceil(lattice.y - cells)));
@@ -110,7 +131,7 @@ void UprightSides::forEachNear(glm::dvec2 lattice, double cells, const terrain::
                 if (i < firstI || i > lastI || j < firstJ || j > lastJ)
                     continue;
                 const glm::dvec2 apart = glm::dvec2(i, j) - lattice;
-                if (glm::dot(apart, apart) <= cells * cells && isUncut(i, j, tooth))
+                if (glm::dot(apart, apart) <= cells * cells)
                     visit(i, j);
             }
         }
@@ -127,14 +148,16 @@ Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, con
     const double longest = std::min(kChordCells * cell, kChordShare * radius);
     const double proud = longest * longest / (8.0 * radius);  // of its ends, the middle of a chord
     const glm::dvec2 lattice = grid.latticeOf(pointMm);
+    if (isFar(lattice))
+        return below;
 
     std::array<Node, kMostNodes> nodes;
     std::size_t count = 0;
     double nearest = radius + ahead + proud;
-    forEachNear(lattice, std::sqrt(nearest * nearest + longest * longest) / cell, tooth, [&](int i, int j) {
-        if (count == nodes.size())
-            return;
+    forEachNear(lattice, std::sqrt(nearest * nearest + longest * longest) / cell, [&](int i, int j) {
         const std::size_t k = grid.index(i, j);
+        if (count == nodes.size() || static_cast<double>(tooth.top[k]) <= below.heightMm || !isUncut(i, j, tooth))
+            return;
         const glm::dvec2 place = grid.nodeMm(i, j);
         const double apart = lengthOf(place - pointMm);
         nodes[count++] = {place, static_cast<double>(tooth.top[k]), static_cast<double>(tooth.bottom[k]), apart};

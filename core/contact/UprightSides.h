@@ -37,12 +37,17 @@ private:
 
     [[nodiscard]] bool isUncut(int i, int j, const terrain::Tooth& tooth) const noexcept;
 
-    /// Calls visit(i, j) for every edge node that still stands within `cells` of a place on the lattice.
+    /// Calls visit(i, j) for every edge node within `cells` of a place on the lattice.
     template <class Visit>
-    void forEachNear(glm::dvec2 lattice, double cells, const terrain::Tooth& tooth, Visit&& visit) const noexcept;
+    void forEachNear(glm::dvec2 lattice, double cells, Visit&& visit) const noexcept;
 
+    /// True if no side can be met over a place on the lattice.
+    [[nodiscard]] bool isFar(glm::dvec2 lattice) const noexcept;
+
+    int m_side = 0;
     int m_blockSide = 0;
-    std::vector<std::uint64_t> m_edges;  ///< one bit a node, kBlock x kBlock of them a word, row by row
+    std::vector<std::uint8_t> m_hasNear;  ///< blocks within reach of whose nodes there are edge nodes, 1 each
+    std::vector<std::uint64_t> m_edges;   ///< one bit a node, kBlock x kBlock of them a word, row by row
 };
 
 }  // namespace core::contact

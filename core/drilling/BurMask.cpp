@@ -26,26 +26,6 @@ BurMask::BurMask(const Bur& bur, double cellMm)
     }
 }
 
-double BurMask::standsAt(double slope) const noexcept
-{
-    return flatMm + cornerMm * (slope / std::sqrt(1.0 + slope * slope));
-}
-
-double BurMask::heightAt(double radius) const noexcept
-{
-    const double out = std::max(0.0, radius - flatMm);
-    return cornerMm - std::sqrt(std::max(0.0, cornerMm * cornerMm - out * out));
-}
-
-double BurMask::slopeAt(double radius) const noexcept
-{
-    const double out = radius - flatMm;
-    if (!(out > 0.0))
-        return 0.0;
-    const double down2 = cornerMm * cornerMm - out * out;
-    return down2 > 0.0 ? std::min(kUpright, out / std::sqrt(down2)) : kUpright;
-}
-
 double BurMask::reachAt(double height) const noexcept
 {
     if (height >= cornerMm)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/drilling/Bur.h"
 
@@ -32,11 +34,25 @@ struct BurMask
     BurMask(const Bur& bur, double cellMm);
 
     /// Radius at which the bur stands on a plane that rises by `slope` (>= 0), mm a mm.
-    [[nodiscard]] double standsAt(double slope) const noexcept;
+    [[nodiscard]] double standsAt(double slope) const noexcept
+    {
+        return flatMm + cornerMm * (slope / std::sqrt(1.0 + slope * slope));
+    }
     /// Height of the underside above the tip at a radius up to radiusMm.
-    [[nodiscard]] double heightAt(double radius) const noexcept;
+    [[nodiscard]] double heightAt(double radius) const noexcept
+    {
+        const double out = std::max(0.0, radius - flatMm);
+        return cornerMm - std::sqrt(std::max(0.0, cornerMm * cornerMm - out * out));
+    }
     /// Slope of the underside there; kUpright at the side.
-    [[nodiscard]] double slopeAt(double radius) const noexcept;
+    [[nodiscard]] double slopeAt(double radius) const noexcept
+    {
+        const double out = radius - flatMm;
+        if (!(out > 0.0))
+            return 0.0;
+        const double down2 = cornerMm * cornerMm - out * out;
+        return down2 > 0.0 ? std::min(kUpright, out / std::sqrt(down2)) : kUpright;
+    }
     /// Radius up to which the underside is no higher above the tip than `height` (>= 0): radiusMm from the corner up.
     [[nodiscard]] double reachAt(double height) const noexcept;
     /// Height of the upper side above the tip at a radius up to radiusMm.
