@@ -12,7 +12,8 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 5;          ///< places looked at in a tick; the next tick goes on from there
+constexpr int kMaxSlides = 3;          ///< places looked at in a tick; the next tick goes on from there
+constexpr int kMaxSideSlides = 5;      ///< the same along upright sides, whose planes are forgotten after each move
 constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: it ends inside whatever it would pass through
 /// Farthest that the bur slides in a tick: a bur that slips off a cusp under a hand that presses far into the tooth
 /// takes ten ticks for a millimetre, and the force with it. In mm, and per mm that the hand moved.
@@ -137,7 +138,8 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
     double best = distance2(anchor, device);
     bool metSide = false;
-    for (int looks = 0; looks < kMaxSlides; ++looks) {
+    int most = kMaxSlides;
+    for (int looks = 0; looks < most; ++looks) {
         glm::dvec3 next{0.0};
         if (!planes.nearest(device, next))
             return;
@@ -145,9 +147,9 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         const double length = std::sqrt(glm::dot(move, move));
         if (length < kStillMm)
             return;
-        const double most = std::min(longest, left);
-        if (length > most)
-            next = anchor + move * (most / length);
+        const double reach = std::min(longest, left);
+        if (length > reach)
+            next = anchor + move * (reach / length);
         if (distance2(next, device) >= best)
             return;
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
@@ -157,7 +159,7 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         }
         const glm::dvec2 at(next);
         // A move cut short ends a little inside ground that bends: up onto it, if that is still nearer.
-        if (touch.heightMm > next.z && touch.heightMm - next.z <= kLiftShare * std::min(length, most) &&
+        if (touch.heightMm > next.z && touch.heightMm - next.z <= kLiftShare * std::min(length, reach) &&
             distance2({at, touch.heightMm}, device) < best - kNearerMm2)
             next.z = touch.heightMm;
         if (touch.heightMm > next.z + kRounding) {
@@ -167,7 +169,10 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
                 return;
             }
             planes.add(planeBetween(tooth.mask(), anchor, next, touch));
-            metSide = metSide || touch.isSide();
+            if (touch.isSide()) {
+                metSide = true;
+                most = kMaxSideSlides;
+            }
             continue;
         }
         // Planes that hold the tip off the ground are tangents of a hump that it has left: they cut off what is free.
