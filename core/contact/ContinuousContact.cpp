@@ -53,18 +53,24 @@ HalfSpace tangentAt(glm::dvec2 at, const Touch& touch)
     return through({at, touch.heightMm}, {-touch.slope, 1.0});
 }
 
+/// True if a bur on its way meets a side with its own, not with its rounded end.
+bool isBeside(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& side)
+{
+    return side.onMm.z - std::max(from.z, to.z) >= mask.cornerMm;
+}
+
 /// The plane that keeps a tip at `from`, which is free, out of what it would enter on its straight way to `to`: the
 /// tangent at `to` where the ground is smooth, else where the bur meets the point that carries it.
 HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
+    const auto radiusMm = static_cast<double>(mask.radiusMm);
+    if (touch.isSide() && isBeside(mask, from, to, touch))
+        return {{touch.outwards, 0.0}, glm::dot(glm::dvec2(touch.onMm), touch.outwards) + radiusMm + kSlackMm};
     const HalfSpace tangent = tangentAt(glm::dvec2(to), touch);
     const glm::dvec3 way = to - from;
     const double length = std::sqrt(glm::dot(way, way));
     if (glm::dot(tangent.normal, from) >= tangent.offset - kRounding - kSmoothShare * length)
         return tangent;
-    const auto radiusMm = static_cast<double>(mask.radiusMm);
-    if (touch.isSide() && touch.onMm.z - std::max(from.z, to.z) >= mask.cornerMm)
-        return {{touch.outwards, 0.0}, glm::dot(glm::dvec2(touch.onMm), touch.outwards) + radiusMm + kSlackMm};
     const auto radiusAt = [&](const glm::dvec3& tip) {
         const glm::dvec2 apart = glm::dvec2(tip) - glm::dvec2(touch.onMm);
         return touch.isSide() ? std::max(0.0, glm::dot(apart, touch.outwards)) : std::sqrt(glm::dot(apart, apart));
@@ -153,6 +159,12 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         if (distance2(next, device) >= best)
             return;
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
+        if (edges == Edges::Sides && !touch.isSide() && touch.heightMm > next.z + kRounding) {
+            // Far in, the columns behind a side stand higher than the side, but it is the side that is met first.
+            const Touch side = tooth.sideAt(glm::dvec2(next));
+            if (side.isSide() && isBeside(tooth.mask(), anchor, next, side))
+                touch = side;
+        }
         for (int k = 0; k < kCornerLooks && isRoundCorner(tooth.mask(), anchor, next, touch); ++k) {
             next = anchor + (next - anchor) * kCornerShare;
             touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);

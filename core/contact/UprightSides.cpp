@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,13 +20,19 @@ constexpr double kGentler = 3.0;
 /// Tops of one side differ from node to node by no more than this many cells a cell.
 constexpr double kTopSlope = 2.0;
 
-/// Longest chord: of a bur's radius. Farther apart are the two sides of a corner that it is in.
-constexpr double kChordShare = 0.75;
-
 /// Farther from the axis, in radii, is no node that counts: a radius, half a cell and a chord.
 constexpr double kReachShare = 2.0;
 
 constexpr double kRounding = 1.0e-9;
+
+/// Longest chord: this many cells, and this share of a bur's radius. Farther apart are the two sides of a corner that a
+/// bur is in.
+constexpr double kChordCells = 4.25;
+constexpr double kChordShare = 0.75;
+
+/// A line is fitted to the falls within this many cells, and fits if none of them is farther from it than that.
+constexpr double kFitCells = 5.5;
+constexpr double kFitsCells = 0.75;
 
 struct Node
 {
@@ -35,7 +41,7 @@ struct Node
     double bottom;
     double apart;  ///< from the bur's axis, mm
 };
-constexpr std::size_t kMostNodes = 64;
+constexpr std::size_t kMostNodes = 96;
 
 double lengthOf(glm::dvec2 v)
 {
@@ -62,29 +68,97 @@ bool fallsOff(const terrain::ToothAnatomy& anatomy, int i, int j, int di, int dj
 
 }  // namespace
 
-UprightSides::UprightSides(const terrain::ToothAnatomy& anatomy)
-    : m_side(anatomy.grid.side), m_blockSide((anatomy.grid.side + kBlock - 1) / kBlock),
-      m_edges(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), 0)
+std::vector<UprightSides::Fall> UprightSides::fallsOf(const terrain::ToothAnatomy& anatomy)
 {
+    std::vector<Fall> falls;
     const terrain::Grid& grid = anatomy.grid;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             if (!(anatomy.top[grid.index(i, j)] > anatomy.bottom[grid.index(i, j)]))
                 continue;
-            if (fallsOff(anatomy, i, j, 1, 0) || fallsOff(anatomy, i, j, -1, 0) || fallsOff(anatomy, i, j, 0, 1) ||
-                fallsOff(anatomy, i, j, 0, -1))
-                m_edges[static_cast<std::size_t>(j / kBlock * m_blockSide + i / kBlock)] |=
-                    std::uint64_t{1} << static_cast<unsigned>(j % kBlock * kBlock + i % kBlock);
+            for (const auto& [di, dj] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
+                if (fallsOff(anatomy, i, j, di, dj))
+                    falls.push_back({{i + 0.5 * di, j + 0.5 * dj},
+                                     {di, dj},
+                                     {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)}});
         }
     }
+    return falls;
+}
+
+/// The middle of a fall, moved onto the line through the falls around it that look the same way or to the side (total
+/// least squares), if they lie on one.
+glm::dvec2 UprightSides::straightened(const Fall& fall, const std::vector<Fall>& all,
+                                      const std::vector<std::vector<std::size_t>>& byBlock, int blockSide)
+{
+    const int reach = static_cast<int>(std::ceil(kFitCells / kBlock));
+    const int blockI = fall.high.i / kBlock;
+    const int blockJ = fall.high.j / kBlock;
+    std::vector<glm::dvec2> around;
+    glm::dvec2 mean(0.0);
+    for (int j = std::max(0, blockJ - reach); j <= std::min(blockSide - 1, blockJ + reach); ++j) {
+        for (int i = std::max(0, blockI - reach); i <= std::min(blockSide - 1, blockI + reach); ++i) {
+            for (const std::size_t k : byBlock[static_cast<std::size_t>(j * blockSide + i)]) {
+                const glm::dvec2 apart = all[k].middle - fall.middle;
+                if (glm::dot(apart, apart) > kFitCells * kFitCells || glm::dot(all[k].outwards, fall.outwards) < 0.0)
+                    continue;
+                around.push_back(apart);
+                mean += apart;
+            }
+        }
+    }
+    mean /= static_cast<double>(around.size());
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (const glm::dvec2& place : around) {
+        const glm::dvec2 off = place - mean;
+        xx += off.x * off.x;
+        xy += off.x * off.y;
+        yy += off.y * off.y;
+    }
+    // Along the line: the eigenvector of the larger eigenvalue.
+    const double half = 0.5 * (xx - yy);
+    const double root = std::sqrt(half * half + xy * xy);
+    glm::dvec2 along = half >= 0.0 ? glm::dvec2(half + root, xy) : glm::dvec2(xy, root - half);
+    const double length = lengthOf(along);
+    if (!(length > 0.0))
+        return fall.middle;
+    along /= length;
+    const glm::dvec2 aside(-along.y, along.x);
+    for (const glm::dvec2& place : around)
+        if (std::abs(glm::dot(place - mean, aside)) > kFitsCells)
+            return fall.middle;
+    return fall.middle + aside * glm::dot(mean, aside);
+}
+
+UprightSides::UprightSides(const terrain::ToothAnatomy& anatomy)
+    : m_side(anatomy.grid.side), m_blockSide((anatomy.grid.side + kBlock - 1) / kBlock)
+{
+    const terrain::Grid& grid = anatomy.grid;
+    const std::vector<Fall> falls = fallsOf(anatomy);
+    const auto blocks = static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide);
+    std::vector<std::vector<std::size_t>> byBlock(blocks);
+    for (std::size_t k = 0; k < falls.size(); ++k)
+        byBlock[static_cast<std::size_t>(falls[k].high.j / kBlock * m_blockSide + falls[k].high.i / kBlock)].push_back(
+            k);
+    for (const std::vector<std::size_t>& block : byBlock) {
+        m_first.push_back(static_cast<std::uint32_t>(m_posts.size()));
+        for (const std::size_t k : block) {
+            const glm::dvec2 place = straightened(falls[k], falls, byBlock, m_blockSide);
+            m_posts.push_back({glm::vec2(grid.originMm + grid.cellMm * place), falls[k].high});
+        }
+    }
+    m_first.push_back(static_cast<std::uint32_t>(m_posts.size()));
+
     double widest = 0.0;
     for (const drilling::Bur& bur : drilling::burs())
         widest = std::max(widest, bur.headRadiusMm);
     const auto reach = static_cast<int>(std::ceil(kReachShare * widest / grid.cellMm / kBlock)) + 1;
-    m_hasNear.assign(m_edges.size(), 0);
+    m_hasNear.assign(blocks, 0);
     for (int j = 0; j < m_blockSide; ++j)
         for (int i = 0; i < m_blockSide; ++i)
-            if (m_edges[static_cast<std::size_t>(j * m_blockSide + i)] != 0)
+            if (!byBlock[static_cast<std::size_t>(j * m_blockSide + i)].empty())
                 for (int nearJ = std::max(0, j - reach); nearJ <= std::min(m_blockSide - 1, j + reach); ++nearJ)
                     for (int nearI = std::max(0, i - reach); nearI <= std::min(m_blockSide - 1, i + reach); ++nearI)
                         m_hasNear[static_cast<std::size_t>(nearJ * m_blockSide + nearI)] = 1;
@@ -100,9 +174,11 @@ bool UprightSides::isFar(glm::dvec2 lattice) const noexcept
 
 /// A node and its neighbours are as they began: beside a cut the columns alone count, or the pocket that a bur made
 /// would be narrower than the bur.
-bool UprightSides::isUncut(int i, int j, const terrain::Tooth& tooth) const noexcept
+bool UprightSides::isUncut(terrain::ColumnAt node, const terrain::Tooth& tooth) noexcept
 {
     const terrain::Grid& grid = tooth.grid();
+    const int i = node.i;
+    const int j = node.j;
     for (int atJ = std::max(0, j - 1); atJ <= std::min(grid.side - 1, j + 1); ++atJ) {
         for (int atI = std::max(0, i - 1); atI <= std::min(grid.side - 1, i + 1); ++atI) {
             const std::size_t k = grid.index(atI, atJ);
@@ -113,38 +189,12 @@ bool UprightSides::isUncut(int i, int j, const terrain::Tooth& tooth) const noex
     return true;
 }
 
-template <class Visit>
-void UprightSides::forEachNear(glm::dvec2 lattice, double cells, Visit&& visit) const noexcept
-{
-    const int last = m_side - 1;
-    const int firstI = std::max(0, static_cast<int>(std::ceil(lattice.x - cells)));
-    const int lastI = std::min(last, static_cast<int>(std::floor(lattice.x + cells)));
-    const int firstJ = std::max(0, static_cast<int>(std::ceil(lattice.y - cells)));
-    const int lastJ = std::min(last, static_cast<int>(std::floor(lattice.y + cells)));
-    for (int blockJ = firstJ / kBlock; blockJ <= lastJ / kBlock && firstJ <= lastJ; ++blockJ) {
-        for (int blockI = firstI / kBlock; blockI <= lastI / kBlock && firstI <= lastI; ++blockI) {
-            std::uint64_t edges = m_edges[static_cast<std::size_t>(blockJ * m_blockSide + blockI)];
-            for (; edges != 0; edges &= edges - 1) {
-                const int bit = std::countr_zero(edges);
-                const int i = blockI * kBlock + bit % kBlock;
-                const int j = blockJ * kBlock + bit / kBlock;
-                if (i < firstI || i > lastI || j < firstJ || j > lastJ)
-                    continue;
-                const glm::dvec2 apart = glm::dvec2(i, j) - lattice;
-                if (glm::dot(apart, apart) <= cells * cells)
-                    visit(i, j);
-            }
-        }
-    }
-}
-
 Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
                             const Touch& below) const noexcept
 {
     const terrain::Grid& grid = tooth.grid();
     const double cell = grid.cellMm;
     const auto radius = static_cast<double>(mask.radiusMm);
-    const double ahead = kCellShare * cell;  // of the nodes, the side
     const double longest = std::min(kChordCells * cell, kChordShare * radius);
     const double proud = longest * longest / (8.0 * radius);  // of its ends, the middle of a chord
     const glm::dvec2 lattice = grid.latticeOf(pointMm);
@@ -153,30 +203,42 @@ Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, con
 
     std::array<Node, kMostNodes> nodes;
     std::size_t count = 0;
-    double nearest = radius + ahead + proud;
-    forEachNear(lattice, std::sqrt(nearest * nearest + longest * longest) / cell, [&](int i, int j) {
-        const std::size_t k = grid.index(i, j);
-        if (count == nodes.size() || static_cast<double>(tooth.top[k]) <= below.heightMm || !isUncut(i, j, tooth))
-            return;
-        const glm::dvec2 place = grid.nodeMm(i, j);
-        const double apart = lengthOf(place - pointMm);
-        nodes[count++] = {place, static_cast<double>(tooth.top[k]), static_cast<double>(tooth.bottom[k]), apart};
-        nearest = std::min(nearest, apart);
-    });
+    double nearest = radius + proud;
+    const double farthest = std::sqrt(nearest * nearest + longest * longest);
+    const double cells = farthest / cell + 1.0;  // a post may lie before its node
+    const int firstI = std::clamp(static_cast<int>(lattice.x - cells), 0, m_side - 1) / kBlock;
+    const int lastI = std::clamp(static_cast<int>(lattice.x + cells), 0, m_side - 1) / kBlock;
+    const int firstJ = std::clamp(static_cast<int>(lattice.y - cells), 0, m_side - 1) / kBlock;
+    const int lastJ = std::clamp(static_cast<int>(lattice.y + cells), 0, m_side - 1) / kBlock;
+    for (int j = firstJ; j <= lastJ; ++j) {
+        const std::size_t first = m_first[static_cast<std::size_t>(j * m_blockSide + firstI)];
+        const std::size_t end = m_first[static_cast<std::size_t>(j * m_blockSide + lastI) + 1];
+        for (std::size_t n = first; n < end && count < nodes.size(); ++n) {
+            const Post& post = m_posts[n];
+            const std::size_t k = grid.index(post.high.i, post.high.j);
+            const glm::dvec2 place(post.placeMm);
+            const glm::dvec2 away = place - pointMm;
+            const double apart2 = glm::dot(away, away);
+            if (apart2 > farthest * farthest || static_cast<double>(tooth.top[k]) <= below.heightMm ||
+                !isUncut(post.high, tooth))
+                continue;
+            const double apart = std::sqrt(apart2);
+            nodes[count++] = {place, static_cast<double>(tooth.top[k]), static_cast<double>(tooth.bottom[k]), apart};
+            nearest = std::min(nearest, apart);
+        }
+    }
 
     Touch best = below;
     const auto take = [&](glm::dvec2 foot, double top, double bottom) {
         const glm::dvec2 out = pointMm - foot;
         const double apart = lengthOf(out);
-        const double r = std::max(0.0, apart - ahead);
-        if (!(apart > 0.0) || r > radius)
+        if (!(apart > 0.0) || apart > radius)
             return;
-        const double height = top - mask.heightAt(r);
+        const double height = top - mask.heightAt(apart);
         if (!(height > best.heightMm))
             return;
         const glm::dvec2 outwards = out / apart;
-        best = {
-            height, -outwards * mask.slopeAt(r), {foot + outwards * ahead, top}, outwards, bottom - mask.upperAt(r)};
+        best = {height, -outwards * mask.slopeAt(apart), {foot, top}, outwards, bottom - mask.upperAt(apart)};
     };
     for (std::size_t a = 0; a < count; ++a) {
         const Node& one = nodes[a];

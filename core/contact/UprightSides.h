@@ -15,9 +15,10 @@ namespace core::contact {
 /// The upright sides of uncut ground: the outer rim of a tooth, a step, a wall.
 ///
 /// Columns say of such a side only between which two of them it lies, and a side that runs across the lattice is a
-/// stair: a bur that leans on it drops into every notch. So a node at the edge stands for its cell, half a cell beyond
-/// itself, and neighbouring nodes are joined by the chords that a bur which touches both cannot get behind (the hull of
-/// the nodes within kChordCells). Ground that has been cut is its columns and no more, and so are the sides beside it.
+/// stair: a bur that leans on it drops into every notch. So a side is a chain of points half-way between a high node
+/// and a low one, each moved onto the straight line that fits its neighbours where one does, and joined by chords that
+/// a bur which touches both ends cannot get behind. Ground that has been cut is its columns and no more, and so are the
+/// sides beside it.
 ///
 /// Built with the tooth; afterwards read on the servo thread, without allocation.
 class UprightSides
@@ -32,22 +33,34 @@ public:
 
 private:
     static constexpr int kBlock = 8;
-    static constexpr double kChordCells = 4.25;
-    static constexpr double kCellShare = 0.5;
 
-    [[nodiscard]] bool isUncut(int i, int j, const terrain::Tooth& tooth) const noexcept;
+    /// A point of a side.
+    struct Post
+    {
+        glm::vec2 placeMm;
+        terrain::ColumnAt high;  ///< the node that stands behind it
+    };
 
-    /// Calls visit(i, j) for every edge node within `cells` of a place on the lattice.
-    template <class Visit>
-    void forEachNear(glm::dvec2 lattice, double cells, Visit&& visit) const noexcept;
+    /// The fall of the ground from one node to the next, before it is straightened.
+    struct Fall
+    {
+        glm::dvec2 middle;  ///< lattice
+        glm::dvec2 outwards;
+        terrain::ColumnAt high;
+    };
+    [[nodiscard]] static std::vector<Fall> fallsOf(const terrain::ToothAnatomy& anatomy);
+    [[nodiscard]] static glm::dvec2 straightened(const Fall& fall, const std::vector<Fall>& all,
+                                                 const std::vector<std::vector<std::size_t>>& byBlock, int blockSide);
 
+    [[nodiscard]] static bool isUncut(terrain::ColumnAt node, const terrain::Tooth& tooth) noexcept;
     /// True if no side can be met over a place on the lattice.
     [[nodiscard]] bool isFar(glm::dvec2 lattice) const noexcept;
 
     int m_side = 0;
     int m_blockSide = 0;
-    std::vector<std::uint8_t> m_hasNear;  ///< blocks within reach of whose nodes there are edge nodes, 1 each
-    std::vector<std::uint64_t> m_edges;   ///< one bit a node, kBlock x kBlock of them a word, row by row
+    std::vector<std::uint8_t> m_hasNear;  ///< blocks within reach of whose nodes there are posts, 1 each
+    std::vector<std::uint32_t> m_first;   ///< of a block's posts, and one more at the end
+    std::vector<Post> m_posts;            ///< block by block
 };
 
 }  // namespace core::contact

@@ -72,6 +72,10 @@ private slots:
     void burFitsThePocketItMade();
     void freeBurFollowsTheDevice();
     void burGoesUnderAnOverhang();
+    void theRimOfAToothIsRound_data();
+    void theRimOfAToothIsRound();
+    void theShoulderStopsBeneathAnOverhang();
+    void aPerforationLetsTheBurThroughAndHoldsIt();
     void unknownMethodIsRefused();
 };
 
@@ -372,6 +376,122 @@ void TestContact::burGoesUnderAnOverhang()
         QVERIFY2(before.z > -1.0 || anchor.z < -1.0 || anchor.x < -0.3,
                  qPrintable(QString("tick %1: %2 %3").arg(tick).arg(anchor.x).arg(anchor.z)));
     }
+}
+
+void TestContact::theRimOfAToothIsRound_data()
+{
+    QTest::addColumn<std::size_t>("bur");
+    QTest::addColumn<double>("mmPerS");
+    for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur)
+        for (const double mmPerS : {20.0, 100.0})
+            QTest::addRow("bur %zu, %g mm/s", bur, mmPerS) << bur << mmPerS;
+}
+
+/// A disc of a tooth, 8 mm wide and 3 mm thick: the bur goes round it, pushed in by 0.4 mm, as exactly as along a wall.
+void TestContact::theRimOfAToothIsRound()
+{
+    QFETCH(std::size_t, bur);
+    QFETCH(double, mmPerS);
+    constexpr double kDiscMm = 4.0;
+    constexpr double kCellUm = 70.0;
+    support::Block block;
+    block.bottomMm = -3.0;
+    block.shiftMm = {0.013, -0.022};
+    block.topMm = [](double x, double y) { return std::sqrt(x * x + y * y) < kDiscMm ? 0.0 : std::nan(""); };
+    const auto tooth = live(block);
+    tooth->selectBur(bur);
+    const auto contact = contact::makeContactMethod("continuous").value();
+    const double right = kDiscMm + drilling::burs()[bur].headRadiusMm;
+    contact->restart({right + 0.5, 0.0, -1.0});
+    double sum2 = 0.0;
+    double most = 0.0;
+    double jump = 0.0;
+    int count = 0;
+    glm::dvec3 before(0.0);
+    const int turn = static_cast<int>(2.0 * std::numbers::pi * right / (mmPerS * 0.001));
+    for (int tick = -100; tick < turn; ++tick) {
+        const double angle = 2.0 * std::numbers::pi * std::max(0, tick) / turn;
+        const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
+        const double depth = 0.4 * std::min(1.0, 1.0 + tick / 90.0);
+        const glm::dvec3 level(0.0, 0.0, -1.0);
+        const glm::dvec3 off = contact->update(*tooth, out * (right - depth) + level) - (out * right + level);
+        if (tick >= 0) {
+            const double far = 1000.0 * glm::length(off);
+            sum2 += far * far;
+            most = std::max(most, far);
+            jump = std::max(jump, 2.0 * glm::length(off - before));
+            ++count;
+        }
+        before = off;
+    }
+    const QString told = QString("rms %1 um, most %2 um, jump %3 N").arg(std::sqrt(sum2 / count)).arg(most).arg(jump);
+    // At 100 mm/s the path itself goes on by 0.1 mm a tick, more than a cell, which is 0.2 N.
+    const bool isFast = mmPerS > 50.0;
+    QVERIFY2(std::sqrt(sum2 / count) < 0.5 * kCellUm && most < (isFast ? 100.0 : kCellUm), qPrintable(told));
+    QVERIFY2(jump < (isFast ? 0.2 : 0.1), qPrintable(told));
+}
+
+/// The head of bur 330 pulled up under the edge of a plate: its shoulder meets the plate's bottom, column by column.
+void TestContact::theShoulderStopsBeneathAnOverhang()
+{
+    support::Block block;
+    block.bottomMm = -1.0;
+    block.topMm = [](double x, double) { return x > 0.0 ? 0.0 : std::nan(""); };
+    const auto tooth = live(block);
+    tooth->selectBur(1);
+    const drilling::Bur& bur = drilling::burs()[1];
+    for (const double x : {-0.23, -0.26, -0.30, -0.34}) {
+        const auto contact = contact::makeContactMethod("continuous").value();
+        contact->restart({x, 0.0, -4.0});
+        // The hand holds the bur where it is and pulls it up gently.
+        glm::dvec3 anchor{};
+        for (int tick = 0; tick < 400; ++tick)
+            anchor = contact->update(*tooth, {x, 0.0, std::min(-4.0 + 0.01 * tick, -2.45)});
+        // The plate's edge lies half a cell before its first nodes: so much less is under it.
+        const double highest = -1.0 - bur.upperSideMm(std::min(bur.headRadiusMm, 0.035 - x));
+        QVERIFY2(anchor.z < highest + 0.05 && anchor.z > -2.7,
+                 qPrintable(QString("at %1: %2, may be %3").arg(x).arg(anchor.z).arg(highest)));
+        QVERIFY(anchor.z <= tooth->undersideAt({anchor.x, anchor.y}) + 1.0e-4);
+    }
+}
+
+/// A hole 0.9 mm wide through a plate 1 mm thick: bur 330, 0.8 mm wide, goes through, and its wall holds it.
+void TestContact::aPerforationLetsTheBurThroughAndHoldsIt()
+{
+    constexpr double kHoleMm = 0.45;
+    support::Block block;
+    block.bottomMm = -1.0;
+    const auto tooth = live(block);
+    tooth->selectBur(1);
+    const terrain::Grid& grid = tooth->grid();
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i)
+            if (glm::length(grid.nodeMm(i, j)) < kHoleMm)
+                tooth->lower(i, j, -1.0F);
+    const auto contact = contact::makeContactMethod("continuous").value();
+    contact->restart({0.0, 0.0, 1.0});
+    glm::dvec3 anchor{};
+    for (int tick = 0; tick < 400; ++tick)
+        anchor = contact->update(*tooth, {0.0, 0.0, 1.0 - 0.01 * tick});
+    QVERIFY2(std::abs(anchor.z + 2.99) < 1.0e-6, qPrintable(QString::number(anchor.z)));
+    // Half-way through, with head on both sides of the plate: pushed 0.5 mm to every side.
+    for (int tick = 0; tick < 300; ++tick)
+        anchor = contact->update(*tooth, {0.0, 0.0, std::min(-2.99 + 0.01 * tick, -1.2)});
+    glm::dvec3 before = anchor;
+    for (int tick = 0; tick < 2000; ++tick) {
+        const double angle = 2.0 * std::numbers::pi * tick / 1000.0;
+        const double push = 0.5 * std::min(1.0, tick / 200.0);
+        anchor = contact->update(*tooth, {push * std::cos(angle), push * std::sin(angle), -1.2});
+        const double aside = glm::length(glm::dvec2(anchor));
+        QVERIFY2(aside < kHoleMm - 0.4 + 0.08, qPrintable(QString("tick %1: %2 mm aside").arg(tick).arg(aside)));
+        QVERIFY2(std::isfinite(anchor.z) && std::abs(anchor.z + 1.2) < 0.3, qPrintable(QString::number(anchor.z)));
+        QVERIFY2(2.0 * glm::length(anchor - before) < 0.5, "jump");
+        before = anchor;
+    }
+    // And out again the way it came.
+    for (int tick = 0; tick < 400; ++tick)
+        anchor = contact->update(*tooth, {0.0, 0.0, std::min(-1.2 + 0.01 * tick, 1.0)});
+    QCOMPARE(anchor.z, 1.0);
 }
 
 void TestContact::unknownMethodIsRefused()
