@@ -5,247 +5,295 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <numbers>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "haptics/ServoLoop.h"
-#include "lab/Block.h"
+#include "lab/BandPass.h"
+#include "lab/StabilityScenes.h"
 
 namespace lab {
 namespace {
 
-using core::session::SwapTooth;
-
 constexpr double kTickS = 0.001;
-constexpr double kStillS = 0.6;    ///< at the end of every scene the hand holds still
-constexpr double kWatchedS = 0.5;  ///< of it
-constexpr double kLagMm = 0.3;
-constexpr double kPi = std::numbers::pi;
-
-/// What a hand does in a scene, and on what.
-struct Scene
-{
-    std::string_view name;
-    std::function<double(glm::dvec2)> heightMm;
-    /// Where the hand wants to be at a time, given how far its wish must go into the tooth for a newton, mm.
-    std::function<glm::dvec3(double seconds, double mmPerN)> wanted;
-    double seconds = 2.0;
-    double watchFromS = 1.0;   ///< ripple and jumps count from here
-    glm::dvec3 along{0.0};     ///< the way on which nothing holds the bur; zero: no lag is asked for
-    double throwMmPerS = 0.0;  ///< downwards, at the start
-    bool drill = false;
-    double lostFromS = 1.0e9;  ///< the device is silent from here
-    double lostToS = 1.0e9;
-    bool beginsInside = false;
-    bool mustStayLeft = false;  ///< of x = 0
-};
-
-double flat(glm::dvec2)
-{
-    return 0.0;
-}
-
-/// From `from` to `to` of the seconds evenly from 0 to 1.
-double rise(double seconds, double from, double to)
-{
-    return std::clamp((seconds - from) / (to - from), 0.0, 1.0);
-}
-
-const std::vector<Scene>& scenes()
-{
-    static const std::vector<Scene> all = [] {
-        std::vector<Scene> list;
-        const double slope30 = std::tan(kPi / 6.0);
-        list.push_back({"push", flat, [](double t, double mmPerN) {
-                            return glm::dvec3(0.0, 0.0, 1.0 - rise(t, 0.0, 1.0) * (1.0 + 8.0 * mmPerN));
-                        }});
-        list.push_back({"impact", flat, [](double, double mmPerN) { return glm::dvec3(0.0, 0.0, -2.0 * mmPerN); }});
-        list.back().throwMmPerS = 400.0;
-        list.push_back({"pit", [](glm::dvec2 at) { return -std::max(0.0, 1.0 - std::sqrt(glm::dot(at, at)) * 2.75); },
-                        [](double t, double mmPerN) {
-                            const double turn = 2.0 * kPi * std::min(t, 1.4);
-                            return glm::dvec3(0.2 * std::cos(turn), 0.2 * std::sin(turn),
-                                              1.0 - rise(t, 0.0, 0.4) * (1.0 + 3.0 * mmPerN));
-                        }});
-        list.back().watchFromS = 0.5;
-        list.push_back({"groove", [slope30](glm::dvec2 at) { return slope30 * std::abs(at.x); },
-                        [](double t, double mmPerN) {
-                            return glm::dvec3(0.0, -2.0 + 4.0 * rise(t, 0.4, 1.4),
-                                              0.5 - rise(t, 0.0, 0.4) * (0.5 + 2.0 * mmPerN));
-                        }});
-        list.back().along = {0.0, 1.0, 0.0};
-        list.back().watchFromS = 0.5;
-        list.push_back({"slope", [](glm::dvec2 at) { return 0.5 * at.x; },
-                        [](double t, double mmPerN) {
-                            return glm::dvec3(0.6 * mmPerN, -2.0 + 4.0 * rise(t, 0.4, 1.4),
-                                              0.5 - rise(t, 0.0, 0.4) * (0.5 + 1.2 * mmPerN));
-                        }});
-        list.back().along = {0.0, 1.0, 0.0};
-        list.back().watchFromS = 0.5;
-        list.push_back({"wall", [](glm::dvec2 at) { return at.x > 0.0 ? 1.0 : 0.0; },
-                        [](double t, double mmPerN) {
-                            return glm::dvec3(-1.0 + rise(t, 0.2, 0.6) * (0.5 + 1.5 * mmPerN),
-                                              -1.0 + 2.0 * rise(t, 0.6, 1.4),
-                                              0.5 - rise(t, 0.0, 0.2) * (0.5 + 0.5 * mmPerN));
-                        }});
-        list.back().along = {0.0, 1.0, 0.0};
-        list.push_back({"ridge", [](glm::dvec2 at) { return std::abs(at.x) < 0.075 ? 3.0 : 0.0; },
-                        [](double t, double mmPerN) {
-                            return glm::dvec3(-1.0 + rise(t, 0.2, 1.0) * (0.5 + 3.5 * mmPerN), 0.0, 0.3);
-                        }});
-        list.back().mustStayLeft = true;
-        list.push_back({"step", [](glm::dvec2 at) { return at.x > 0.0 ? 0.2 : 0.0; },
-                        [](double t, double mmPerN) {
-                            return glm::dvec3(-1.5 + 3.0 * rise(t, 0.3, 0.85) - 3.0 * rise(t, 0.85, 1.4), 0.0,
-                                              0.5 - rise(t, 0.0, 0.3) * (0.5 + mmPerN));
-                        }});
-        list.back().along = {1.0, 0.0, 0.0};
-        list.back().watchFromS = 1.45;
-        list.push_back({"brush", flat, [](double t, double mmPerN) {
-                            return glm::dvec3(2.5 * std::sin(2.0 * kPi * 3.0 * std::min(t, 1.4)), 0.0,
-                                              0.5 - rise(t, 0.0, 0.3) * (0.5 + 0.3 * mmPerN));
-                        }});
-        list.back().along = {1.0, 0.0, 0.0};
-        list.back().watchFromS = 0.5;
-        list.push_back({"drill", flat, [](double t, double mmPerN) {
-                            return glm::dvec3(0.0, 0.0, 0.5 - rise(t, 0.0, 0.3) * (0.5 + 2.0 * mmPerN));
-                        }});
-        list.back().drill = true;
-        list.push_back({"dropout", flat, [](double t, double mmPerN) {
-                            return glm::dvec3(0.0, 0.0, 0.5 - rise(t, 0.0, 0.3) * (0.5 + 2.0 * mmPerN));
-                        }});
-        list.back().lostFromS = 0.8;
-        list.back().lostToS = 0.9;
-        list.back().watchFromS = 0.9;
-        list.push_back({"inside", flat, [](double t, double mmPerN) {
-                            return glm::dvec3(
-                                0.0, 0.0, -2.0 + 2.5 * rise(t, 0.4, 0.7) - rise(t, 0.9, 1.2) * (0.5 + 2.0 * mmPerN));
-                        }});
-        list.back().beginsInside = true;
-        return list;
-    }();
-    return all;
-}
-
-/// Root mean square of what of a force lies between 20 and 300 Hz, one pole each.
-class Ripple
-{
-public:
-    void add(const glm::dvec3& forceN, bool counts)
-    {
-        const auto share = [](double hz) { return 2.0 * kPi * hz * kTickS / (1.0 + 2.0 * kPi * hz * kTickS); };
-        m_slow += (forceN - m_slow) * share(20.0);
-        m_fast += ((forceN - m_slow) - m_fast) * share(300.0);
-        if (!counts)
-            return;
-        m_sum2 += glm::dot(m_fast, m_fast);
-        m_count += 1.0;
-    }
-    [[nodiscard]] double rmsN() const { return m_count > 0.0 ? std::sqrt(m_sum2 / m_count) : 0.0; }
-
-private:
-    glm::dvec3 m_slow{0.0};
-    glm::dvec3 m_fast{0.0};
-    double m_sum2 = 0.0;
-    double m_count = 0.0;
-};
+constexpr double kWatchedS = 0.5;  ///< of the time that the hand is still
+constexpr double kSettledMm = 0.05;
+constexpr double kEndS = 0.1;      ///< over which it is averaged where the grip ends
+constexpr double kStaleS = 0.020;  ///< a device with nothing new for this long is gone (HapticDevice.h)
+constexpr double kPressingMm = 0.05;
 
 /// The device of a trial, silent for a while where the scene wants it.
 class TrialDevice final : public haptics::HapticDevice
 {
 public:
-    TrialDevice(const StabilityTrial& trial, const haptics::HandFigures& hand, const glm::dvec3& start)
-        : falcon(trial.falcon, hand, kTickS, 1, start)
+    TrialDevice(const haptics::FalconFigures& figures, const haptics::HandFigures& hand, const glm::dvec3& start)
+        : falcon(figures, hand, kTickS, 1, start)
     {}
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
         haptics::DeviceSample sample = falcon.exchange(forceOnHandN);
-        sample.present = !silent;
+        if (!silent) {
+            m_silentS = 0.0;
+            m_last = sample;
+            return sample;
+        }
+        m_silentS += kTickS;
+        sample = m_last;
+        sample.present = m_silentS <= kStaleS;
         return sample;
     }
 
     haptics::SimulatedFalcon falcon;
     bool silent = false;
+
+private:
+    haptics::DeviceSample m_last;
+    double m_silentS = 0.0;
 };
 
-StabilityResult run(const Scene& scene, const StabilityTrial& trial)
+/// A hand that nothing stops, and what the forces did on its way.
+class GivenPath final : public haptics::HapticDevice
 {
-    haptics::HandFigures hand = trial.hand;
-    hand.tremorMm = 0.0;
-    hand.driftMm = 0.0;
-    const double mmPerN = 1000.0 / hand.stiffnessNPerM;
-    const auto wanted = [&](double t) { return scene.wanted(std::min(t, scene.seconds - kStillS), mmPerN); };
-    glm::dvec3 start = wanted(0.0);
-    if (scene.throwMmPerS > 0.0)
-        start.z = 2.0;
-    TrialDevice device(trial, hand, start);
-    device.falcon.follow(wanted(0.0));
-    device.falcon.push({0.0, 0.0, -scene.throwMmPerS});
+public:
+    haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
+    {
+        const glm::dvec3 at{glm::vec3(next)};  // the servo sees floats
+        givenMj += glm::dot(forceOnHandN, at - m_at);
+        m_at = at;
+        return {glm::vec3(next), true};
+    }
+    glm::dvec3 next{0.0};
+    double givenMj = 0.0;  ///< to the hand
 
-    const auto links = std::make_unique<core::session::ServoLinks>();
-    core::rt::TripleBuffer<core::session::ServoState> states;
-    haptics::ServoLoop servo(device, *core::session::makeServoTick(trial.settings), *links, states,
-                             std::chrono::milliseconds(1));
-    auto tooth = std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(enamelBlock(scene.heightMm)));
-    if (links->commands.tryPush(SwapTooth{tooth.get(), 1, 1, true, 0}))
-        static_cast<void>(tooth.release());
-    static_cast<void>(links->commands.tryPush(core::session::SetBur{0}));
-    static_cast<void>(links->commands.tryPush(core::session::SetDrill{scene.drill}));
+private:
+    glm::dvec3 m_at{0.0};
+};
 
-    StabilityResult result;
-    Ripple ripple;
-    glm::dvec3 low(1.0e9);
-    glm::dvec3 high(-1.0e9);
-    glm::dvec3 forceBefore{0.0};
-    bool crossed = false;
-    bool pushedInside = false;
-    bool beenOut = !scene.beginsInside;
-    const auto ticks = static_cast<int>(scene.seconds / kTickS);
-    for (int tick = 0; tick < ticks; ++tick) {
-        const double t = tick * kTickS;
-        device.falcon.follow(wanted(t));
-        device.silent = t >= scene.lostFromS && t < scene.lostToS;
-        servo.tick(std::chrono::milliseconds(1));
-        for (core::session::ServoEvent event; links->events.tryPop(event);) {
-            // a trial is not recorded
+std::unique_ptr<Contestant> contestantFor(const StabilityScene& scene, const StabilityTrial& trial,
+                                          haptics::HapticDevice& device)
+{
+    return *makeContestant(trial.settings, trial.ceds, device,
+                           std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(scene.anatomy)), scene.drill,
+                           std::chrono::milliseconds(1));
+}
+
+/// A circle that the device is led round.
+struct Circle
+{
+    glm::dvec3 a;
+    glm::dvec3 b;
+    double radiusMm;
+    double hz;
+};
+
+/// Energy that a round of the worst of some circles gives the hand, uJ. The first round is not counted.
+double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial)
+{
+    constexpr double kDownS = 0.1;
+    const glm::dvec3 x(1.0, 0.0, 0.0);
+    const glm::dvec3 y(0.0, 1.0, 0.0);
+    const glm::dvec3 z(0.0, 0.0, 1.0);
+    double worst = -1.0e9;
+    for (const Circle& circle : {Circle{z, x, 0.3, 5.0}, Circle{z, y, 0.4, 2.0}, Circle{x, y, 0.2, 5.0},
+                                 Circle{glm::normalize(x + z), y, 0.3, 2.0}, Circle{z, x, 1.0, 1.0}}) {
+        GivenPath device;
+        const auto at = [&](double t) {
+            const double turn = 2.0 * std::numbers::pi * circle.hz * std::max(0.0, t - kDownS);
+            const double above = 2.0 * std::max(0.0, 1.0 - t / kDownS);
+            return scene.loopsAtMm + circle.radiusMm * (circle.a * std::cos(turn) + circle.b * std::sin(turn)) +
+                   glm::dvec3(0.0, 0.0, above);
+        };
+        device.next = at(0.0);
+        const auto servo = contestantFor(scene, trial, device);
+        const int round = static_cast<int>(std::lround(1.0 / (circle.hz * kTickS)));
+        const int first = static_cast<int>(std::lround(kDownS / kTickS)) + round;
+        double before = 0.0;
+        for (int tick = 0; tick <= first + round; ++tick) {
+            device.next = at(tick * kTickS);
+            servo->tick();
+            if (tick == first)
+                before = device.givenMj;
         }
-        for (core::session::TilePatch patch; links->patches.tryPop(patch);) {
-            // nor looked at
-        }
-        const core::session::ServoState& state = servo.state();
-        const bool counts = t >= scene.watchFromS;
-        ripple.add(state.forceN, counts);
-        const glm::dvec3 change = state.forceN - forceBefore;
-        forceBefore = state.forceN;
-        if (counts)
-            result.jumpN = std::max(result.jumpN, std::sqrt(glm::dot(change, change)));
-        beenOut = beenOut || device.falcon.tipMm().z > 0.0;
-        pushedInside = pushedInside || (!beenOut && glm::dot(state.forceN, state.forceN) > 0.0);
-        crossed = crossed || (scene.mustStayLeft && state.anchorMm.x > 0.0);
-        if (t >= scene.seconds - kWatchedS) {
-            low = glm::min(low, device.falcon.tipMm());
-            high = glm::max(high, device.falcon.tipMm());
+        worst = std::max(worst, 1000.0 * (device.givenMj - before));
+    }
+    return worst;
+}
+
+/// Adds up what a held trial shows, tick by tick.
+class Watch
+{
+public:
+    Watch(const StabilityScene& scene, std::size_t ticks) : m_scene(scene), m_band(kTickS) { m_grip.reserve(ticks); }
+
+    void add(double t, const core::session::ServoState& state, const glm::dvec3& grip)
+    {
+        const bool resting = t >= m_scene.seconds - kWatchedS;
+        const bool steady =
+            resting || std::any_of(m_scene.steadyS.begin(), m_scene.steadyS.end(),
+                                   [t](const auto& span) { return t >= span.first && t < span.second; });
+        const glm::dvec3 tremble = m_band(state.forceN);
+        const double force = glm::length(state.forceN);
+        m_finite = m_finite && std::isfinite(force + glm::length(state.anchorMm));
+        result.mostN = std::max(result.mostN, force);
+        if (!m_grip.empty())
+            result.mmPerS = std::max(result.mmPerS, glm::length(grip - m_grip.back()) / kTickS);
+        if (t >= m_scene.jumpsFromS && t < m_scene.jumpsToS && grip.z > m_scene.jumpsAboveMm)
+            result.jumpN = std::max(result.jumpN, glm::length(state.forceN - m_forceN));
+        m_forceN = state.forceN;
+        m_grip.push_back(grip);
+
+        if (state.touching && m_firstTouchS < 0.0)
+            m_firstTouchS = t;
+        if (m_touching && !state.touching)
+            ++result.bounces;
+        m_touching = state.touching;
+
+        m_beenOut = m_beenOut || grip.z > 0.0;
+        m_crossed = m_crossed || (m_scene.mustStayLeft && state.anchorMm.x > 0.0) ||
+                    (m_scene.beginsInside && !m_beenOut && force > 0.0);
+        m_pushedLate = m_pushedLate || (t >= m_scene.silentFromS + kStaleS + kTickS &&
+                                        t < m_scene.silentFromS + m_scene.silentForS && force > 0.0);
+        if (!steady)
+            return;
+        ++m_steadyTicks;
+        m_ripple2 += glm::dot(tremble, tremble);
+        result.lagMm = std::max(result.lagMm, std::abs(glm::dot(state.anchorMm - state.deviceMm, m_scene.along)));
+        const glm::dvec3 stretch = state.anchorMm - state.deviceMm;
+        if (m_scene.exact && glm::length(stretch) > kPressingMm) {
+            const glm::dvec3 off = state.anchorMm - m_scene.exact(state.deviceMm);
+            m_error2 += glm::dot(off, off);
         }
     }
-    const glm::dvec3 swing = high - low;
-    result.swingMm = std::max({swing.x, swing.y, scene.drill ? 0.0 : swing.z});
-    result.rippleN = ripple.rmsN();
-    result.lagMm = std::abs(glm::dot(servo.state().anchorMm - device.falcon.tipMm(), scene.along));
-    if (crossed || pushedInside)
-        result.outcome = Outcome::Crosses;
-    else if (result.swingMm > kLostMm)
-        result.outcome = Outcome::Diverges;
-    else if (result.swingMm > kSwingMm)
-        result.outcome = Outcome::LimitCycle;
-    else if (result.lagMm > kLagMm)
-        result.outcome = Outcome::Sticks;
-    else if (result.rippleN > kBuzzN)
-        result.outcome = Outcome::Buzzes;
-    return result;
+
+    StabilityResult done()
+    {
+        if (m_steadyTicks > 0) {
+            result.rippleN = std::sqrt(m_ripple2 / m_steadyTicks);
+            result.errorMm = std::sqrt(m_error2 / m_steadyTicks);
+        }
+        glm::dvec3 low(1.0e9);
+        glm::dvec3 high(-1.0e9);
+        const auto from = [&](double s) { return m_grip.end() - static_cast<std::ptrdiff_t>(std::lround(s / kTickS)); };
+        for (auto grip = from(kWatchedS); grip != m_grip.end(); ++grip) {
+            low = glm::min(low, *grip);
+            high = glm::max(high, *grip);
+        }
+        const glm::dvec3 swing = high - low;
+        result.swingMm = std::max({swing.x, swing.y, m_scene.drill ? 0.0 : swing.z});
+        if (!m_scene.drill)
+            settle(from(kEndS), m_grip.end());
+        judge();
+        return result;
+    }
+
+    StabilityResult result;
+
+private:
+    template <class Iterator>
+    void settle(Iterator begin, Iterator end)
+    {
+        glm::dvec3 rest(0.0);
+        for (auto grip = begin; grip != end; ++grip)
+            rest += *grip;
+        rest /= static_cast<double>(end - begin);
+        const double startS = m_scene.number == 2 ? std::max(0.0, m_firstTouchS) : m_scene.seconds - kStillS;
+        std::size_t last = m_grip.size();
+        while (last > 0 && glm::length(m_grip[last - 1] - rest) <= kSettledMm)
+            --last;
+        result.settleS = std::max(0.0, static_cast<double>(last) * kTickS - startS);
+    }
+
+    void judge()
+    {
+        const StabilityBars& bars = m_scene.bars;
+        if (m_crossed || !m_finite)
+            result.outcome = Outcome::Crosses;
+        else if (result.swingMm > kLostMm)
+            result.outcome = Outcome::Diverges;
+        else if (result.swingMm > kSwingMm)
+            result.outcome = Outcome::LimitCycle;
+        else if (result.lagMm > kLagMm)
+            result.outcome = Outcome::Sticks;
+        else if (result.rippleN > bars.buzzN)
+            result.outcome = Outcome::Buzzes;
+        const std::pair<bool, std::string_view> misses[] = {
+            {m_pushedLate, "force after loss"},         {result.rippleN > bars.rippleN, "ripple"},
+            {result.jumpN > bars.jumpN, "jump"},        {result.lagMm > bars.lagMm, "lag"},
+            {result.errorMm > bars.errorMm, "error"},   {result.settleS > bars.settleS, "settling"},
+            {result.bounces > bars.bounces, "bounces"}, {result.depthMm > bars.depthMm, "depth"},
+            {result.mostN > bars.mostN, "force"},       {result.mmPerS > bars.mmPerS, "speed"},
+        };
+        for (const auto& [missed, name] : misses)
+            if (missed && result.missed.empty())
+                result.missed = name;
+    }
+
+    const StabilityScene& m_scene;
+    BandPass m_band;
+    std::vector<glm::dvec3> m_grip;
+    glm::dvec3 m_forceN{0.0};
+    double m_ripple2 = 0.0;
+    double m_error2 = 0.0;
+    int m_steadyTicks = 0;
+    double m_firstTouchS = -1.0;
+    bool m_touching = false;
+    bool m_beenOut = false;
+    bool m_crossed = false;
+    bool m_pushedLate = false;
+    bool m_finite = true;
+};
+
+/// Deepest that was removed of a column that still stands, mm.
+double deepestMm(const core::terrain::Tooth& tooth)
+{
+    double deepest = 0.0;
+    for (std::size_t k = 0; k < tooth.top.size(); ++k)
+        if (tooth.isSolid(k))
+            deepest = std::max(deepest, static_cast<double>(tooth.anatomy->top[k]) - static_cast<double>(tooth.top[k]));
+    return deepest;
+}
+
+StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
+{
+    haptics::FalconFigures figures = trial.falcon;
+    figures.countShare *= scene.countShare;
+    if (scene.withoutDryFriction)
+        figures.coulombN = 0.0;
+    if (scene.jitterS >= 0.0)
+        figures.delayJitterS = scene.jitterS;
+    haptics::HandFigures hand = trial.hand;
+    if (!scene.trembling) {
+        hand.tremorMm = 0.0;
+        hand.driftMm = 0.0;
+    }
+    const double mmPerN = 1000.0 / hand.stiffnessNPerM;
+    const auto wanted = [&](double t) { return scene.wanted(std::min(t, scene.seconds - kStillS), mmPerN); };
+    const glm::dvec3 start = scene.startMm == glm::dvec3(0.0) ? wanted(0.0) : scene.startMm;
+    TrialDevice device(figures, hand, start);
+    device.falcon.follow(wanted(0.0));
+    device.falcon.push(scene.throwMmPerS);
+    const auto servo = contestantFor(scene, trial, device);
+
+    const auto ticks = static_cast<int>(std::lround(scene.seconds / kTickS));
+    Watch watch(scene, static_cast<std::size_t>(ticks));
+    for (int tick = 0; tick < ticks; ++tick) {
+        const double t = tick * kTickS;
+        const bool led = t >= scene.homeAtS && t < scene.grabAtS;
+        device.falcon.follow(led ? device.falcon.tipMm() : wanted(t));
+        device.silent = t >= scene.silentFromS && t < scene.silentFromS + scene.silentForS;
+        const auto isNow = [t](double s) { return t < s + 0.5 * kTickS && t >= s - 0.5 * kTickS; };
+        if (isNow(scene.homeAtS))
+            servo->bringHome();
+        if (isNow(scene.swapAtS))
+            servo->swapTooth(
+                std::make_unique<core::contact::LiveTooth>(core::terrain::restored(scene.anatomy, scene.swapTop)));
+        servo->tick();
+        watch.add(t, servo->state(), device.falcon.tipMm());
+    }
+    watch.result.depthMm = deepestMm(servo->tooth().tooth());
+    return watch.done();
 }
 
 }  // namespace
@@ -256,11 +304,22 @@ std::string_view nameOf(Outcome outcome)
     return kNames[static_cast<std::size_t>(outcome)];
 }
 
+std::span<const StabilitySceneName> stabilityScenesAndBars()
+{
+    static const std::vector<StabilitySceneName> list = [] {
+        std::vector<StabilitySceneName> made;
+        for (const StabilityScene& scene : stabilityScenesInFull())
+            made.push_back({scene.number, scene.name, scene.bars});
+        return made;
+    }();
+    return list;
+}
+
 std::span<const std::string_view> stabilityScenes()
 {
     static const std::vector<std::string_view> names = [] {
         std::vector<std::string_view> list;
-        for (const Scene& scene : scenes())
+        for (const StabilityScene& scene : stabilityScenesInFull())
             list.push_back(scene.name);
         return list;
     }();
@@ -269,14 +328,21 @@ std::span<const std::string_view> stabilityScenes()
 
 core::Result<StabilityResult> tryStability(std::string_view scene, const StabilityTrial& trial)
 {
-    if (const auto sound = core::session::makeServoTick(trial.settings); !sound)
+    if (const core::Status sound = checkContestant(trial.settings); !sound)
         return tl::unexpected(sound.error());
+    const std::vector<StabilityScene>& all = stabilityScenesInFull();
     const auto found =
-        std::find_if(scenes().begin(), scenes().end(), [&](const Scene& known) { return known.name == scene; });
-    if (found == scenes().end())
+        std::find_if(all.begin(), all.end(), [&](const StabilityScene& known) { return known.name == scene; });
+    if (found == all.end())
         return core::unexpected(core::ErrorCode::UnknownName,
                                 "There is no stability scene '" + std::string(scene) + "'.");
-    return run(*found, trial);
+    if (!found->loops)
+        return run(*found, trial);
+    StabilityResult result;
+    result.leakUj = worstLeakUj(*found, trial);
+    if (!(result.leakUj <= kLeakUj))
+        result.outcome = Outcome::Diverges;
+    return result;
 }
 
 }  // namespace lab

@@ -21,28 +21,43 @@ constexpr double kTrialS = 2.0;
 constexpr double kWatchedS = 0.5;
 constexpr double kRestMm = 0.15;
 
-/// One trial: does the grip come to rest? Settings must have been checked.
-bool comesToRest(core::contact::LiveTooth& tooth, const ClosedLoop& loop)
+/// A Falcon that does not measure its delay.
+class SilentFalcon final : public haptics::HapticDevice
 {
-    const auto servo = *core::session::makeServoTick(loop.settings);
-    servo->swapTooth(&tooth, true);
+public:
+    SilentFalcon(const ClosedLoop& loop, const haptics::HandFigures& hand, const glm::dvec3& start)
+        : falcon(loop.falcon, hand, 1.0 / loop.rateHz, 1, start)
+    {}
+    haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
+    {
+        haptics::DeviceSample sample = falcon.exchange(forceOnHandN);
+        sample.delayS = 0.0F;
+        return sample;
+    }
+    haptics::SimulatedFalcon falcon;
+};
+
+/// One trial: does the grip come to rest? Settings must have been checked.
+bool comesToRest(const core::terrain::Tooth& flat, const ClosedLoop& loop)
+{
     haptics::HandFigures hand = loop.hand;
     hand.tremorMm = 0.0;
     hand.driftMm = 0.0;
-    haptics::SimulatedFalcon falcon(loop.falcon, hand, 1.0 / loop.rateHz, 1, {0.0, 0.0, kHeightMm});
-    falcon.follow({0.0, 0.0, -1000.0 * kPushN / hand.stiffnessNPerM});
-    falcon.push({0.0, 0.0, -kThrowMmPerS});
-    const std::chrono::microseconds period(std::llround(1.0e6 / loop.rateHz));
+    SilentFalcon device(loop, hand, {0.0, 0.0, kHeightMm});
+    device.falcon.follow({0.0, 0.0, -1000.0 * kPushN / hand.stiffnessNPerM});
+    device.falcon.push({0.0, 0.0, -kThrowMmPerS});
+    const auto servo =
+        *makeContestant(loop.settings, loop.ceds, device, std::make_unique<core::contact::LiveTooth>(flat), false,
+                        std::chrono::microseconds(std::llround(1.0e6 / loop.rateHz)));
     glm::dvec3 low(1.0e9);
     glm::dvec3 high(-1.0e9);
     const auto ticks = static_cast<int>(kTrialS * loop.rateHz);
     const auto unwatched = static_cast<int>((kTrialS - kWatchedS) * loop.rateHz);
     for (int tick = 0; tick < ticks; ++tick) {
-        const haptics::DeviceSample sample = falcon.exchange(servo->state().forceN);
-        servo->step(&sample.tipInToothMm, period);
+        servo->tick();
         if (tick >= unwatched) {
-            low = glm::min(low, falcon.tipMm());
-            high = glm::max(high, falcon.tipMm());
+            low = glm::min(low, device.falcon.tipMm());
+            high = glm::max(high, device.falcon.tipMm());
         }
     }
     return glm::all(glm::lessThan(high - low, glm::dvec3(kRestMm)));
@@ -52,13 +67,13 @@ bool comesToRest(core::contact::LiveTooth& tooth, const ClosedLoop& loop)
 
 core::Result<double> stiffnessLimit(const ClosedLoop& loop)
 {
-    if (const auto sound = core::session::makeServoTick(loop.settings); !sound)
+    if (const core::Status sound = checkContestant(loop.settings); !sound)
         return tl::unexpected(sound.error());
-    core::contact::LiveTooth tooth{core::terrain::Tooth(enamelBlock([](glm::dvec2) { return 0.0; }))};
+    const core::terrain::Tooth flat(enamelBlock([](glm::dvec2) { return 0.0; }));
     ClosedLoop tried = loop;
     const auto holdsAt = [&](double nPerMm) {
         tried.settings.force.stiffnessNPerMm = nPerMm;
-        return comesToRest(tooth, tried);
+        return comesToRest(flat, tried);
     };
     // Upwards first: the lattice method comes to rest again at stiffnesses far above the first that fails.
     double holds = 0.0;

@@ -3,16 +3,18 @@
 
 #include "core/session/ServoTick.h"
 #include "haptics/simulated/SimulatedFalcon.h"
+#include "lab/Contestant.h"
 
 namespace lab {
 
 /// A servo, a device and a hand that act on each other.
 struct ClosedLoop
 {
-    core::session::ServoSettings settings;  ///< contact method by name
+    core::session::ServoSettings settings;  ///< contact method by name: one of contestants()
     haptics::FalconFigures falcon;
     haptics::HandFigures hand = haptics::kHands[1];
     double rateHz = 1000.0;
+    CedsFigures ceds;  ///< of method kCeds2011
 };
 
 inline constexpr double kSoftestNPerMm = 0.1;
@@ -24,7 +26,7 @@ inline constexpr double kStiffestNPerMm = 20.0;
 ///
 /// As haptics.md 2.2: the hand throws the bur at the tooth with 50 mm/s from 2 mm above and leans on it with 2 N; at
 /// rest is a grip that moves less than 0.15 mm from peak to peak along every axis in the last 0.5 s of 2 s. The drill
-/// is off, and the hand neither trembles nor drifts.
+/// is off, and the hand neither trembles nor drifts. The device does not tell its delay: no loop softens its spring.
 [[nodiscard]] core::Result<double> stiffnessLimit(const ClosedLoop& loop);
 
 }  // namespace lab

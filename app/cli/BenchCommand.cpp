@@ -27,13 +27,15 @@ struct Suite
 
 constexpr Suite kSuites[] = {
     {"volume", "volume of solids at grid 150 against closed form", bench::volumeSuite, 1.0},
-    {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite, 2.0},
-    {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite, 8.0},
-    {"contact", "error of each contact method against exact positions", bench::contactSuite, 40.0},
-    {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 30.0},
-    {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 10.0},
-    {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 35.0},
-    {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 15.0},
+    {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite, 1.0},
+    {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite, 7.0},
+    {"contact", "error of each contact method against exact positions", bench::contactSuite, 30.0},
+    {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 20.0},
+    {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 20.0},
+    {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 155.0},
+    {"cutting", "volume of swept cuts against closed form, by grid", bench::cuttingSuite, 16.0},
+    {"model", "height stack and dense voxels: size, time, volume", bench::modelSuite, 10.0},
+    {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };
 
 double secondsOf(const Suite& suite, const bench::Context& context)

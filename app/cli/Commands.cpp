@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include <QApplication>
@@ -33,13 +34,23 @@ int unknownCommand(const QString& name)
     return wrongUsage(QStringLiteral("cusp has no command \"%1\"; \"cusp help\" lists those there are").arg(name));
 }
 
+/// What Qt has to say about the desktop while it starts is no matter of a command's, unless it gives up.
+void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
+{
+    if (type == QtFatalMsg)
+        std::_Exit(failed({core::ErrorCode::FileUnreadable, "Charts cannot be drawn: " + text.toStdString()}));
+}
+
 /// Charts want Qt's widgets, but no screen, and shall look the same whatever the screen is like.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, bool draws)
 {
     if (!draws)
         return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    return std::make_unique<QApplication>(argc, argv);
+    const QtMessageHandler handler = qInstallMessageHandler(hearQtStart);
+    auto application = std::make_unique<QApplication>(argc, argv);
+    qInstallMessageHandler(handler);
+    return application;
 }
 
 int printHelp()

@@ -15,10 +15,12 @@ Result<std::unique_ptr<ContactMethod>> makeContactMethod(std::string_view name)
         return std::make_unique<ContinuousContact>();
     if (name == "lattice")
         return std::make_unique<LatticeContact>();
+    if (name == "lattice16")
+        return std::make_unique<LatticeContact>(16);
     if (name == "penalty")
         return std::make_unique<PenaltyContact>();
     return unexpected(ErrorCode::UnknownName, "There is no contact method '" + std::string(name) +
-                                                  "'; choose one of continuous, lattice, penalty.");
+                                                  "'; choose one of continuous, lattice, lattice16, penalty.");
 }
 
 }  // namespace core::contact

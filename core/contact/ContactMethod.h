@@ -42,11 +42,12 @@ public:
     virtual void restart(const glm::dvec3& device) noexcept = 0;
 };
 
-/// "penalty", "lattice" or "continuous"; UnknownName otherwise.
+/// "penalty", "lattice", "lattice16" or "continuous"; UnknownName otherwise.
 ///
 /// penalty     no memory: the force acts along the surface normal under the device, by the depth along it.
-/// lattice     CEDS 2011: the anchor walks on lattice points, one step a tick, to the free one of 27 nearest the
-/// device. continuous  design section 2: two-dimensional search for the nearest free point over the clearance field.
+/// lattice     CEDS 2011: the anchor walks on lattice points, one of 26 steps a tick, to the free one nearest to hand.
+/// lattice16   the same with up to sixteen steps a tick.
+/// continuous  design section 2: search for the nearest free point over the clearance field.
 [[nodiscard]] Result<std::unique_ptr<ContactMethod>> makeContactMethod(std::string_view name);
 
 }  // namespace core::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/LatticeContact.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -70,9 +71,18 @@ glm::dvec3 LatticeContact::update(LiveTooth& tooth, const glm::dvec3& device) no
             m_anchor.z += m_cellMm;
         m_mayBeInside = false;
     }
-    const bool fromAbove = m_anchor.z >= tooth.clearanceAt(glm::dvec2(m_anchor), m_anchor.z + kRounding) - kRounding;
-    m_anchor = nearestNeighbour(m_anchor, m_cellMm, device,
-                                [&](const glm::dvec3& place) { return isFree(tooth, place, fromAbove); });
+    for (int step = 0; step < m_steps; ++step) {
+        const bool fromAbove =
+            m_anchor.z >= tooth.clearanceAt(glm::dvec2(m_anchor), m_anchor.z + kRounding) - kRounding;
+        const glm::dvec3 next = nearestNeighbour(
+            m_anchor, m_cellMm, device, [&](const glm::dvec3& place) { return isFree(tooth, place, fromAbove); });
+        if (next == m_anchor)
+            break;
+        m_anchor = next;
+    }
+    const glm::dvec3 apart = glm::abs(device - m_anchor);
+    if (std::max({apart.x, apart.y, apart.z}) <= 0.5 * m_cellMm + kRounding && isFree(tooth, device, false))
+        return device;
     return m_anchor;
 }
 

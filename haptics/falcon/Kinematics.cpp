@@ -73,9 +73,10 @@ std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& n
     return std::nullopt;
 }
 
-glm::dvec3 roundedToCounts(const glm::dvec3& angleRad) noexcept
+glm::dvec3 roundedToCounts(const glm::dvec3& angleRad, double share) noexcept
 {
-    return kHomeRad + glm::round((angleRad - kHomeRad) / kCountRad) * kCountRad;
+    const double count = share * kCountRad;
+    return kHomeRad + glm::round((angleRad - kHomeRad) / count) * count;
 }
 
 }  // namespace haptics::falcon

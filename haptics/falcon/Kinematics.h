@@ -50,6 +50,7 @@ struct Arms
 inline constexpr double kCountRad = 2.0 * std::numbers::pi / (320.0 * 4.0 * 110.0 / 14.25);
 
 /// The nearest angles that the encoders can tell; they count from 35 degrees.
-[[nodiscard]] glm::dvec3 roundedToCounts(const glm::dvec3& angleRad) noexcept;
+/// @param share  of a count, for encoders finer or coarser than the device's
+[[nodiscard]] glm::dvec3 roundedToCounts(const glm::dvec3& angleRad, double share = 1.0) noexcept;
 
 }  // namespace haptics::falcon

@@ -97,8 +97,11 @@ void SimulatedFalcon::step(const glm::dvec3& reference, const glm::dvec3& refere
 
 DeviceSample SimulatedFalcon::read() noexcept
 {
-    if (const auto arms = falcon::armsAt(falcon::deviceFromTooth(tipMm())))
-        if (const auto grip = falcon::gripAt(falcon::roundedToCounts(arms->angleRad), m_readMm))
+    const glm::dvec3 at = falcon::deviceFromTooth(tipMm());
+    if (!(m_falcon.countShare > 0.0))
+        m_readMm = at;
+    else if (const auto arms = falcon::armsAt(at))
+        if (const auto grip = falcon::gripAt(falcon::roundedToCounts(arms->angleRad, m_falcon.countShare), m_readMm))
             m_readMm = *grip;
     return {glm::vec3(falcon::toothFromDevice(m_readMm)), true};
 }

@@ -21,6 +21,7 @@ struct FalconFigures
     double forceLimitN = 8.9;     ///< largest force, its direction kept; the vendor's 2 lbf [K]
     double delayS = 0.001;        ///< from a sample to its force at the motor, computing apart [A]
     double delayJitterS = 0.001;  ///< on top of it, uniform, drawn anew for every force; none overtakes another [A]
+    double countShare = 1.0;      ///< step of the encoders, in those of the real device; 0 reads exactly
 };
 
 /// A hand at the grip: a mass that moves with it, spring and damper to where the hand wants to be (haptics.md section

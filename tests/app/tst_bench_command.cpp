@@ -3,8 +3,10 @@
 
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -24,6 +26,11 @@ private slots:
     void everySuiteHasItsOwnFiles();
     void meshesAreLoadedToo();
     void badMeshesAndSuitesAreRefused();
+    void chartsShowWhatTheFiguresSay();
+    void progressTellsHowFarItIs();
+    void aFolderThatCannotBeWrittenIsRefused();
+    void noDisplayIsNeeded();
+    void whatIsDoneSurvivesAnInterruption();
 
 private:
     QTemporaryDir m_folder;
@@ -81,6 +88,93 @@ void TestBenchCommand::badMeshesAndSuitesAreRefused()
     QVERIFY2(missing.error.contains("cusp: /nowhere/a.obj does not exist"), missing.error);
     QCOMPARE(runCusp({"bench", "everything"}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--minutes", "soon"}).exitCode, 2);
+}
+
+void TestBenchCommand::chartsShowWhatTheFiguresSay()
+{
+    const QString out = m_folder.filePath("charts");
+    const Ending ending = runCusp({"bench", "cutting", "--out", out, "--json"});
+    QVERIFY2(ending.exitCode == 0, ending.error);
+    QCOMPARE(QDir(out).entryList(QDir::Files),
+             (QStringList{"bench-cutting.csv", "bench-cutting.json", "bench-cutting.png", "bench-cutting.svg"}));
+    for (const char* name : {"bench-cutting.csv", "bench-cutting.json", "bench-cutting.png", "bench-cutting.svg"})
+        QVERIFY2(ending.error.contains(name), ending.error);
+    const QImage png(out + "/bench-cutting.png");
+    QCOMPARE(png.size(), QSize(1600, 1000));
+    const auto contents = [&](const char* name) {
+        QFile file(out + "/" + name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray svg = contents("bench-cutting.svg");
+    const QByteArray csv = contents("bench-cutting.csv");
+    const QJsonObject all = QJsonDocument::fromJson(contents("bench-cutting.json")).object();
+    QCOMPARE(all["charts"].toArray(), (QJsonArray{"cutting"}));
+    for (const char* key : {"processor", "date", "version", "compiler", "build_type", "kernels"}) {
+        QVERIFY2(!all[key].toString().isEmpty(), key);
+        QVERIFY2(svg.contains(all[key].toString().toHtmlEscaped().toUtf8()), key);
+    }
+    // A bur's point is the worst of its three sweeps.
+    const QJsonObject figures = ending.json();
+    for (const char* bur : {"2", "330", "245", "57"})
+        for (const int grid : {75, 150, 300, 600}) {
+            double worst = 0.0;
+            for (const char* sweep : {"trench", "arc", "plunge"}) {
+                const QString key = QString("cutting_%1_%2_grid_%3_worst_percent").arg(sweep).arg(bur).arg(grid);
+                QVERIFY2(figures.contains(key), qPrintable(key));
+                QVERIFY2(csv.contains(key.toUtf8() + ","), qPrintable(key));
+                worst = std::max(worst, figures[key].toDouble());
+            }
+            const QByteArray note = ">" + QByteArray::number(worst, 'g', 2) + "</text>";
+            QVERIFY2(svg.contains(note), note);
+        }
+}
+
+void TestBenchCommand::progressTellsHowFarItIs()
+{
+    const Ending ending = runCusp({"bench", "load"});
+    QCOMPARE(ending.exitCode, 0);
+    static const QRegularExpression line("^load: tooth 21 \\(1 of 3; 0:00 gone, about \\d+:\\d\\d left\\)\n");
+    QVERIFY2(line.match(QString::fromUtf8(ending.error)).hasMatch(), ending.error);
+}
+
+void TestBenchCommand::aFolderThatCannotBeWrittenIsRefused()
+{
+    QFile file(m_folder.filePath("a file"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.close();
+    for (const QString& out : {file.fileName(), file.fileName() + "/in", QString("/proc/cusp")}) {
+        const Ending ending = runCusp({"bench", "volume", "--out", out});
+        QCOMPARE(ending.exitCode, 1);
+        QVERIFY2(ending.isOneSentence() && ending.error.contains(out.toUtf8()), ending.error);
+    }
+}
+
+void TestBenchCommand::noDisplayIsNeeded()
+{
+    // Even where Qt is told to use one that is not there.
+    for (const char* platform : {"QT_QPA_PLATFORM=xcb", "QT_QPA_PLATFORM=wayland", "DISPLAY=:4711"}) {
+        const Ending ending = runCusp({"bench", "volume", "--json"}, {platform});
+        QVERIFY2(ending.exitCode == 0 && !ending.json().isEmpty(), ending.error);
+    }
+}
+
+void TestBenchCommand::whatIsDoneSurvivesAnInterruption()
+{
+    const QString out = m_folder.filePath("interrupted");
+    QProcess cusp;
+    cusp.start(CUSP_BINARY_DIR "/bin/cusp", {"bench", "--out", out});
+    QByteArray told;
+    const auto nextHasBegun = [&] {
+        told += cusp.readAllStandardError();
+        return told.contains("\nload: ");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(nextHasBegun(), 60'000);
+    cusp.terminate();
+    QVERIFY(cusp.waitForFinished());
+    QVERIFY(cusp.exitStatus() == QProcess::CrashExit || cusp.exitCode() != 0);
+    QFile file(out + "/bench-volume.json");
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(QJsonDocument::fromJson(file.readAll()).object()["figures"].toArray().size(), 5);
 }
 
 QTEST_GUILESS_MAIN(TestBenchCommand)

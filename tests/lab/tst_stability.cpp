@@ -34,7 +34,6 @@ private slots:
     void whatWeShipComesToRest_data();
     void whatWeShipComesToRest();
     void penaltyGoesThroughARidge();
-    void penaltySwingsInAPit();
     void aBurThatBeginsInsideIsLeftAlone();
     void theSameTrialTwiceIsTheSame();
     void unknownSceneIsRefused();
@@ -44,8 +43,8 @@ void TestStability::whatWeShipComesToRest_data()
 {
     QTest::addColumn<QString>("scene");
     QTest::addColumn<std::size_t>("hand");
-    for (const QString& scene :
-         QStringList{"push", "pit", "groove", "slope", "wall", "ridge", "step", "brush", "drill", "dropout", "inside"})
+    for (const QString& scene : QStringList{"push", "pit", "groove", "slope", "wall", "ridge, 1 cell", "step 0.2",
+                                            "drill 2", "dropout 100", "inside"})
         for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
             QTest::addRow("%s, hand %zu", qPrintable(scene), hand) << scene << hand;
 }
@@ -54,7 +53,7 @@ void TestStability::whatWeShipComesToRest()
 {
     QFETCH(QString, scene);
     QFETCH(std::size_t, hand);
-    for (const double delayMs : {0.0, 1.0, 2.0, 4.0}) {
+    for (const double delayMs : {0.0, 1.0, 2.0}) {
         const lab::StabilityResult result = tried(qPrintable(scene), "continuous", delayMs, hand);
         QVERIFY2(result.outcome == lab::Outcome::Holds || result.outcome == lab::Outcome::Buzzes,
                  qPrintable(QString("%1 ms: %2").arg(delayMs).arg(told(result))));
@@ -63,15 +62,9 @@ void TestStability::whatWeShipComesToRest()
 
 void TestStability::penaltyGoesThroughARidge()
 {
-    const lab::StabilityResult result = tried("ridge", "penalty");
+    const lab::StabilityResult result = tried("ridge, 1 cell", "penalty");
     QVERIFY2(result.outcome == lab::Outcome::Crosses, qPrintable(told(result)));
-    QVERIFY(tried("ridge", "lattice").outcome != lab::Outcome::Crosses);
-}
-
-void TestStability::penaltySwingsInAPit()
-{
-    const lab::StabilityResult result = tried("pit", "penalty", 4.0);
-    QVERIFY2(result.outcome == lab::Outcome::LimitCycle, qPrintable(told(result)));
+    QVERIFY(tried("ridge, 1 cell", "lattice").outcome != lab::Outcome::Crosses);
 }
 
 void TestStability::aBurThatBeginsInsideIsLeftAlone()

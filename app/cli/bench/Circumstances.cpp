@@ -45,7 +45,7 @@ Circumstances circumstancesNow()
 
 QString Circumstances::line() const
 {
-    return QStringLiteral("%1  |  %2  |  Cusp %3, %4, %5, %6 kernels")
+    return QStringLiteral("%1 | %2 | Cusp %3, %4, %5, %6 kernels")
         .arg(processor, date, version, compiler, buildType, kernels);
 }
 

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench/Contestants.h"
 
-#include <algorithm>
 #include <vector>
+
+#include "core/contact/ContactMethod.h"
+#include "lab/Contestant.h"
 
 namespace app::cli::bench {
 namespace {
 
-/// What we ship, but for the contact method.
-core::session::ServoSettings with(const char* method)
-{
-    core::session::ServoSettings settings;
-    settings.method = method;
-    return settings;
-}
-
+/// What we ship, but for the method: the lab names them all.
 std::vector<Contestant> everyone()
 {
-    std::vector<Contestant> list{
-        {"continuous", with("continuous")},
-        {"lattice", with("lattice")},
-        {"penalty", with("penalty")},
-    };
-    for (std::size_t k = 0; k < list.size(); ++k)
-        list[k].look = static_cast<LookIndex>(k);
+    std::vector<Contestant> list;
+    for (const std::string_view name : lab::contestants()) {
+        core::session::ServoSettings settings;
+        settings.method = name;
+        list.push_back({std::string(name), settings, static_cast<LookIndex>(list.size())});
+    }
     return list;
 }
 
@@ -45,8 +39,7 @@ std::span<const Contestant* const> contactMethods()
     static const std::vector<const Contestant*> list = [] {
         std::vector<const Contestant*> methods;
         for (const Contestant& one : contestants())
-            if (std::none_of(methods.begin(), methods.end(),
-                             [&](const Contestant* known) { return known->settings.method == one.settings.method; }))
+            if (core::contact::makeContactMethod(one.settings.method))
                 methods.push_back(&one);
         return methods;
     }();

@@ -22,9 +22,9 @@ struct Contestant
     [[nodiscard]] QString key() const;  ///< for keys of figures: snake_case
 };
 
-/// Everyone, in the order of tables and charts. To add one: a line in Contestants.cpp.
+/// Everyone that lab::contestants() names, in that order, which is that of tables and charts; ours is the first.
 [[nodiscard]] std::span<const Contestant> contestants();
-/// Those of them that differ as contact methods.
+/// Those of them that have a contact method which can be tried without the loop around it.
 [[nodiscard]] std::span<const Contestant* const> contactMethods();
 
 }  // namespace app::cli::bench

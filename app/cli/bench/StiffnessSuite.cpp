@@ -1,18 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 
 #include "app/cli/bench/Contestants.h"
+#include "app/cli/bench/InParallel.h"
 #include "app/cli/bench/Suites.h"
 #include "lab/StiffnessLimit.h"
 
 namespace app::cli::bench {
 namespace {
 
-constexpr std::array kDelaysMs{0, 1, 2, 4};
+constexpr std::array<int, 4> kDelaysMs{0, 1, 2, 4};
 
-QLatin1String nameOf(const haptics::HandFigures& hand)
+/// Contestants, then hands, then delays: the order of the cells.
+struct Cell
 {
-    return {hand.name.data(), static_cast<qsizetype>(hand.name.size())};
+    const Contestant* contestant;
+    const haptics::HandFigures* hand;
+    int delayMs;
+    double nPerMm = 0.0;
+
+    [[nodiscard]] QString handName() const
+    {
+        return QString::fromLatin1(hand->name.data(), static_cast<qsizetype>(hand->name.size()));
+    }
+};
+
+double limitOf(const Cell& cell)
+{
+    lab::ClosedLoop loop;
+    loop.settings = cell.contestant->settings;
+    loop.hand = *cell.hand;
+    loop.falcon.delayS = cell.delayMs * 0.001;
+    loop.falcon.delayJitterS = 0.0;
+    return lab::stiffnessLimit(loop).value();  // nothing here is refused
+}
+
+/// What our own loop holds beside that of 2011.
+void addRatios(Figures& figures, const std::vector<Cell>& cells)
+{
+    for (const Cell& ours : cells) {
+        if (ours.contestant != &contestants().front())
+            continue;
+        const auto old = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+            return cell.contestant->name == lab::kCeds2011 && cell.hand == ours.hand && cell.delayMs == ours.delayMs;
+        });
+        if (old == cells.end() || !(old->nPerMm > 0.0) || old->nPerMm >= lab::kStiffestNPerMm)
+            continue;
+        figures << Figure{
+            QStringLiteral("stiffness_ratio_%1_%2ms").arg(ours.handName()).arg(ours.delayMs),
+            QStringLiteral("ours to that of 2011, %1 hand, delay %2 ms").arg(ours.handName()).arg(ours.delayMs),
+            ours.nPerMm / old->nPerMm,
+            {},
+            QStringLiteral("2")};
+    }
 }
 
 /// Above a bar.
@@ -23,11 +64,8 @@ QString noteOf(double nPerMm)
     return QString::number(nPerMm, 'f', nPerMm < 9.95 ? 1 : 0);
 }
 
-}  // namespace
-
-core::Result<Figures> stiffnessSuite(const Context& context)
+Chart chartOf(const std::vector<Cell>& cells)
 {
-    Figures figures;
     BarChart bars;
     bars.valueTitle = QStringLiteral("N/mm");
     bars.most = 1.2 * lab::kStiffestNPerMm;
@@ -35,43 +73,59 @@ core::Result<Figures> stiffnessSuite(const Context& context)
     bars.groupTitle = QStringLiteral("delay from a sample to its force at the motor (ms)");
     for (const int delayMs : kDelaysMs)
         bars.groups << QString::number(delayMs);
-    int done = 0;
     for (const haptics::HandFigures& hand : haptics::kHands) {
-        const QLatin1String name = nameOf(hand);
-        BarChart::Panel panel{QStringLiteral("%1 hand").arg(name), {}};
+        BarChart::Panel panel;
         for (const Contestant& one : contestants()) {
-            context.progress(QStringLiteral("%1, %2 hand").arg(one.text(), name), done++,
-                             static_cast<int>(haptics::kHands.size() * contestants().size()));
             BarChart::Bars method{one.text(), one.look, {}, {}};
-            for (const int delayMs : kDelaysMs) {
-                lab::ClosedLoop loop;
-                loop.settings = one.settings;
-                loop.hand = hand;
-                loop.falcon.delayS = delayMs * 0.001;
-                loop.falcon.delayJitterS = 0.0;
-                const auto limit = lab::stiffnessLimit(loop);
-                if (!limit)
-                    return tl::unexpected(limit.error());
-                figures << Figure{
-                    QStringLiteral("stiffness_%1_%2_%3ms_n_per_mm").arg(one.key(), name).arg(delayMs),
-                    QStringLiteral("largest, %1, %2 hand, delay %3 ms").arg(one.text(), name).arg(delayMs),
-                    *limit,
-                    QStringLiteral("N/mm"),
-                    {}};
-                method.values << *limit;
-                method.notes << noteOf(*limit);
-            }
+            for (const Cell& cell : cells)
+                if (cell.contestant == &one && cell.hand == &hand) {
+                    panel.title = QStringLiteral("%1 hand").arg(cell.handName());
+                    method.values << cell.nPerMm;
+                    method.notes << noteOf(cell.nPerMm);
+                }
             panel.bars << method;
         }
         bars.panels << panel;
     }
-    context.show(
-        {QStringLiteral("stiffness"), QStringLiteral("K_max: the stiffest wall that comes to rest, N/mm"),
-         QStringLiteral("Simulated Falcon at 1 kHz; the hand throws the bur at a flat tooth with 50 mm/s and leans "
-                        "on it with 2 N; at rest: moves\nless than 0.15 mm in the last 0.5 s of 2 s. 20+: even "
-                        "the stiffest that was tried. Shipped: %1 N/mm.")
-             .arg(core::contact::ForceSettings().stiffnessNPerMm),
-         bars});
+    return {QStringLiteral("stiffness"), QStringLiteral("K_max: the stiffest wall that comes to rest, N/mm"),
+            QStringLiteral(
+                "Simulated Falcon at 1 kHz; the hand throws the bur at a flat tooth with 50 mm/s and leans on it "
+                "with 2 N; at rest: moves\nless than 0.15 mm in the last 0.5 s of 2 s. 20+: even the stiffest "
+                "that was tried. Shipped: %1 N/mm.")
+                .arg(core::contact::ForceSettings().stiffnessNPerMm),
+            bars};
+}
+
+}  // namespace
+
+core::Result<Figures> stiffnessSuite(const Context& context)
+{
+    std::vector<Cell> cells;
+    for (const Contestant& one : contestants())
+        for (const haptics::HandFigures& hand : haptics::kHands)
+            for (const int delayMs : kDelaysMs)
+                cells.push_back({&one, &hand, delayMs});
+    inParallel(
+        cells.size(), [&](std::size_t k) { cells[k].nPerMm = limitOf(cells[k]); },
+        [&](std::size_t done) {
+            const Cell& now = cells[std::min(done, cells.size() - 1)];
+            context.progress(QStringLiteral("%1, %2 hand").arg(now.contestant->text(), now.handName()),
+                             static_cast<int>(done), static_cast<int>(cells.size()));
+        });
+
+    Figures figures;
+    for (const Cell& cell : cells)
+        figures << Figure{QStringLiteral("stiffness_%1_%2_%3ms_n_per_mm")
+                              .arg(cell.contestant->key(), cell.handName())
+                              .arg(cell.delayMs),
+                          QStringLiteral("largest, %1, %2 hand, delay %3 ms")
+                              .arg(cell.contestant->text(), cell.handName())
+                              .arg(cell.delayMs),
+                          cell.nPerMm,
+                          QStringLiteral("N/mm"),
+                          {}};
+    addRatios(figures, cells);
+    context.show(chartOf(cells));
     return figures;
 }
 

@@ -47,6 +47,10 @@ struct Context
 [[nodiscard]] core::Result<Figures> rateSuite(const Context& context);
 /// What becomes of servo, device and hand in scenes where methods fail: how many trials of each method hold.
 [[nodiscard]] core::Result<Figures> stabilitySuite(const Context& context);
+/// Volume of swept cuts against closed form, by grid.
+[[nodiscard]] core::Result<Figures> cuttingSuite(const Context& context);
+/// The height stack beside a dense voxel model of the same tooth: size, time, volume.
+[[nodiscard]] core::Result<Figures> modelSuite(const Context& context);
 /// Minutes of continuous drilling: ticks and memory.
 [[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.

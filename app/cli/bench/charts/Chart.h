@@ -21,6 +21,7 @@ struct Axis
     double high = 1.0;
     double base = 0.0;      ///< of a logarithmic axis; 0: a linear one
     double interval = 1.0;  ///< between the figures of a linear one
+    QStringList labels{};   ///< instead of figures, at 0, 1, 2 ... of a linear one
 };
 
 /// Points in the order in which the line joins them.
@@ -84,7 +85,7 @@ struct MapChart
     struct Cell
     {
         int finding = 0;  ///< index into findings
-        QString note;
+        QString note;     ///< beside the letter; may be empty
     };
     QList<Finding> findings;
     QStringList rows;

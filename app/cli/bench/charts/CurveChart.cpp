@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <QAreaSeries>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QLegendMarker>
@@ -28,6 +29,12 @@ QAbstractAxis* axisOf(const Axis& axis)
         logarithmic->setMinorTickCount(axis.base > 2.0 ? 8 : 0);
         logarithmic->setLabelFormat(QStringLiteral("%g"));
         made = logarithmic;
+    } else if (!axis.labels.isEmpty()) {
+        auto* const labelled = new QCategoryAxis;
+        labelled->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+        for (qsizetype k = 0; k < axis.labels.size(); ++k)
+            labelled->append(axis.labels[k], static_cast<double>(k));
+        made = labelled;
     } else {
         auto* const linear = new QValueAxis;
         linear->setLabelFormat(QStringLiteral("%g"));
@@ -85,28 +92,57 @@ public:
 
     void keepFree(const QRectF& place) { m_taken << place; }
 
+    /// Beside a point.
     void add(const QString& text, const QColor& colour, QPointF point)
     {
+        constexpr double kFarCost = 80.0;  // px2 of something else covered, rather than farther by a marker
         auto* const item = addText(m_scene, text, chartFont(kNotePx), colour, {0.0, 0.0});
         const QSizeF size = item->boundingRect().size();
-        QRectF best;
-        double least = 1.0e9;
-        constexpr double kFarCost = 80.0;  // px2 of something else covered, rather than farther by a marker
+        QList<Candidate> candidates;
         for (const double far : {0.6, 1.2, 2.0})
-            for (const auto& [x, y] : {std::pair(1, 0), {1, -1}, {1, 1}, {-1, 0}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}}) {
-                const QPointF middle = point + QPointF(x * (far * kMarkerPx + 0.5 * size.width()),
-                                                       y * (far * kMarkerPx + 0.4 * size.height()));
-                const QRectF place({middle.x() - 0.5 * size.width(), middle.y() - 0.5 * size.height()}, size);
-                if (const double cost = covered(place) + kFarCost * far; cost < least) {
-                    least = cost;
-                    best = place;
-                }
-            }
-        item->setPos(best.topLeft());
-        keepFree(best);
+            for (const auto& [x, y] : {std::pair(1, 0), {1, -1}, {1, 1}, {-1, 0}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}})
+                candidates << Candidate{around(point + QPointF(x * (far * kMarkerPx + 0.5 * size.width()),
+                                                               y * (far * kMarkerPx + 0.4 * size.height())),
+                                               size),
+                                        kFarCost * far};
+        put(*item, candidates);
+    }
+
+    /// Along a line across the plot, at one of its ends.
+    void addLimit(const QString& text, QPointF left, QPointF right)
+    {
+        auto* const item = addText(m_scene, text, chartFont(kNotePx), limitColour(), {0.0, 0.0});
+        const QSizeF size = item->boundingRect().size();
+        const double in = 0.5 * size.width() + 12.0;
+        const double off = 0.5 * size.height() + 3.0;
+        put(*item, {{around(left + QPointF(in, -off), size), 0.0},
+                    {around(right + QPointF(-in, -off), size), 1.0},
+                    {around(left + QPointF(in, off), size), 2.0},
+                    {around(right + QPointF(-in, off), size), 3.0}});
     }
 
 private:
+    struct Candidate
+    {
+        QRectF place;
+        double cost;  ///< what else speaks against it, px2
+    };
+
+    static QRectF around(QPointF middle, QSizeF size)
+    {
+        return {middle - QPointF(0.5 * size.width(), 0.5 * size.height()), size};
+    }
+
+    void put(QGraphicsItem& item, const QList<Candidate>& candidates)
+    {
+        const auto costs = [&](const Candidate& one) { return covered(one.place) + one.cost; };
+        const QRectF best = std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+                                return costs(a) < costs(b);
+                            })->place;
+        item.setPos(best.topLeft());
+        keepFree(best);
+    }
+
     [[nodiscard]] double covered(const QRectF& place) const
     {
         const auto area = [](const QRectF& r) { return r.width() * r.height(); };
@@ -126,25 +162,6 @@ void addNotes(QGraphicsScene& scene, QChart& chart, QAbstractSeries& any, const 
 {
     const auto inScene = [&](QPointF value) { return chart.mapToScene(chart.mapToPosition(value, &any)); };
     Notes notes(scene, chart.mapRectToScene(chart.plotArea()));
-    const auto write = [&](const QString& text, const QFont& font, const QColor& colour, QPointF at) {
-        auto* const item = addText(scene, text, font, colour, at);
-        notes.keepFree(item->sceneBoundingRect());
-        return item;
-    };
-    for (const Limit& limit : content.limits) {
-        if (limit.isVertical) {
-            auto* const text = addText(scene, limit.text, chartFont(kNotePx), limitColour(), {0.0, 0.0});
-            text->setRotation(90.0);
-            text->setPos(inScene({limit.at, content.y.high}) + QPointF(-6.0, 12.0));
-            notes.keepFree(text->sceneBoundingRect());
-        } else {
-            write(limit.text, chartFont(kNotePx), limitColour(),
-                  inScene({content.x.low, limit.at}) + QPointF(12.0, -14.0));
-        }
-    }
-    if (!content.goodCorner.isEmpty())
-        write(content.goodCorner, chartFont(kNotePx, true), QColor(0x0B, 0x60, 0x61),
-              inScene({content.x.low, content.y.low}) + QPointF(14.0, -20.0));
     const QPointF half(0.5 * kMarkerPx, 0.5 * kMarkerPx);
     constexpr double kLineStepPx = 8.0;
     for (const Curve& curve : content.curves)
@@ -155,6 +172,25 @@ void addNotes(QGraphicsScene& scene, QChart& chart, QAbstractSeries& any, const 
             for (double along = 0.0; along < line.length(); along += kLineStepPx)
                 notes.keepFree(QRectF(-4.0, -4.0, 8.0, 8.0).translated(line.pointAt(along / line.length())));
         }
+    for (const Limit& limit : content.limits) {
+        if (limit.isVertical) {
+            auto* const text = addText(scene, limit.text, chartFont(kNotePx), limitColour(), {0.0, 0.0});
+            text->setRotation(90.0);
+            text->setPos(inScene({limit.at, content.y.high}) + QPointF(-6.0, 12.0));
+            notes.keepFree(text->sceneBoundingRect());
+            notes.keepFree({inScene({limit.at, content.y.high}) - QPointF(2.0, 0.0),
+                            inScene({limit.at, content.y.low}) + QPointF(2.0, 0.0)});
+        } else {
+            notes.keepFree({inScene({content.x.low, limit.at}) - QPointF(0.0, 2.0),
+                            inScene({content.x.high, limit.at}) + QPointF(0.0, 2.0)});
+            notes.addLimit(limit.text, inScene({content.x.low, limit.at}), inScene({content.x.high, limit.at}));
+        }
+    }
+    if (!content.goodCorner.isEmpty()) {
+        const auto* const text = addText(scene, content.goodCorner, chartFont(kNotePx, true), QColor(0x0B, 0x60, 0x61),
+                                         inScene({content.x.low, content.y.low}) + QPointF(14.0, -20.0));
+        notes.keepFree(text->sceneBoundingRect());
+    }
     for (const Curve& curve : content.curves)
         for (qsizetype n = 0; n < curve.notes.size(); ++n)
             notes.add(curve.notes[n], lookOf(curve.look).colour.darker(150), inScene(curve.points[n]));

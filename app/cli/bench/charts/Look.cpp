@@ -16,7 +16,7 @@ const Look& lookOf(LookIndex index)
         {QColor(0x00, 0x9E, 0x73), QScatterSeries::MarkerShapeTriangle, Qt::DotLine, Qt::CrossPattern},
         {QColor(0xCC, 0x79, 0xA7), QScatterSeries::MarkerShapeRotatedRectangle, Qt::DashDotLine, Qt::FDiagPattern},
         {QColor(0xE6, 0x9F, 0x00), QScatterSeries::MarkerShapePentagon, Qt::DashDotDotLine, Qt::HorPattern},
-        {QColor(0x56, 0xB4, 0xE9), QScatterSeries::MarkerShapeStar, Qt::SolidLine, Qt::VerPattern},
+        {QColor(0x56, 0xB4, 0xE9), QScatterSeries::MarkerShapeStar, Qt::DashLine, Qt::VerPattern},
     }};
     return looks[static_cast<std::size_t>(index) % looks.size()];
 }

@@ -10,9 +10,10 @@ namespace {
 
 constexpr double kLegendHeight = 48.0;
 constexpr double kHeadHeight = 66.0;
-constexpr double kRowTitleWidth = 120.0;
+constexpr double kRowTitleWidth = 140.0;
 constexpr double kGroupGap = 14.0;
 constexpr double kSwatchPx = 34.0;
+constexpr double kInsetPx = 5.0;  ///< of what is written in a cell
 
 /// Black or white, whichever stands out more from it.
 QColor inkOn(const QColor& ground)
@@ -72,10 +73,12 @@ void add(QGraphicsScene& scene, const QRectF& place, const MapChart& content)
             const QColor colour(finding.colour);
             const double left = leftOf(k / content.columns.size(), k % content.columns.size());
             scene.addRect(left + 1.0, top + 1.0, width - 2.0, height - 2.0, Qt::NoPen, colour);
+            const double middle = top + 0.5 * height;
+            const bool isAlone = cell.note.isEmpty();
             addText(scene, finding.letter, chartFont(kTextPx, true), inkOn(colour),
-                    {left + 0.32 * width, top + 0.5 * height}, Qt::AlignHCenter);
-            addText(scene, cell.note, chartFont(kNotePx), inkOn(colour), {left + 0.66 * width, top + 0.5 * height},
-                    Qt::AlignHCenter);
+                    {left + (isAlone ? 0.5 * width : kInsetPx), middle}, isAlone ? Qt::AlignHCenter : Qt::AlignLeft);
+            addText(scene, cell.note, chartFont(kNotePx), inkOn(colour), {left + width - kInsetPx, middle},
+                    Qt::AlignRight);
         }
     }
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench/charts/Sheet.h"
 
-#include <array>
-
 #include <QBuffer>
 #include <QGraphicsSimpleTextItem>
 #include <QImage>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QSvgGenerator>
+
+#include "app/cli/bench/charts/Compact.h"
 
 namespace app::cli::bench {
 namespace {
@@ -33,22 +32,7 @@ QByteArray svgOf(QGraphicsScene& scene, const QString& title)
     QPainter painter(&generator);
     scene.render(&painter, kSheet, kSheet);
     painter.end();
-    QString text = QString::fromUtf8(bytes);
-    // Two thirds of what Qt writes is groups with nothing in them, and what is so anyway.
-    static const std::array needless{
-        QRegularExpression(QStringLiteral("<g [^>]*>\\s*</g>\\s*")),
-        QRegularExpression(QStringLiteral("\nfont-family=\"[^\"]*\" font-size=\"[^\"]*\" font-weight=\"[^\"]*\" "
-                                          "font-style=\"[^\"]*\" \n(?=>)")),
-        QRegularExpression(QStringLiteral(" transform=\"matrix\\(1,0,0,1,0,0\\)\"")),
-        QRegularExpression(QStringLiteral(" (?:fill|stroke)-opacity=\"1\"")),
-    };
-    for (const QRegularExpression& pattern : needless)
-        text.remove(pattern);
-    // Who looks at it may not have our font.
-    const QString family = chartFont(kTextPx).family();
-    text.replace(QStringLiteral("font-family=\"%1\"").arg(family),
-                 QStringLiteral("font-family=\"%1, DejaVu Sans, Arial, sans-serif\"").arg(family));
-    return text.toUtf8();
+    return compacted(bytes, chartFont(kTextPx).family());
 }
 
 QByteArray pngOf(QGraphicsScene& scene)
