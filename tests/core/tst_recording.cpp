@@ -245,13 +245,13 @@ void TestRecording::refusesStrangers_data()
     QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
     QTest::newRow("no section") << good.left(int(kFileHeaderBytes)) << code(ErrorCode::FileTruncated);
     QByteArray newer = good;
-    newer[8] = 3;
+    newer[8] = 4;
     QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
     QByteArray zero = good;
     zero[8] = 0;
     QTest::newRow("version 0") << zero << code(ErrorCode::WrongKind);
     QByteArray older = good;
-    older[8] = 1;
+    older[8] = 2;
     QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
     QByteArray lie = good;
     lie.replace(int(kFileHeaderBytes) + 4, 8, QByteArray(8, '\xFF'));
