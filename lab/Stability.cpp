@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "haptics/falcon/FalconFeel.h"
 #include "lab/BandPass.h"
 #include "lab/StabilityScenes.h"
 
@@ -74,7 +75,10 @@ private:
 std::unique_ptr<Contestant> contestantFor(const StabilityScene& scene, const StabilityTrial& trial,
                                           haptics::HapticDevice& device)
 {
-    return *makeContestant(trial.settings, trial.ceds, device,
+    // Without the bur's vibration: a tremble that is meant is none of the loop's.
+    core::session::ServoSettings settings = trial.settings;
+    settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
+    return *makeContestant(settings, trial.ceds, device,
                            std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(scene.anatomy)), scene.drill,
                            std::chrono::milliseconds(1));
 }
@@ -255,12 +259,30 @@ double deepestMm(const core::terrain::Tooth& tooth)
     return deepest;
 }
 
+/// What a hand must wish for a grip that swings sin(w t): the spring and the damper of the hand have to carry mass and
+/// friction of the device, k e + b e' = F.
+double strokeWishMm(const StabilityScene& scene, const haptics::FalconFigures& falcon, const haptics::HandFigures& hand,
+                    double t)
+{
+    const double w = 2.0 * std::numbers::pi * scene.strokeHz;
+    const double perMm = 0.001 * scene.strokeMm;
+    const double inPhaseN = -(falcon.massKg + hand.massKg) * w * w * perMm;
+    // Of the square wave of dry friction, what is of this frequency.
+    const double aheadN = falcon.viscousNSPerM * w * perMm + falcon.coulombN * 4.0 / std::numbers::pi;
+    const double k = hand.stiffnessNPerM;
+    const double bw = hand.dampingNSPerM * w;
+    const double square = k * k + bw * bw;
+    const double inPhaseM = (inPhaseN * k + aheadN * bw) / square;
+    const double aheadM = (aheadN * k - inPhaseN * bw) / square;
+    return scene.strokeMm * std::sin(w * t) + 1000.0 * (inPhaseM * std::sin(w * t) + aheadM * std::cos(w * t));
+}
+
 StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
 {
     haptics::FalconFigures figures = trial.falcon;
     figures.countShare *= scene.countShare;
-    if (scene.withoutDryFriction)
-        figures.coulombN = 0.0;
+    if (scene.dryN >= 0.0)
+        figures.coulombN = scene.dryN;
     if (scene.jitterS >= 0.0)
         figures.delayJitterS = scene.jitterS;
     haptics::HandFigures hand = trial.hand;
@@ -269,7 +291,12 @@ StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
         hand.driftMm = 0.0;
     }
     const double mmPerN = 1000.0 / hand.stiffnessNPerM;
-    const auto wanted = [&](double t) { return scene.wanted(std::min(t, scene.seconds - kStillS), mmPerN); };
+    const auto wanted = [&](double t) {
+        glm::dvec3 wish = scene.wanted(std::min(t, scene.seconds - kStillS), mmPerN);
+        if (t >= scene.strokesFromS && t < scene.strokesToS)
+            wish.x += strokeWishMm(scene, figures, hand, t);
+        return wish;
+    };
     const glm::dvec3 start = scene.startMm == glm::dvec3(0.0) ? wanted(0.0) : scene.startMm;
     TrialDevice device(figures, hand, start);
     device.falcon.follow(wanted(0.0));
@@ -277,11 +304,14 @@ StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
     const auto servo = contestantFor(scene, trial, device);
 
     const auto ticks = static_cast<int>(std::lround(scene.seconds / kTickS));
+    glm::dvec3 grabbed(0.0);  // from where the hand would be to where it was grabbed
     Watch watch(scene, static_cast<std::size_t>(ticks));
     for (int tick = 0; tick < ticks; ++tick) {
         const double t = tick * kTickS;
         const bool led = t >= scene.homeAtS && t < scene.grabAtS;
-        device.falcon.follow(led ? device.falcon.tipMm() : wanted(t));
+        if (led)
+            grabbed = device.falcon.tipMm() - wanted(t);
+        device.falcon.follow(led ? device.falcon.tipMm() : wanted(t) + grabbed);
         device.silent = t >= scene.silentFromS && t < scene.silentFromS + scene.silentForS;
         const auto isNow = [t](double s) { return t < s + 0.5 * kTickS && t >= s - 0.5 * kTickS; };
         if (isNow(scene.homeAtS))
