@@ -17,6 +17,7 @@ using Height = std::function<double(glm::dvec2)>;
 constexpr double kPi = std::numbers::pi;
 constexpr double kCellMm = kBlockExtentMm / core::terrain::kDefaultGridSide;
 constexpr double kBallMm = 0.5;  ///< radius of the bur
+constexpr double kSlope = 0.5;
 const double kSlope30 = std::tan(kPi / 6.0);
 
 double flat(glm::dvec2)
@@ -112,6 +113,10 @@ private:
                               leaning(t, 0.4, mmPerN, 3.0));
         });
         scene.steadyS = {{0.7, 1.4}};
+        scene.exact = [](const glm::dvec3&) {  // on the rim all around, whatever the hand does
+            const double rim = std::tan(kPi / 9.0);
+            return glm::dvec3(0.0, 0.0, std::sqrt(kBallMm * kBallMm - rim * rim) - kBallMm);
+        };
         scene.bars.jumpN = 0.3;
         for (const auto& [name, shift] :
              {std::pair("groove", 0), std::pair("groove, a quarter", 1), std::pair("groove, a half", 2)}) {
@@ -127,13 +132,16 @@ private:
             slid.bars.rippleN = 0.02;
             slid.bars.errorMm = 0.04;
         }
+        // Up and down a plane of 27 degrees, pressed on straight down the plane's normal.
         StabilityScene& slope = add(0, "slope", m_slope, [](double t, double mmPerN) {
-            return glm::dvec3(0.6 * mmPerN * rise(t, 0.1, 0.3), -2.0 + 4.0 * rise(t, 0.4, 1.4),
-                              leaning(t, 0.3, mmPerN, 1.2));
+            const double x = -1.5 + 3.0 * rise(t, 0.4, 0.9) - 3.0 * rise(t, 0.9, 1.4);
+            const double press = rise(t, 0.1, 0.3) * 1.2 * mmPerN;
+            return glm::dvec3(x + 0.5 * press, 0.0, kSlope * x + 0.6 - 0.5 * rise(t, 0.0, 0.3) - press);
         });
-        slope.along = {0.0, 1.0, 0.0};
-        slope.steadyS = {{0.7, 1.4}};
-        slope.jumpsFromS = 0.7;
+        slope.along = glm::normalize(glm::dvec3(1.0, 0.0, kSlope));
+        slope.steadyS = {{0.6, 0.9}, {1.1, 1.4}};
+        slope.jumpsFromS = 0.6;
+        slope.bars.lagMm = 0.02;
     }
 
     void wallRidgeStep()
@@ -299,7 +307,8 @@ private:
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_plate = enamelBlock(flat);
     std::shared_ptr<const core::terrain::ToothAnatomy> m_pit = enamelBlock(pit);
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_slope = enamelBlock([](glm::dvec2 at) { return 0.5 * at.x; });
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_slope =
+        enamelBlock([](glm::dvec2 at) { return kSlope * at.x; });
     std::shared_ptr<const core::terrain::ToothAnatomy> m_wall = enamelBlock(wall);
     /// Where the crease lies on a row of columns, a quarter of a cell beside it, and between two.
     std::array<std::shared_ptr<const core::terrain::ToothAnatomy>, 3> m_groove{
