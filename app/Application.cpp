@@ -12,6 +12,7 @@
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
 #include "core/recording/Replay.h"
+#include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/GuidedFalcon.h"
 #include "lessons/DecayRemovalRubric.h"
@@ -67,11 +68,20 @@ std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, 
     return std::make_unique<haptics::PointerDevice>(pointer, stiffness, periodS);
 }
 
+/// A Falcon has a work area. The will that guides the simulated one takes any force for contact: no vibration there.
+core::session::ServoSettings settingsFor(bool simulated)
+{
+    core::session::ServoSettings settings;
+    if (simulated)
+        settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
+    return settings;
+}
+
 }  // namespace
 
 core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions& options)
 {
-    auto tick = core::session::makeServoTick({});
+    auto tick = core::session::makeServoTick(settingsFor(options.simulatedDevice));
     if (!tick)
         return tl::unexpected(tick.error());
     return std::unique_ptr<Application>(new Application(options, std::move(*tick)));
@@ -80,7 +90,8 @@ core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions
 Application::Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick)
     : m_options(options), m_device(makeDevice(options.simulatedDevice, m_demoWish, m_links.pointer)),
       m_servo(*m_device, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
-      m_session(m_servoLinks, m_links, {}), m_window(std::make_unique<ui::shell::MainWindow>(m_links))
+      m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)),
+      m_window(std::make_unique<ui::shell::MainWindow>(m_links))
 {
     using ui::shell::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });

@@ -65,6 +65,9 @@ void ReplayLoop::play(const ServoEvent& event)
     case ServoEvent::Kind::Bur:
         m_servo->setBur(static_cast<std::size_t>(event.value));
         break;
+    case ServoEvent::Kind::Home:
+        m_servo->bringHome();
+        break;
     case ServoEvent::Kind::Spring:
         m_servo->setSpring(event.value);
         break;

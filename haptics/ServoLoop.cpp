@@ -87,6 +87,12 @@ void ServoLoop::apply(const SetDrill& drill) noexcept
     record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), drill.on ? 1U : 0U});
 }
 
+void ServoLoop::apply(const BringHome&) noexcept
+{
+    m_tick->bringHome();
+    record({ServoEvent::Kind::Home, 0, glm::vec3(0.0F), 0});
+}
+
 /// Softens the spring at once when the device answers late, and stiffens it by and by when it answers in time again.
 void ServoLoop::watchDelay(float delayS) noexcept
 {

@@ -35,6 +35,7 @@ private:
     void apply(const core::session::SwapTooth& swap) noexcept;
     void apply(const core::session::SetBur& bur) noexcept;
     void apply(const core::session::SetDrill& drill) noexcept;
+    void apply(const core::session::BringHome& home) noexcept;
     void watchDelay(float delayS) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
     void markDirty(const core::drilling::CutRect& rect) noexcept;

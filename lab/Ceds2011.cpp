@@ -18,7 +18,7 @@ glm::dvec3 shortened(const glm::dvec3& v, double longest)
 }  // namespace
 
 Ceds2011::Ceds2011(const CedsFigures& figures, const core::settings::HardnessPreset& hardness)
-    : m_figures(figures), m_drill(hardness)
+    : m_figures(figures), m_drill(hardness, {})
 {}
 
 core::contact::LiveTooth* Ceds2011::swapTooth(core::contact::LiveTooth* tooth) noexcept

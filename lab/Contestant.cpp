@@ -34,6 +34,7 @@ public:
             delete old;
     }
     void swapTooth(std::unique_ptr<core::contact::LiveTooth> tooth) override { hand(std::move(tooth), false); }
+    void bringHome() override { static_cast<void>(m_links->commands.tryPush(BringHome{})); }
     [[nodiscard]] const ServoState& state() const override { return m_loop.state(); }
     [[nodiscard]] const core::contact::LiveTooth& tooth() const override { return *m_loop.tooth(); }
 

@@ -59,7 +59,7 @@ ModelCost millHeightStack(const std::shared_ptr<const terrain::ToothAnatomy>& an
         tooth.selectBur(bur);
         const auto contact = contact::makeContactMethod("continuous").value();
         contact->restart(places.front());
-        drilling::Drill drill(yielding);
+        drilling::Drill drill(yielding, {});
         for (const glm::dvec3& device : places) {
             const double started = haptics::threadCpuUs();
             const glm::dvec3 anchor = contact->update(tooth, device);

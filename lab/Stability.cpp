@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "haptics/falcon/FalconFeel.h"
 #include "lab/BandPass.h"
 #include "lab/StabilityScenes.h"
 
@@ -59,22 +60,32 @@ class GivenPath final : public haptics::HapticDevice
 public:
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
+        // The force answers where the hand was; it is held while the hand goes on.
+        trapeziumMj += 0.5 * glm::dot(m_forceN + forceOnHandN, m_at - m_before);
         const glm::dvec3 at{glm::vec3(next)};  // the servo sees floats
-        givenMj += glm::dot(forceOnHandN, at - m_at);
+        heldMj += glm::dot(forceOnHandN, at - m_at);
+        m_before = m_at;
         m_at = at;
+        m_forceN = forceOnHandN;
         return {glm::vec3(next), true};
     }
     glm::dvec3 next{0.0};
-    double givenMj = 0.0;  ///< to the hand
+    double heldMj = 0.0;       ///< given to the hand, as the device gives it
+    double trapeziumMj = 0.0;  ///< and as a force that changes evenly would
 
 private:
     glm::dvec3 m_at{0.0};
+    glm::dvec3 m_before{0.0};
+    glm::dvec3 m_forceN{0.0};
 };
 
 std::unique_ptr<Contestant> contestantFor(const StabilityScene& scene, const StabilityTrial& trial,
                                           haptics::HapticDevice& device)
 {
-    return *makeContestant(trial.settings, trial.ceds, device,
+    // Without the bur's vibration: a tremble that is meant is none of the loop's.
+    core::session::ServoSettings settings = trial.settings;
+    settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
+    return *makeContestant(settings, trial.ceds, device,
                            std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(scene.anatomy)), scene.drill,
                            std::chrono::milliseconds(1));
 }
@@ -88,8 +99,8 @@ struct Circle
     double hz;
 };
 
-/// Energy that a round of the worst of some circles gives the hand, uJ. The first round is not counted.
-double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial)
+/// Largest energy that a round of one of some circles gives the hand, uJ. The first rounds are not counted.
+double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial, double GivenPath::*energy)
 {
     constexpr double kDownS = 0.1;
     const glm::dvec3 x(1.0, 0.0, 0.0);
@@ -108,17 +119,36 @@ double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial)
         device.next = at(0.0);
         const auto servo = contestantFor(scene, trial, device);
         const int round = static_cast<int>(std::lround(1.0 / (circle.hz * kTickS)));
-        const int first = static_cast<int>(std::lround(kDownS / kTickS)) + round;
+        // A bur that began inside feels its force come by and by: not counted until that is over.
+        const int first =
+            static_cast<int>(std::lround(kDownS / kTickS)) +
+            round * (1 + static_cast<int>(std::ceil(circle.hz * 2.0 * core::contact::ForceLaw::kReturnS)));
         double before = 0.0;
         for (int tick = 0; tick <= first + round; ++tick) {
             device.next = at(tick * kTickS);
             servo->tick();
             if (tick == first)
-                before = device.givenMj;
+                before = device.*energy;
         }
-        worst = std::max(worst, 1000.0 * (device.givenMj - before));
+        worst = std::max(worst, 1000.0 * (device.*energy - before));
     }
     return worst;
+}
+
+/// The spring alone, so that nothing that rubs hides what the method makes.
+StabilityTrial bare(const StabilityTrial& trial)
+{
+    StabilityTrial spring = trial;
+    core::contact::ForceSettings& force = spring.settings.force;
+    force.dampingNSPerM = 0.0;
+    force.fastDampingNSPerM = 0.0;
+    force.brakeN = 0.0;
+    force.friction = 0.0;
+    force.clampN = 20.0;
+    force.slewNPerS = 1.0e6;
+    spring.ceds.frictionNSPerM = 0.0;
+    spring.ceds.slewNPerS = 1.0e6;
+    return spring;
 }
 
 /// Adds up what a held trial shows, tick by tick.
@@ -137,7 +167,7 @@ public:
         const double force = glm::length(state.forceN);
         m_finite = m_finite && std::isfinite(force + glm::length(state.anchorMm));
         result.mostN = std::max(result.mostN, force);
-        if (!m_grip.empty())
+        if (!m_grip.empty() && t < m_scene.grabAtS)
             result.mmPerS = std::max(result.mmPerS, glm::length(grip - m_grip.back()) / kTickS);
         if (t >= m_scene.jumpsFromS && t < m_scene.jumpsToS && grip.z > m_scene.jumpsAboveMm)
             result.jumpN = std::max(result.jumpN, glm::length(state.forceN - m_forceN));
@@ -255,12 +285,30 @@ double deepestMm(const core::terrain::Tooth& tooth)
     return deepest;
 }
 
+/// What a hand must wish for a grip that swings sin(w t): the spring and the damper of the hand have to carry mass and
+/// friction of the device, k e + b e' = F.
+double strokeWishMm(const StabilityScene& scene, const haptics::FalconFigures& falcon, const haptics::HandFigures& hand,
+                    double t)
+{
+    const double w = 2.0 * std::numbers::pi * scene.strokeHz;
+    const double perMm = 0.001 * scene.strokeMm;
+    const double inPhaseN = -(falcon.massKg + hand.massKg) * w * w * perMm;
+    // Of the square wave of dry friction, what is of this frequency.
+    const double aheadN = falcon.viscousNSPerM * w * perMm + falcon.coulombN * 4.0 / std::numbers::pi;
+    const double k = hand.stiffnessNPerM;
+    const double bw = hand.dampingNSPerM * w;
+    const double square = k * k + bw * bw;
+    const double inPhaseM = (inPhaseN * k + aheadN * bw) / square;
+    const double aheadM = (aheadN * k - inPhaseN * bw) / square;
+    return scene.strokeMm * std::sin(w * t) + 1000.0 * (inPhaseM * std::sin(w * t) + aheadM * std::cos(w * t));
+}
+
 StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
 {
     haptics::FalconFigures figures = trial.falcon;
     figures.countShare *= scene.countShare;
-    if (scene.withoutDryFriction)
-        figures.coulombN = 0.0;
+    if (scene.dryN >= 0.0)
+        figures.coulombN = scene.dryN;
     if (scene.jitterS >= 0.0)
         figures.delayJitterS = scene.jitterS;
     haptics::HandFigures hand = trial.hand;
@@ -269,7 +317,12 @@ StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
         hand.driftMm = 0.0;
     }
     const double mmPerN = 1000.0 / hand.stiffnessNPerM;
-    const auto wanted = [&](double t) { return scene.wanted(std::min(t, scene.seconds - kStillS), mmPerN); };
+    const auto wanted = [&](double t) {
+        glm::dvec3 wish = scene.wanted(std::min(t, scene.seconds - kStillS), mmPerN);
+        if (t >= scene.strokesFromS && t < scene.strokesToS)
+            wish.x += strokeWishMm(scene, figures, hand, t);
+        return wish;
+    };
     const glm::dvec3 start = scene.startMm == glm::dvec3(0.0) ? wanted(0.0) : scene.startMm;
     TrialDevice device(figures, hand, start);
     device.falcon.follow(wanted(0.0));
@@ -277,11 +330,14 @@ StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
     const auto servo = contestantFor(scene, trial, device);
 
     const auto ticks = static_cast<int>(std::lround(scene.seconds / kTickS));
+    glm::dvec3 grabbed(0.0);  // from where the hand would be to where it was grabbed
     Watch watch(scene, static_cast<std::size_t>(ticks));
     for (int tick = 0; tick < ticks; ++tick) {
         const double t = tick * kTickS;
         const bool led = t >= scene.homeAtS && t < scene.grabAtS;
-        device.falcon.follow(led ? device.falcon.tipMm() : wanted(t));
+        if (led)
+            grabbed = device.falcon.tipMm() - wanted(t);
+        device.falcon.follow(led ? device.falcon.tipMm() : wanted(t) + grabbed);
         device.silent = t >= scene.silentFromS && t < scene.silentFromS + scene.silentForS;
         const auto isNow = [t](double s) { return t < s + 0.5 * kTickS && t >= s - 0.5 * kTickS; };
         if (isNow(scene.homeAtS))
@@ -339,8 +395,9 @@ core::Result<StabilityResult> tryStability(std::string_view scene, const Stabili
     if (!found->loops)
         return run(*found, trial);
     StabilityResult result;
-    result.leakUj = worstLeakUj(*found, trial);
-    if (!(result.leakUj <= kLeakUj))
+    result.leakUj = worstLeakUj(*found, trial, &GivenPath::heldMj);
+    result.springLeakUj = worstLeakUj(*found, bare(trial), &GivenPath::trapeziumMj);
+    if (!(result.leakUj <= kLeakUj && result.springLeakUj <= kSpringLeakUj))
         result.outcome = Outcome::Diverges;
     return result;
 }

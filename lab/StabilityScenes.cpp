@@ -17,6 +17,7 @@ using Height = std::function<double(glm::dvec2)>;
 constexpr double kPi = std::numbers::pi;
 constexpr double kCellMm = kBlockExtentMm / core::terrain::kDefaultGridSide;
 constexpr double kBallMm = 0.5;  ///< radius of the bur
+constexpr double kSlope = 0.5;
 const double kSlope30 = std::tan(kPi / 6.0);
 
 double flat(glm::dvec2)
@@ -112,6 +113,10 @@ private:
                               leaning(t, 0.4, mmPerN, 3.0));
         });
         scene.steadyS = {{0.7, 1.4}};
+        scene.exact = [](const glm::dvec3&) {  // on the rim all around, whatever the hand does
+            const double rim = std::tan(kPi / 9.0);
+            return glm::dvec3(0.0, 0.0, std::sqrt(kBallMm * kBallMm - rim * rim) - kBallMm);
+        };
         scene.bars.jumpN = 0.3;
         for (const auto& [name, shift] :
              {std::pair("groove", 0), std::pair("groove, a quarter", 1), std::pair("groove, a half", 2)}) {
@@ -127,13 +132,16 @@ private:
             slid.bars.rippleN = 0.02;
             slid.bars.errorMm = 0.04;
         }
+        // Up and down a plane of 27 degrees, pressed on straight down the plane's normal.
         StabilityScene& slope = add(0, "slope", m_slope, [](double t, double mmPerN) {
-            return glm::dvec3(0.6 * mmPerN * rise(t, 0.1, 0.3), -2.0 + 4.0 * rise(t, 0.4, 1.4),
-                              leaning(t, 0.3, mmPerN, 1.2));
+            const double x = -1.5 + 3.0 * rise(t, 0.4, 0.9) - 3.0 * rise(t, 0.9, 1.4);
+            const double press = rise(t, 0.1, 0.3) * 1.2 * mmPerN;
+            return glm::dvec3(x + 0.5 * press, 0.0, kSlope * x + 0.6 - 0.5 * rise(t, 0.0, 0.3) - press);
         });
-        slope.along = {0.0, 1.0, 0.0};
-        slope.steadyS = {{0.7, 1.4}};
-        slope.jumpsFromS = 0.7;
+        slope.along = glm::normalize(glm::dvec3(1.0, 0.0, kSlope));
+        slope.steadyS = {{0.6, 0.9}, {1.1, 1.4}};
+        slope.jumpsFromS = 0.6;
+        slope.bars.lagMm = 0.02;
     }
 
     void wallRidgeStep()
@@ -195,25 +203,25 @@ private:
 
     void device()
     {
-        // Five strokes of 9 mm a second; the hand leads by what mass and friction of the device cost it. The bur is
-        // lifted before it stops.
-        StabilityScene& brush = add(10, "brush", m_plate, [](double t, double mmPerN) {
-            constexpr double kAmplitudeMm = 4.5;
-            constexpr double kRadPerS = 2.0 * kPi * 5.0;
-            constexpr double kMoved = 0.3;  // kg, grip and hand
-            if (t >= 1.2)
-                return glm::dvec3(0.0, 0.0, 0.5);
-            const double turn = kRadPerS * t;
-            const double newtons = -0.001 * kMoved * kAmplitudeMm * kRadPerS * kRadPerS * std::sin(turn) +
-                                   0.25 * std::clamp(4.0 * std::cos(turn), -1.0, 1.0);
-            return glm::dvec3(kAmplitudeMm * std::sin(turn) + newtons * mmPerN, 0.0,
-                              0.5 - (rise(t, 0.3, 0.4) - rise(t, 1.0, 1.05)) * (0.5 + 0.3 * mmPerN));
-        });
-        brush.along = {1.0, 0.0, 0.0};
-        brush.steadyS = {{0.5, 0.95}};
-        brush.drill = true;
-        brush.bars.lagMm = 0.02;
-        brush.bars.depthMm = 0.005;
+        // Brushed over while it swings: three strokes of 8 mm, at up to 130 mm/s.
+        for (const bool drilling : {false, true}) {
+            StabilityScene& brush =
+                add(10, drilling ? "brush, drilling" : "brush", m_plate, [](double t, double mmPerN) {
+                    return glm::dvec3(0.0, 0.0, 0.5 - (rise(t, 0.3, 0.5) - rise(t, 0.8, 0.85)) * (0.5 + 0.3 * mmPerN));
+                });
+            brush.strokeMm = 4.0;
+            brush.strokeHz = 5.0;
+            brush.strokesToS = 1.2;
+            brush.steadyS = {{0.55, 0.8}};
+            brush.seconds = 2.4;
+            brush.drill = drilling;
+            if (drilling) {
+                brush.bars.depthMm = 0.005;  // a trench holds the bur back: no lag is asked for
+            } else {
+                brush.along = {1.0, 0.0, 0.0};
+                brush.bars.lagMm = 0.02;
+            }
+        }
 
         for (const int ms : {5, 20, 100, 500}) {
             // A hand that meanwhile has sunk in must lift the bur out before it is pushed again.
@@ -233,29 +241,29 @@ private:
         });
         jitter.jitterS = 0.003;
 
-        for (const auto& [name, um, dry] : {std::tuple("counts 30", 30, true), std::tuple("counts 100", 100, true),
-                                            std::tuple("counts 50, no dry friction", 50, false)}) {
+        for (const auto& [name, um, dryN] :
+             {std::tuple("counts 30", 30, -1.0), std::tuple("counts 100", 100, -1.0),
+              std::tuple("counts 50, least friction", 50, 0.1), std::tuple("counts 50, no friction", 50, 0.0)}) {
             StabilityScene& scene = add(12, name, m_plate, [](double t, double mmPerN) {
                 return glm::dvec3(0.0, 0.0, leaning(t, 0.3, mmPerN, 2.0));
             });
             scene.countShare = um / 48.0;  // of the real count sideways (haptics.md section 5)
-            scene.withoutDryFriction = !dry;
+            scene.dryN = dryN;
         }
-
         StabilityScene& tremor = add(12, "tremor", m_plate, [](double t, double mmPerN) {
             return glm::dvec3(0.0, 0.0, leaning(t, 0.3, mmPerN, 2.0));
         });
         tremor.trembling = true;
         tremor.steadyS = {{0.7, 1.5}};
 
+        // Released at the end of the reach and led home; or grabbed on the way, held, and pulled back.
         for (const bool grabbed : {false, true}) {
-            StabilityScene& scene =
-                add(13, grabbed ? "centring, grabbed" : "centring", m_plate, [grabbed](double t, double) {
-                    return glm::dvec3(grabbed ? 20.0 + 15.0 * rise(t, 0.9, 1.3) : 40.0, 0.0, 5.0);
-                });
-            scene.startMm = {40.0, 0.0, 5.0};
+            StabilityScene& scene = add(13, grabbed ? "centring, grabbed" : "centring", m_plate, [](double t, double) {
+                return glm::dvec3(39.5 + 10.0 * rise(t, 0.8, 1.1), 0.0, 5.0);
+            });
+            scene.startMm = {39.5, 0.0, 5.0};
             scene.homeAtS = 0.05;
-            scene.grabAtS = grabbed ? 0.35 : kNever;
+            scene.grabAtS = grabbed ? 0.5 : kNever;
             scene.jumpsFromS = 0.0;
             scene.bars = {.jumpN = 0.2, .mostN = 2.0, .mmPerS = 100.0};
         }
@@ -299,7 +307,8 @@ private:
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_plate = enamelBlock(flat);
     std::shared_ptr<const core::terrain::ToothAnatomy> m_pit = enamelBlock(pit);
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_slope = enamelBlock([](glm::dvec2 at) { return 0.5 * at.x; });
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_slope =
+        enamelBlock([](glm::dvec2 at) { return kSlope * at.x; });
     std::shared_ptr<const core::terrain::ToothAnatomy> m_wall = enamelBlock(wall);
     /// Where the crease lies on a row of columns, a quarter of a cell beside it, and between two.
     std::array<std::shared_ptr<const core::terrain::ToothAnatomy>, 3> m_groove{

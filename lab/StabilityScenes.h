@@ -26,6 +26,11 @@ struct StabilityScene
     std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
     /// Where the hand wants to be at a time, given how far its wish must go into the tooth for a newton, mm.
     std::function<glm::dvec3(double seconds, double mmPerN)> wanted;
+    /// Strokes along x, between `strokesFromS` and `strokesToS`, that the grip, not the wish, is to make.
+    double strokeMm = 0.0;  ///< to each side
+    double strokeHz = 0.0;
+    double strokesFromS = 0.0;
+    double strokesToS = 0.0;
     double seconds = 2.0;
     std::vector<std::pair<double, double>> steadyS;  ///< exact geometry gives an even force here; at rest anyway
     double jumpsFromS = 0.5;
@@ -39,14 +44,14 @@ struct StabilityScene
     double silentForS = 0.0;
     double jitterS = -1.0;    ///< of the delay, if not negative
     double countShare = 1.0;  ///< of the encoders
-    bool withoutDryFriction = false;
-    bool trembling = false;  ///< the hand's tremor and drift are on; else it is calm
+    double dryN = -1.0;       ///< dry friction of the device, if not negative
+    bool trembling = false;   ///< the hand's tremor and drift are on; else it is calm
     bool beginsInside = false;
     bool mustStayLeft = false;  ///< of x = 0
     double swapAtS = kNever;    ///< the tooth is changed for `swapTop` in a tick
     std::vector<float> swapTop;
     double homeAtS = kNever;  ///< centring is asked for; until `grabAtS` the hand lets itself be led
-    double grabAtS = kNever;
+    double grabAtS = kNever;  ///< from here on `wanted` moves it from where it is
     /// Where exact geometry puts the anchor when the device is here and deep enough to press; empty: not known.
     std::function<glm::dvec3(const glm::dvec3& device)> exact;
     /// Scene 16: the device goes round circles about here, path given, instead of being held. Empty: a held scene.

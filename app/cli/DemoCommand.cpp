@@ -11,6 +11,7 @@
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
 #include "core/recording/Recording.h"
+#include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/DemoHand.h"
 #include "haptics/simulated/GuidedFalcon.h"
@@ -29,6 +30,8 @@ core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::Bui
 {
     haptics::SimulationOptions options;
     options.record = true;
+    if (simulatedDevice)
+        options.settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
     core::rt::TripleBuffer<core::session::PointerInput> pointer;
     const double stiffness = options.settings.force.stiffnessNPerMm;
     haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);

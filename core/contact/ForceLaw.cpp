@@ -9,11 +9,12 @@
 namespace core::contact {
 namespace {
 
-/// Corner of the damper's low-pass, two poles: a count of the Falcon in a millisecond is 30 to 50 mm/s, which a damper
-/// must not pass on (haptics.md 2.6).
-constexpr double kPaceCornerRadPerS = 2.0 * 3.14159265358979 * 150.0;
-constexpr double kLeastMoveMm = 1.0e-4;
-constexpr double kBrakeNSPerMm = 0.05;
+constexpr double kTouchMm = 1.0e-6;  ///< a nanometre is rounding, not touch
+/// Fastest that the held end of the spring goes of itself; and what it may go in addition, per mm that the hand moves.
+/// The nearest point of a convex hump moves at most 2.5 / 1.5 times as fast as a hand 1 mm inside it.
+constexpr double kSlipMmPerS = 100.0;
+constexpr double kSlipShare = 2.0;
+constexpr double kBrakeNSPerMm = 0.03;
 
 double lengthOf(const glm::dvec3& v)
 {
@@ -39,6 +40,8 @@ Status check(const ForceSettings& settings)
         return unexpected(ErrorCode::OutOfRange, "The stiffness must lie between 0.01 and 20 N/mm.");
     if (!within(settings.dampingNSPerM, 0.0, 50.0))
         return unexpected(ErrorCode::OutOfRange, "The damping must lie between 0 and 50 N s/m.");
+    if (!within(settings.fastDampingNSPerM, 0.0, 100.0))
+        return unexpected(ErrorCode::OutOfRange, "The damping of fast motion must lie between 0 and 100 N s/m.");
     if (!within(settings.brakeN, 0.0, 8.0))
         return unexpected(ErrorCode::OutOfRange, "The brake of passivity control must lie between 0 and 8 N.");
     if (!within(settings.lateralGain, 0.1, 1.0) || !within(settings.verticalGain, 0.1, 1.0))
@@ -47,70 +50,104 @@ Status check(const ForceSettings& settings)
         return unexpected(ErrorCode::OutOfRange, "The friction coefficient must lie between 0 and 1.");
     if (!within(settings.clampN, 0.1, 20.0))
         return unexpected(ErrorCode::OutOfRange, "The force clamp must lie between 0.1 and 20 N.");
+    if (settings.workAreaMm != 0.0 && !within(settings.workAreaMm, 15.0, 1000.0))
+        return unexpected(ErrorCode::OutOfRange, "The work area must reach 15 to 1000 mm, or be 0: none.");
+    if (!within(settings.vibrationN, 0.0, 0.2))
+        return unexpected(ErrorCode::OutOfRange, "The vibration of the bur must lie between 0 and 0.2 N.");
     if (!within(settings.slewNPerS, 1000.0, 1.0e6))
         return unexpected(ErrorCode::OutOfRange, "The force slew limit must be at least 1000 N/s.");
     return {};
 }
 
-/// The damper's force, N. A damper that would pull the hand into the tooth lets go.
-glm::dvec3 ForceLaw::damped(const glm::dvec3& stretch, double seconds) noexcept
+/// Lets the held end go to the anchor. What moves it faster than a hand that slides on a tooth is ground that appeared
+/// or went in a tick, by undo, by another bur, by a column that broke off: that is felt over some milliseconds.
+void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept
 {
-    const glm::dvec3 pace = seconds > 0.0 ? (stretch - m_stretch) / seconds : glm::dvec3(0.0);
-    const double share = kPaceCornerRadPerS * seconds / (1.0 + kPaceCornerRadPerS * seconds);
-    m_pace += (pace - m_pace) * share;
-    m_calmPace += (m_pace - m_calmPace) * share;
-    return m_calmPace * (m_settings.dampingNSPerM * 0.001);
+    const glm::dvec3 way = anchor - m_held;
+    const double most = kSlipMmPerS * seconds + kSlipShare * movedMm;
+    const double length = lengthOf(way);
+    m_held = m_begins || length <= most ? anchor : m_held + way * (most / length);
+}
+
+/// The pace at which the hand stretches the spring, mm/s: what of the stretching is its own doing. An anchor that slips
+/// by itself is no motion to be damped.
+glm::dvec3 ForceLaw::handsPace() const noexcept
+{
+    const glm::dvec3& stretching = m_stretching.mmPerS();
+    const glm::dvec3& moving = m_moving.mmPerS();
+    if (!(glm::dot(stretching, moving) < 0.0))
+        return glm::dvec3(0.0);
+    return shortened(stretching, lengthOf(moving));
+}
+
+/// The damper's force, N.
+glm::dvec3 ForceLaw::damper(const glm::dvec3& pace) const noexcept
+{
+    const double square = glm::dot(pace, pace);
+    const double fast = square / (square + kFastMmPerS * kFastMmPerS);
+    return pace * (0.001 * (m_settings.dampingNSPerM + m_settings.fastDampingNSPerM * fast));
 }
 
 /// Passivity control (Hannaford & Ryu 2002) in its strict form: what the spring holds must have come from the hand.
-/// What it holds beyond that, by sampling or by a jump of the anchor, is taken out of the hand's motion; what the hand
-/// gave beyond that has been cut or rubbed away and is no credit.
-glm::dvec3 ForceLaw::braked(const glm::dvec3& wanted, const glm::dvec3& moved, double springMj, double seconds) noexcept
+/// What it holds beyond that, by sampling or by a jump of the anchor, is taken out of the motion; what the hand gave
+/// beyond that has been cut or rubbed away and is no credit. Slow motion is left to dry friction: there the brake would
+/// answer to single counts.
+glm::dvec3 ForceLaw::brake(const glm::dvec3& pace, double springMj, double seconds) noexcept
 {
     m_takenMj = std::min(m_takenMj, springMj);
     const double owed = springMj - m_takenMj;
-    const double way = lengthOf(moved);
-    if (!(owed > 0.0) || way < kLeastMoveMm || !(seconds > 0.0))
-        return wanted;
-    // A slow hand would feel a few microjoules as a click.
-    const double mostN = std::min(m_settings.brakeN, kBrakeNSPerMm * way / seconds);
-    return wanted - moved * (std::min(owed / way, mostN) / way);
+    const double mmPerS = lengthOf(pace);
+    if (!(owed > 0.0) || !(mmPerS > kFastMmPerS) || !(seconds > 0.0))
+        return glm::dvec3(0.0);
+    const double newtons =
+        std::min({owed / (mmPerS * seconds), m_settings.brakeN, kBrakeNSPerMm * (mmPerS - kFastMmPerS)});
+    return pace * (newtons / mmPerS);
 }
 
 glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, double seconds) noexcept
 {
-    const glm::dvec3 moved = m_return > 0.0 ? device - m_device : glm::dvec3(0.0);
+    if (m_begins)
+        m_moving.restart(device);
+    const glm::dvec3 moved = m_begins ? glm::dvec3(0.0) : device - m_device;
     m_device = device;
+    m_moving.add(device, seconds);
     m_takenMj -= glm::dot(m_forceN, moved);
     m_return = std::min(1.0, m_return + seconds / kReturnS);
+    follow(anchor, lengthOf(moved), seconds);
 
     const double stiffness = stiffnessNPerMm();
-    glm::dvec3 stretch = anchor - device;
+    glm::dvec3 stretch = m_held - device;
     const double depth = lengthOf(stretch);
-    glm::dvec3 wanted{0.0};
-    if (depth > 0.0) {
+    const bool touches = depth > kTouchMm;
+    if (touches) {
         if (!m_touched)
-            m_stuck = anchor;
+            m_stuck = m_held;
         const glm::dvec3 normal = stretch / depth;
-        glm::dvec3 drag = m_stuck - anchor;
+        glm::dvec3 drag = m_stuck - m_held;
         drag -= normal * glm::dot(drag, normal);
         drag = shortened(drag, m_settings.friction * depth);
-        m_stuck = anchor + drag;
+        m_stuck = m_held + drag;
         stretch += drag;
-        wanted = stretch * stiffness + damped(stretch, seconds);
+    }
+    if (m_begins)
+        m_stretching.restart(stretch);
+    m_stretching.add(stretch, seconds);
+
+    glm::dvec3 wanted{0.0};
+    if (touches) {
+        const glm::dvec3 pace = handsPace();
+        wanted = stretch * stiffness + damper(pace);
+        const glm::dvec3 normal = (m_held - device) / depth;
         const double pull = glm::dot(wanted, normal);
         if (pull < 0.0)
-            wanted -= normal * pull;
-        wanted = braked(wanted, moved, 0.5 * stiffness * glm::dot(stretch, stretch), seconds);
+            wanted -= normal * pull;  // a damper that would pull the hand into the tooth lets go
+        wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch, stretch), seconds);
         wanted *= glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
     } else {
-        m_pace = glm::dvec3(0.0);
-        m_calmPace = glm::dvec3(0.0);
         m_takenMj = 0.0;
-        m_return = 1.0;  // what begins in the air begins softly by itself
     }
-    m_stretch = stretch;
-    m_touched = depth > 0.0;
+    m_begins = false;
+    m_touched = touches;
     m_clamped = lengthOf(wanted) > m_settings.clampN;
     wanted = shortened(wanted, m_settings.clampN);
     m_forceN += shortened(wanted - m_forceN, m_settings.slewNPerS * seconds);
@@ -119,12 +156,16 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
 
 void ForceLaw::drop() noexcept
 {
-    m_forceN = glm::dvec3(0.0);
-    m_pace = glm::dvec3(0.0);
-    m_calmPace = glm::dvec3(0.0);
-    m_stretch = glm::dvec3(0.0);
-    m_takenMj = 0.0;
+    restart();
     m_return = 0.0;
+}
+
+void ForceLaw::restart() noexcept
+{
+    m_forceN = glm::dvec3(0.0);
+    m_takenMj = 0.0;
+    m_return = 1.0;
+    m_begins = true;
     m_touched = false;
     m_clamped = false;
 }

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/Result.h"
+#include "core/contact/PaceMeter.h"
 
 namespace core::contact {
 
@@ -12,14 +13,21 @@ struct ForceSettings
 {
     /// Spring of the virtual coupling, one for the whole tooth: hardness acts on removal (haptics.md 3).
     double stiffnessNPerMm = 2.0;
-    /// Its damper, on the speed at which it is stretched. Every millisecond of delay halves what it may be at most;
-    /// 5 N s/m is the middle of what haptics.md 2.2 found to help.
-    double dampingNSPerM = 5.0;
-    double brakeN = 1.0;        ///< most that passivity control takes out of the hand's motion; 0 is none
+    /// Its damper, on the speed at which it is stretched: for slow motion, where the device's dry friction holds what
+    /// sampling and delay feed, and where every count of the encoders would be felt through more.
+    double dampingNSPerM = 3.0;
+    /// What the damper has more for motion much faster than ForceLaw::kFastMmPerS, which dry friction does not hold
+    /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large).
+    double fastDampingNSPerM = 30.0;
+    double brakeN = 0.5;        ///< most that passivity control takes out of fast motion; 0 is none
     double friction = 0.1;      ///< Coulomb coefficient of the bur sliding on the tooth
     double lateralGain = 1.0;   ///< of the force along x and y: arms are weaker sideways
     double verticalGain = 1.0;  ///< of the force along z
     double clampN = 8.0;        ///< largest force ever given to the hand
+    /// Radius of the ball about the tooth's origin that the device moves in, mm; 0: it has no end, as a mouse has none
+    /// (WorkArea).
+    double workAreaMm = 0.0;
+    double vibrationN = 0.0;    ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
     double slewNPerS = 2000.0;  ///< fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3)
     bool operator==(const ForceSettings&) const = default;
 };
@@ -37,7 +45,10 @@ public:
     /// Force on the hand for this tick, newtons, tooth frame.
     glm::dvec3 update(const glm::dvec3& device, const glm::dvec3& anchor, double seconds) noexcept;
 
-    /// The device is lost: zero at once. If it comes back in contact, the force rises from zero over kReturnS.
+    /// Forgets everything and begins at zero: what begins in the air begins softly by itself.
+    void restart() noexcept;
+    /// The device is lost: zero at once. When it comes back the force rises from zero over kReturnS, whether it is in
+    /// contact by then or not.
     void drop() noexcept;
 
     /// The spring from now on as this share of the settings, 0 to 1: the loop has become slower.
@@ -50,24 +61,28 @@ public:
     [[nodiscard]] const ForceSettings& settings() const noexcept { return m_settings; }
 
     static constexpr double kReturnS = 0.2;
+    static constexpr double kFastMmPerS = 30.0;
 
 private:
-    [[nodiscard]] glm::dvec3 damped(const glm::dvec3& stretch, double seconds) noexcept;
-    [[nodiscard]] glm::dvec3 braked(const glm::dvec3& wanted, const glm::dvec3& moved, double springMj,
-                                    double seconds) noexcept;
+    void follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept;
+    [[nodiscard]] glm::dvec3 handsPace() const noexcept;
+    [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace) const noexcept;
+    [[nodiscard]] glm::dvec3 brake(const glm::dvec3& pace, double springMj, double seconds) noexcept;
 
     ForceSettings m_settings;
     glm::dvec3 m_forceN{0.0};
-    /// Where the bur sticks to the surface: trails the anchor inside the friction cone, so that friction costs neither
-    /// delay nor velocity noise (Harwin & Melder 2002). The anchor itself stays where the geometry puts it.
+    /// Where the spring ends: the anchor, but for its jumps.
+    glm::dvec3 m_held{0.0};
+    /// Where the bur sticks to the surface: trails it inside the friction cone, so that friction costs neither delay
+    /// nor velocity noise (Harwin & Melder 2002). The anchor itself stays where the geometry puts it.
     glm::dvec3 m_stuck{0.0};
     glm::dvec3 m_device{0.0};
-    glm::dvec3 m_stretch{0.0};   ///< of the spring, mm
-    glm::dvec3 m_pace{0.0};      ///< at which it is stretched, mm/s, through one pole
-    glm::dvec3 m_calmPace{0.0};  ///< through both
-    double m_takenMj = 0.0;      ///< what the hand has put into the spring and not yet got back
+    PaceMeter m_stretching;
+    PaceMeter m_moving;      ///< of the device
+    double m_takenMj = 0.0;  ///< what the hand has put into the spring and not yet got back
     double m_share = 1.0;
-    double m_return = 0.0;  ///< 0 after drop(), rising to 1
+    double m_return = 1.0;  ///< 0 after drop(), rising to 1
+    bool m_begins = true;   ///< nothing is known of the tick before
     bool m_touched = false;
     bool m_clamped = false;
 };

@@ -64,12 +64,15 @@ std::string settingsBytes(const session::ServoSettings& settings)
     out.putText(settings.method);
     out.put(settings.force.stiffnessNPerMm);
     out.put(settings.force.dampingNSPerM);
+    out.put(settings.force.fastDampingNSPerM);
     out.put(settings.force.brakeN);
     out.put(settings.force.friction);
     out.put(settings.force.lateralGain);
     out.put(settings.force.verticalGain);
     out.put(settings.force.clampN);
     out.put(settings.force.slewNPerS);
+    out.put(settings.force.workAreaMm);
+    out.put(settings.force.vibrationN);
     out.putText(settings.hardness.name);
     for (const settings::MaterialHardness& material : settings.hardness.material) {
         out.put(material.rateMm3PerNs);
@@ -91,12 +94,15 @@ std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
     settings.method = in.takeText();
     settings.force.stiffnessNPerMm = in.take<double>();
     settings.force.dampingNSPerM = in.take<double>();
+    settings.force.fastDampingNSPerM = in.take<double>();
     settings.force.brakeN = in.take<double>();
     settings.force.friction = in.take<double>();
     settings.force.lateralGain = in.take<double>();
     settings.force.verticalGain = in.take<double>();
     settings.force.clampN = in.take<double>();
     settings.force.slewNPerS = in.take<double>();
+    settings.force.workAreaMm = in.take<double>();
+    settings.force.vibrationN = in.take<double>();
     settings.hardness.name = in.takeText();
     for (settings::MaterialHardness& material : settings.hardness.material) {
         material.rateMm3PerNs = in.take<double>();
@@ -205,7 +211,7 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
     std::vector<ServoEvent> events(count);
     for (ServoEvent& event : events) {
         const auto kind = in.take<std::uint8_t>();
-        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Restore))
+        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Home))
             return std::nullopt;
         event.kind = static_cast<ServoEvent::Kind>(kind);
     }

@@ -58,6 +58,9 @@ replay(const Recording& recording,
         case ServoEvent::Kind::Bur:
             (*servo)->setBur(static_cast<std::size_t>(event.value));
             break;
+        case ServoEvent::Kind::Home:
+            (*servo)->bringHome();
+            break;
         case ServoEvent::Kind::Spring:
             (*servo)->setSpring(event.value);
             break;

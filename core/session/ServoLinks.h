@@ -20,8 +20,11 @@ struct SwapTooth
     bool anew = false;               ///< a tooth to begin with, not a step back
     std::uint64_t restoredTick = 0;  ///< not anew: the tick of this attempt after which the tooth stood like this
 };
+/// Lead the hand home over the tooth.
+struct BringHome
+{};
 /// Session to servo.
-using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill>;
+using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, BringHome>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
 /// One thing that happened to the servo, in the order in which it happened: what a recording is made of.
@@ -34,6 +37,7 @@ struct ServoEvent
         Bur,       ///< value: index into burs()
         Spring,    ///< value: per cent of the stiffness that the force law has from now on
         Restore,   ///< value: the tick whose tooth was put back
+        Home,      ///< the hand is to be led home from now on
         Begin,     ///< a new tooth; value: its generation. Ends the recording before it
     };
     Kind kind = Kind::Tick;

@@ -56,7 +56,8 @@ bool isPlausible(const glm::vec3& device)
 }  // namespace
 
 ServoTick::ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings)
-    : m_method(std::move(method)), m_force(settings.force), m_drill(settings.hardness, settings.handpiece),
+    : m_method(std::move(method)), m_force(settings.force), m_workArea(settings.force.workAreaMm),
+      m_vibration(settings.force.vibrationN), m_drill(settings.hardness, settings.handpiece),
       m_breakOff(settings.breakOff)
 {}
 
@@ -90,7 +91,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
         m_state.drillOn = before.drillOn;
         m_state.deviceMm = before.deviceMm;
         m_state.anchorMm = before.anchorMm;
-        m_force.drop();
+        m_force.restart();
         m_restart = true;
         m_mayAct = false;
     }
@@ -114,10 +115,8 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.burRpm = m_state.drillOn ? m_drill.rpmUnder(0.0, 0.0) : 0.0;
     m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside);
     if (device == nullptr || !isPlausible(*device)) {
-        m_force.drop();
+        letGo();
         m_drill.rest();
-        m_state.forceN = glm::dvec3(0.0);
-        m_state.touching = false;
         m_state.handpieceOnCrown = false;
         m_state.health |= kDeviceLost;
         m_wasLost = true;
@@ -145,9 +144,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         m_mayAct =
             m_tooth->clearanceAt(over, reached.z) <= reached.z || m_tooth->undersideAt(over, reached.z) >= reached.z;
         if (!m_mayAct) {
-            m_force.drop();
-            m_state.forceN = glm::dvec3(0.0);
-            m_state.touching = false;
+            letGo();
             m_state.health |= kBegunInside;
             return;
         }
@@ -186,10 +183,30 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     } else {
         m_drill.rest();
     }
-    m_state.forceN = m_force.update(m_state.deviceMm, m_state.anchorMm, seconds);
+    m_state.forceN = around(m_force.update(m_state.deviceMm, m_state.anchorMm, seconds), seconds);
     if (m_force.clamped())
         m_state.health |= kForceClamped;
     describe();
+}
+
+/// No force at all, and nothing remembered that could make one.
+void ServoTick::letGo() noexcept
+{
+    m_force.drop();
+    m_workArea.drop();
+    m_vibration.stop();
+    m_state.forceN = glm::dvec3(0.0);
+    m_state.touching = false;
+}
+
+/// The force of contact and what has nothing to do with the tooth: neither cuts nor counts as contact.
+glm::dvec3 ServoTick::around(const glm::dvec3& contactN, double seconds) noexcept
+{
+    const glm::dvec3 sum = contactN + m_workArea.update(m_state.deviceMm, seconds) +
+                           m_vibration.update(m_state.drillOn && !m_state.touching, seconds);
+    const double newtons = std::sqrt(glm::dot(sum, sum));
+    const double clampN = m_force.settings().clampN;
+    return newtons > clampN ? sum * (clampN / newtons) : sum;
 }
 
 /// Depth and material under the tip, for the eye: from the nearest column.

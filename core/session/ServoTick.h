@@ -4,9 +4,11 @@
 #include <chrono>
 #include <memory>
 
+#include "core/contact/BurVibration.h"
 #include "core/contact/ContactMethod.h"
 #include "core/contact/ForceLaw.h"
 #include "core/contact/LiveTooth.h"
+#include "core/contact/WorkArea.h"
 #include "core/drilling/Drill.h"
 #include "core/session/Links.h"
 #include "core/settings/BreakOff.h"
@@ -42,6 +44,9 @@ public:
     /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
     void setSpring(std::uint64_t percent) noexcept { m_force.setShare(0.01 * static_cast<double>(percent)); }
 
+    /// Leads the hand home over the tooth, if the device has a work area (contact::WorkArea).
+    void bringHome() noexcept { m_workArea.bringHome(); }
+
     /// One tick. A tooth must be there.
     /// @param device  null: no reading this tick, the force is zero at once and nothing moves; a position that is not
     ///                finite or more than a metre away counts as none
@@ -54,10 +59,14 @@ public:
     [[nodiscard]] const contact::LiveTooth* tooth() const noexcept { return m_tooth; }
 
 private:
+    void letGo() noexcept;
+    [[nodiscard]] glm::dvec3 around(const glm::dvec3& contactN, double seconds) noexcept;
     void describe() noexcept;
 
     std::unique_ptr<contact::ContactMethod> m_method;
     contact::ForceLaw m_force;
+    contact::WorkArea m_workArea;
+    contact::BurVibration m_vibration;
     drilling::Drill m_drill;
     settings::BreakOff m_breakOff;
     contact::LiveTooth* m_tooth = nullptr;

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/history/TiledHeights.h"
+#include "haptics/falcon/FalconFeel.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Locks.h"
 #include "tests/support/Rig.h"
@@ -34,10 +35,13 @@ double length(const glm::dvec3& v)
 /// A servo without a session: the test reads the queues itself.
 struct Bare
 {
+    explicit Bare(const ServoSettings& which = {}) : settings(which) {}
+
+    ServoSettings settings;
     std::unique_ptr<ServoLinks> links = std::make_unique<ServoLinks>();
     rt::TripleBuffer<ServoState> state;
     support::HeldDevice device;
-    haptics::ServoLoop servo{device, makeServoTick({}).value(), *links, state, 1ms};
+    haptics::ServoLoop servo{device, makeServoTick(settings).value(), *links, state, 1ms};
 
     void give(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, std::uint64_t serial, bool anew = true)
     {
@@ -97,6 +101,7 @@ private slots:
     void forceComesBackWithoutAJump();
     void aHandThatSankInWhileTheDeviceWasLostIsNotThrownOut();
     void aLateDeviceSoftensTheSpring();
+    void handIsLedHomeOnRequest();
     void forceNeverPassesTheClamp();
     void forceChangesNoFasterThanAllowed();
     void groupsAreMomentsOfTheTooth();
@@ -263,6 +268,9 @@ void TestServoLoop::aHandThatSankInWhileTheDeviceWasLostIsNotThrownOut()
     bare.servo.tick(1ms);
     for (int n = 0; n < 20; ++n)
         bare.lean(0.0, 0.0, 0.5);
+    QVERIFY(length(bare.servo.state().forceN) < 0.2);  // it still comes back by and by
+    for (int n = 0; n < 200; ++n)
+        bare.lean(0.0, 0.0, 0.5);
     QVERIFY(length(bare.servo.state().forceN) > 0.9);
 }
 
@@ -298,6 +306,35 @@ void TestServoLoop::aLateDeviceSoftensTheSpring()
     }
     QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
     QVERIFY(std::abs(restForce() / prompt - 1.0) < 0.01);
+}
+
+void TestServoLoop::handIsLedHomeOnRequest()
+{
+    ServoSettings falcon;
+    haptics::falcon::addFalconFeel(falcon.force);
+    falcon.force.vibrationN = 0.0;
+    for (const ServoSettings& settings : {ServoSettings{}, falcon}) {
+        Bare bare(settings);
+        bare.give(block(), 1);
+        bare.device.tipMm = {20.0F, 0.0F, 5.0F};
+        bare.servo.tick(1ms);
+        bare.drainEvents();
+        QVERIFY(bare.links->commands.tryPush(BringHome{}));
+        for (int n = 0; n < 100; ++n)
+            bare.servo.tick(1ms);
+        int told = 0;
+        for (ServoEvent event; bare.links->events.tryPop(event);)
+            told += event.kind == ServoEvent::Kind::Home ? 1 : 0;
+        QCOMPARE(told, 1);  // a replay must know
+        if (settings.force.workAreaMm > 0.0) {
+            QVERIFY(bare.servo.state().forceN.x < -0.1);
+            bare.device.present = false;
+            bare.servo.tick(1ms);
+            bare.device.present = true;
+            bare.servo.tick(1ms);
+        }
+        QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));  // a mouse is not led, a device that was lost no longer
+    }
 }
 
 void TestServoLoop::forceNeverPassesTheClamp()

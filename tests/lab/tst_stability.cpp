@@ -3,26 +3,58 @@
 
 #include "lab/Stability.h"
 
+using lab::Outcome;
+
 namespace {
 
-lab::StabilityResult tried(const char* scene, const char* method, double delayMs = 1.0, std::size_t hand = 1)
+constexpr std::size_t kLight = 0;
+constexpr std::size_t kMedium = 1;
+constexpr std::size_t kFirm = 2;
+/// The one scene that the theory lets nobody hold, see withoutDryFrictionEveryLoopTrembles().
+const QString kNoFriction = "counts 50, no friction";
+
+lab::StabilityTrial trialOf(const QString& method, double delayMs, std::size_t hand = kMedium, double nPerMm = 2.0)
 {
     lab::StabilityTrial trial;
-    trial.settings.method = method;
+    trial.settings.method = method.toStdString();
+    trial.settings.force.stiffnessNPerMm = nPerMm;
     trial.falcon.delayS = delayMs * 0.001;
     trial.falcon.delayJitterS = 0.0;
     trial.hand = haptics::kHands[hand];
-    return lab::tryStability(scene, trial).value();
+    return trial;
+}
+
+lab::StabilityResult tried(const QString& scene, const lab::StabilityTrial& trial)
+{
+    return lab::tryStability(scene.toStdString(), trial).value();
+}
+
+QString latin(std::string_view text)
+{
+    return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 QString told(const lab::StabilityResult& result)
 {
-    const std::string_view name = lab::nameOf(result.outcome);
-    return QString("%1: swing %2 mm, ripple %3 N, lag %4 mm")
-        .arg(QLatin1String(name.data(), static_cast<qsizetype>(name.size())))
+    return QString("%1%2: swing %3 mm, ripple %4 N, jump %5 N, lag %6 mm, error %7 mm, leak %8 and %9 uJ")
+        .arg(latin(lab::nameOf(result.outcome)), result.missed.empty() ? QString() : ", " + latin(result.missed))
         .arg(result.swingMm)
         .arg(result.rippleN)
-        .arg(result.lagMm);
+        .arg(result.jumpN)
+        .arg(result.lagMm)
+        .arg(result.errorMm)
+        .arg(result.leakUj)
+        .arg(result.springLeakUj);
+}
+
+/// Bars that are not the force's, or that no spring of 2 N/mm meets: see the tests below.
+bool isKnownMiss(std::string_view scene, std::string_view missed)
+{
+    // A count of 0.05 mm is a step of 0.1 N. The bar of 0.02 N is for a device that reads exactly.
+    if (scene.starts_with("groove"))
+        return missed == "ripple";
+    // How deep a brush of 0.3 N cuts is the cutting's.
+    return scene == "brush, drilling" && missed == "depth";
 }
 
 }  // namespace
@@ -31,61 +63,217 @@ class TestStability : public QObject
 {
     Q_OBJECT
 private slots:
-    void whatWeShipComesToRest_data();
-    void whatWeShipComesToRest();
-    void penaltyGoesThroughARidge();
-    void aBurThatBeginsInsideIsLeftAlone();
+    void everySceneOfTheTableIsThere();
+    void whatWeShipHolds_data();
+    void whatWeShipHolds();
+    void hardImpactsHoldAtThreeNewtonsAMillimetre();
+    void exactDeviceTremblesNowhere();
+    void exactDeviceIsSmoothInAGroove();
+    void withoutDryFrictionEveryLoopTrembles();
+    void failuresAreSeen_data();
+    void failuresAreSeen();
+    void latticeHangsAboveAPit();
+    void onlyTheBetterMethodFollowsASlope();
+    void penaltyMakesEnergyAtARidge();
+    void strongBackwardDifferenceTrembles();
     void theSameTrialTwiceIsTheSame();
-    void unknownSceneIsRefused();
+    void unknownSceneAndMethodAreRefused();
 };
 
-void TestStability::whatWeShipComesToRest_data()
+void TestStability::everySceneOfTheTableIsThere()
+{
+    QList<int> numbers;
+    for (const lab::StabilitySceneName& scene : lab::stabilityScenesAndBars())
+        if (scene.number > 0 && !numbers.contains(scene.number))
+            numbers << scene.number;
+    std::sort(numbers.begin(), numbers.end());
+    QCOMPARE(numbers, (QList<int>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}));
+    QCOMPARE(lab::stabilityScenes().size(), lab::stabilityScenesAndBars().size());
+}
+
+void TestStability::whatWeShipHolds_data()
 {
     QTest::addColumn<QString>("scene");
-    QTest::addColumn<std::size_t>("hand");
-    for (const QString& scene : QStringList{"push", "pit", "groove", "slope", "wall", "ridge, 1 cell", "step 0.2",
-                                            "drill 2", "dropout 100", "inside"})
-        for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
-            QTest::addRow("%s, hand %zu", qPrintable(scene), hand) << scene << hand;
+    for (const std::string_view name : lab::stabilityScenes())
+        if (latin(name) != kNoFriction)
+            QTest::addRow("%s", qPrintable(latin(name))) << latin(name);
 }
 
-void TestStability::whatWeShipComesToRest()
+/// With every hand and up to 2 ms of delay, and at 4 ms, where the servo loop has halved its spring. A buzz is no hold.
+void TestStability::whatWeShipHolds()
 {
     QFETCH(QString, scene);
-    QFETCH(std::size_t, hand);
-    for (const double delayMs : {0.0, 1.0, 2.0}) {
-        const lab::StabilityResult result = tried(qPrintable(scene), "continuous", delayMs, hand);
-        QVERIFY2(result.outcome == lab::Outcome::Holds || result.outcome == lab::Outcome::Buzzes,
-                 qPrintable(QString("%1 ms: %2").arg(delayMs).arg(told(result))));
+    for (const double delayMs : {0.0, 1.0, 2.0, 4.0}) {
+        for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand) {
+            const lab::StabilityResult result = tried(scene, trialOf("continuous", delayMs, hand));
+            const QString where = QString("%1 ms, hand %2: ").arg(delayMs).arg(hand) + told(result);
+            QVERIFY2(result.outcome == Outcome::Holds, qPrintable(where));
+            if (delayMs <= 2.0 && !isKnownMiss(scene.toStdString(), result.missed))
+                QVERIFY2(result.missed.empty(), qPrintable(where));
+        }
     }
 }
 
-void TestStability::penaltyGoesThroughARidge()
-{
-    const lab::StabilityResult result = tried("ridge, 1 cell", "penalty");
-    QVERIFY2(result.outcome == lab::Outcome::Crosses, qPrintable(told(result)));
-    QVERIFY(tried("ridge, 1 cell", "lattice").outcome != lab::Outcome::Crosses);
-}
-
-void TestStability::aBurThatBeginsInsideIsLeftAlone()
+/// It diverged before the damper grew with speed: dry friction holds 68 mm/s there (haptics.md 2.1).
+void TestStability::hardImpactsHoldAtThreeNewtonsAMillimetre()
 {
     for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand) {
-        const lab::StabilityResult result = tried("inside", "continuous", 1.0, hand);
-        QVERIFY2(result.outcome != lab::Outcome::Crosses, qPrintable(told(result)));
+        const lab::StabilityResult result = tried("impact 400", trialOf("continuous", 2.0, hand, 3.0));
+        QVERIFY2(result.outcome == Outcome::Holds, qPrintable(told(result)));
     }
+}
+
+/// What a scene calls trembling is the loop's own: a device that reads exactly and answers at once shows none.
+void TestStability::exactDeviceTremblesNowhere()
+{
+    for (const lab::StabilitySceneName& scene : lab::stabilityScenesAndBars()) {
+        lab::StabilityTrial trial = trialOf("continuous", 0.0);
+        trial.falcon.countShare = 0.0;
+        trial.falcon.motorLagS = 1.0e-6;
+        const lab::StabilityResult result = tried(latin(scene.name), trial);
+        QVERIFY2(result.outcome == Outcome::Holds && result.rippleN < 0.5 * scene.bars.buzzN,
+                 qPrintable(latin(scene.name) + ", " + told(result)));
+    }
+}
+
+void TestStability::exactDeviceIsSmoothInAGroove()
+{
+    for (const char* scene : {"groove", "groove, a quarter", "groove, a half"}) {
+        lab::StabilityTrial trial = trialOf("continuous", 1.0);
+        trial.falcon.countShare = 0.0;
+        const lab::StabilityResult result = tried(scene, trial);
+        QVERIFY2(result.missed.empty(), qPrintable(told(result)));
+    }
+}
+
+/// Abbott & Okamura 2005: a count buzzes if the spring is stiffer than 2 fc / D, which is nothing without dry friction.
+void TestStability::withoutDryFrictionEveryLoopTrembles()
+{
+    for (const std::string_view method : lab::contestants()) {
+        const lab::StabilityResult result = tried(kNoFriction, trialOf(latin(method), 2.0, kLight));
+        QVERIFY2(result.outcome != Outcome::Holds, qPrintable(latin(method) + ", " + told(result)));
+        const lab::StabilityResult rubbed = tried("counts 50, least friction", trialOf(latin(method), 1.0, kLight));
+        QVERIFY2(rubbed.outcome == Outcome::Holds, qPrintable(latin(method) + ", " + told(rubbed)));
+    }
+}
+
+/// Where haptics.md 3.3 and the table of its section 4 say that a method fails, and how.
+///
+/// Not seen: "27: 0.14 N steps" at the wall. They are there (jump), but a hand that goes 2.5 mm/s makes no tremble of
+/// them: 36 a second. And the lattice with sixteen steps jumps no ridge: each step goes from where the last ended.
+void TestStability::failuresAreSeen_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<QString>("scene");
+    QTest::addColumn<std::size_t>("hand");
+    QTest::addColumn<double>("delayMs");
+    QTest::addColumn<int>("outcome");
+    QTest::addColumn<QString>("missed");
+    const auto add = [](const char* method, const char* scene, std::size_t hand, double delayMs, int outcome,
+                        const char* missed = "") {
+        QTest::addRow("%s, %s", method, scene)
+            << QString(method) << QString(scene) << hand << delayMs << outcome << QString(missed);
+    };
+    constexpr int kAny = -1;
+    constexpr int kNoHold = -2;  // what has no memory is chaotic: it trembles in one build and swings in another
+    const auto code = [](Outcome outcome) { return static_cast<int>(outcome); };
+    // No memory: through the ridge, from wall to wall of a groove, up beside a wall; cutting, it leads itself astray.
+    add("penalty", "ridge, 1 cell", kMedium, 1.0, code(Outcome::Crosses));
+    add("penalty", "ridge, 2 cells", kLight, 0.0, code(Outcome::Crosses));
+    add("penalty", "groove", kMedium, 2.0, kNoHold, "ripple");
+    add("penalty", "groove, a half", kMedium, 1.0, kNoHold, "ripple");
+    add("penalty", "pit", kFirm, 1.0, kNoHold, "jump");
+    add("penalty", "wall", kFirm, 1.0, kAny, "error");
+    add("penalty", "drill 2", kMedium, 1.0, kNoHold);
+    add("penalty", "loops, ridge", kMedium, 1.0, code(Outcome::Diverges));
+    // A cell a tick is 70 mm/s; on a slope what is nearer is not free, with however many steps.
+    add("lattice", "brush", kLight, 1.0, code(Outcome::Sticks), "lag");
+    add("lattice", "brush", kFirm, 1.0, code(Outcome::Sticks), "lag");
+    add("lattice", "slope", kFirm, 1.0, code(Outcome::Sticks), "lag");
+    add("lattice16", "slope", kFirm, 1.0, code(Outcome::Sticks), "lag");
+    // The pipeline of 2011: the same anchor; a force filter lags, nothing knows of delay, nothing of a loss.
+    add("ceds 2011", "brush", kLight, 1.0, code(Outcome::Sticks), "lag");
+    add("ceds 2011", "slope", kMedium, 1.0, code(Outcome::Sticks), "lag");
+    add("ceds 2011", "groove", kFirm, 1.0, code(Outcome::Buzzes), "ripple");
+    add("ceds 2011", "impact 50", kLight, 4.0, code(Outcome::Diverges), "settling");
+    add("ceds 2011", "impact 400", kLight, 4.0, code(Outcome::Diverges), "settling");
+    add("ceds 2011", "dropout 100", kMedium, 1.0, kAny, "jump");
+    add("ceds 2011", "inside", kMedium, 1.0, code(Outcome::Crosses));
+}
+
+void TestStability::failuresAreSeen()
+{
+    QFETCH(QString, method);
+    QFETCH(QString, scene);
+    QFETCH(std::size_t, hand);
+    QFETCH(double, delayMs);
+    QFETCH(int, outcome);
+    QFETCH(QString, missed);
+    const lab::StabilityResult result = tried(scene, trialOf(method, delayMs, hand));
+    if (outcome == -2)
+        QVERIFY2(result.outcome != Outcome::Holds, qPrintable(told(result)));
+    if (outcome >= 0)
+        QVERIFY2(static_cast<int>(result.outcome) == outcome, qPrintable(told(result)));
+    if (!missed.isEmpty())
+        QVERIFY2(latin(result.missed) == missed, qPrintable(told(result)));
+}
+
+void TestStability::latticeHangsAboveAPit()
+{
+    const double ours = tried("pit", trialOf("continuous", 1.0)).errorMm;
+    QVERIFY2(ours < 0.02, qPrintable(QString::number(ours)));
+    for (const char* method : {"lattice", "lattice16", "ceds 2011"}) {
+        const double error = tried("pit", trialOf(method, 1.0)).errorMm;
+        QVERIFY2(error > 0.1, qPrintable(QString("%1: %2 mm").arg(method).arg(error)));
+    }
+}
+
+void TestStability::onlyTheBetterMethodFollowsASlope()
+{
+    for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand) {
+        const double lag = tried("slope", trialOf("continuous", 1.0, hand)).lagMm;
+        QVERIFY2(lag < 0.002, qPrintable(QString::number(lag)));
+    }
+}
+
+/// haptics.md 2.5. Damping and friction of the force law hide what the method makes: the bare spring shows it.
+void TestStability::penaltyMakesEnergyAtARidge()
+{
+    for (const lab::StabilitySceneName& scene : lab::stabilityScenesAndBars()) {
+        if (scene.number != 16)
+            continue;
+        const lab::StabilityResult ours = tried(latin(scene.name), trialOf("continuous", 1.0));
+        QVERIFY2(ours.leakUj < 0.0 && ours.springLeakUj < 0.1, qPrintable(told(ours)));
+    }
+    const lab::StabilityResult penalty = tried("loops, ridge", trialOf("penalty", 1.0));
+    QVERIFY2(penalty.leakUj < 0.0 && penalty.springLeakUj > 10.0, qPrintable(told(penalty)));
+}
+
+/// Why the pipeline of 2011 cannot simply be given more of its friction: CedsFigures.
+void TestStability::strongBackwardDifferenceTrembles()
+{
+    lab::StabilityTrial trial = trialOf("ceds 2011", 1.0);
+    QVERIFY(tried("push", trial).outcome == Outcome::Holds);
+    trial.ceds.frictionNSPerM = 10.0;
+    const lab::StabilityResult result = tried("push", trial);
+    QVERIFY2(result.outcome == Outcome::Buzzes, qPrintable(told(result)));
 }
 
 void TestStability::theSameTrialTwiceIsTheSame()
 {
-    const lab::StabilityResult one = tried("groove", "lattice");
-    const lab::StabilityResult two = tried("groove", "lattice");
-    QCOMPARE(one.rippleN, two.rippleN);
-    QCOMPARE(one.swingMm, two.swingMm);
+    for (const char* scene : {"groove", "jitter", "tremor"}) {
+        const lab::StabilityResult one = tried(scene, trialOf("lattice", 1.0));
+        const lab::StabilityResult two = tried(scene, trialOf("lattice", 1.0));
+        QCOMPARE(one.rippleN, two.rippleN);
+        QCOMPARE(one.swingMm, two.swingMm);
+        QCOMPARE(one.mostN, two.mostN);
+    }
 }
 
-void TestStability::unknownSceneIsRefused()
+void TestStability::unknownSceneAndMethodAreRefused()
 {
     QCOMPARE(lab::tryStability("nowhere", {}).error().code, core::ErrorCode::UnknownName);
+    QCOMPARE(lab::tryStability("push", trialOf("magic", 1.0)).error().code, core::ErrorCode::UnknownName);
 }
 
 QTEST_APPLESS_MAIN(TestStability)

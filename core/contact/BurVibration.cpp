@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/BurVibration.h"
+
+#include <algorithm>
+
+namespace core::contact {
+namespace {
+
+constexpr double kDrawS = 0.001;
+constexpr int kDrawsPerAim = 80;  ///< so often the strength gets another aim
+constexpr double kWeakest = 0.6;
+constexpr double kStrongest = 1.4;
+constexpr double kLevelS = 0.03;  ///< over which the strength follows
+constexpr double kStopS = 0.01;   ///< over which it goes when the bur stops
+constexpr double kNothing = 0.01;
+/// Two axes, each of variance 2/3, together 1: n is uniform in [-1, 1) times this.
+constexpr double kScale = 0.8660254037844386;
+
+}  // namespace
+
+void BurVibration::stop() noexcept
+{
+    m_level = 0.0;
+}
+
+void BurVibration::draw() noexcept
+{
+    m_noise[2] = m_noise[1];
+    m_noise[1] = m_noise[0];
+    m_noise[0] = kScale * glm::dvec2(m_rng.uniform(-1.0, 1.0), m_rng.uniform(-1.0, 1.0));
+    if (++m_drawn % kDrawsPerAim == 0)
+        m_aim = m_rng.uniform(kWeakest, kStrongest);
+}
+
+glm::dvec3 BurVibration::update(bool running, double seconds) noexcept
+{
+    if (!(m_rmsN > 0.0))
+        return glm::dvec3(0.0);
+    const double aim = running ? m_aim : 0.0;
+    m_level += (aim - m_level) * std::min(1.0, seconds / (running ? kLevelS : kStopS));
+    if (!running && m_level < kNothing)
+        m_level = 0.0;
+    if (!(m_level > 0.0))
+        return glm::dvec3(0.0);
+    // Half a nanosecond of slack: a millisecond is not a sum of binary fractions.
+    for (m_sinceDrawnS += seconds; m_sinceDrawnS >= kDrawS - 5.0e-10; m_sinceDrawnS -= kDrawS)
+        draw();
+    return {(m_noise[0] - m_noise[2]) * (m_level * m_rmsN), 0.0};
+}
+
+}  // namespace core::contact

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/PaceMeter.h"
+
+#include <glm/common.hpp>
+
+namespace core::contact {
+namespace {
+
+/// About a count of the Falcon, 0.048 mm sideways and 0.028 along its axis (haptics.md section 5), along each axis.
+constexpr double kCountMm = 0.045;
+constexpr double kCornerRadPerS = 2.0 * 3.14159265358979 * 240.0;
+
+}  // namespace
+
+void PaceMeter::restart(const glm::dvec3& placeMm) noexcept
+{
+    m_places.fill(placeMm);
+    m_mmPerS = glm::dvec3(0.0);
+}
+
+glm::dvec3 PaceMeter::perTick() const noexcept
+{
+    const glm::dvec3& now = ago(0);
+    glm::dvec3 known = now - ago(1);
+    // Between which a line through the newest place must rise to pass every place so far within a count.
+    glm::dvec3 least = known - kCountMm;
+    glm::dvec3 most = known + kCountMm;
+    for (std::size_t n = 2; n < kWindow; ++n) {
+        const double share = 1.0 / static_cast<double>(n);
+        const glm::dvec3 line = (now - ago(n)) * share;
+        if (line.x < least.x || line.y < least.y || line.z < least.z || line.x > most.x || line.y > most.y ||
+            line.z > most.z)
+            return known;
+        known = line;
+        least = glm::max(least, line - kCountMm * share);
+        most = glm::min(most, line + kCountMm * share);
+    }
+    return known;
+}
+
+void PaceMeter::add(const glm::dvec3& placeMm, double seconds) noexcept
+{
+    m_newest = (m_newest + 1) % kWindow;
+    m_places[m_newest] = placeMm;
+    if (!(seconds > 0.0))
+        return;
+    const double share = kCornerRadPerS * seconds / (1.0 + kCornerRadPerS * seconds);
+    m_mmPerS += (perTick() / seconds - m_mmPerS) * share;
+}
+
+}  // namespace core::contact

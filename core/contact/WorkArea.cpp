@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/WorkArea.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace core::contact {
+namespace {
+
+/// Soft: a pull of kLeadN over 5 mm. The damper, between hand and anchor, makes it nearly critical for a grip and a
+/// light hand, 0.3 kg.
+constexpr double kSpringNPerMm = 0.2;
+constexpr double kDamperNSPerMm = 0.012;
+constexpr double kStrideS = 0.02;  ///< of the damper's low-pass: no turn of the way and no count is felt through it
+constexpr double kArrivedMm = 0.5;
+/// A hand that lets itself be led takes little more than the device's friction, 0.25 N; from this share of kLeadN on it
+/// holds back.
+constexpr double kHeldBackShare = 0.95;
+
+double lengthOf(const glm::dvec3& v)
+{
+    return std::sqrt(glm::dot(v, v));
+}
+
+}  // namespace
+
+void WorkArea::drop() noexcept
+{
+    m_begins = true;
+    m_return = 0.0;
+    m_wasInside = false;
+    m_asked = false;
+    m_leading = false;
+    m_strength = 0.0;
+}
+
+/// Moves the anchor on its way home; no farther ahead of the hand than the spring may pull.
+void WorkArea::walk(const glm::dvec3& device, double seconds) noexcept
+{
+    // Up first: whatever stands beside the bur, above it the way is free.
+    const glm::dvec3 home(0.0, 0.0, kHomeMm);
+    const bool low = m_anchor.z < kHomeMm - kArrivedMm;
+    const glm::dvec3 aim = low ? glm::dvec3(m_anchor.x, m_anchor.y, kHomeMm) : home;
+    const glm::dvec3 way = aim - m_anchor;
+    const double length = lengthOf(way);
+    const double step = kWalkMmPerS * seconds;
+    m_anchor = length > step ? m_anchor + way * (step / length) : aim;
+
+    const glm::dvec3 lead = m_anchor - device;
+    const double ahead = lengthOf(lead);
+    const double most = kLeadN / kSpringNPerMm;
+    if (ahead > most)
+        m_anchor = device + lead * (most / ahead);
+    m_heldBackS = ahead > kHeldBackShare * most ? m_heldBackS + seconds : 0.0;
+    const bool arrived = lengthOf(home - m_anchor) < kArrivedMm && lengthOf(home - device) < kLeadN / kSpringNPerMm;
+    if (arrived || m_heldBackS > kPulledS)
+        m_leading = false;
+}
+
+glm::dvec3 WorkArea::update(const glm::dvec3& device, double seconds) noexcept
+{
+    if (!(m_radiusMm > 0.0))
+        return glm::dvec3(0.0);
+    if (m_begins)
+        m_pace.restart(device);
+    m_begins = false;
+    m_pace.add(device, seconds);
+    const double away = lengthOf(device);
+    const bool left = m_wasInside && away > m_radiusMm;
+    m_wasInside = away <= m_radiusMm;
+    if ((left || m_asked) && !m_leading) {
+        m_leading = true;
+        m_strength = 0.0;
+        m_heldBackS = 0.0;
+        m_anchor = device;
+        m_gaining = glm::dvec3(0.0);
+    }
+    m_asked = false;
+
+    const double fade = seconds / kFadeS;
+    m_return = std::min(1.0, m_return + fade);
+    glm::dvec3 force(0.0);
+    if (away > m_radiusMm)
+        force -= device * (m_return * std::min(kWallMostN, kWallNPerMm * (away - m_radiusMm)) / away);
+    const glm::dvec3 before = m_anchor;
+    if (m_leading)
+        walk(device, seconds);
+    if (seconds > 0.0)
+        m_gaining += ((m_anchor - before) / seconds - m_pace.mmPerS() - m_gaining) * std::min(1.0, seconds / kStrideS);
+    m_strength = m_leading ? std::min(1.0, m_strength + fade) : std::max(0.0, m_strength - fade);
+    if (m_strength > 0.0) {
+        glm::dvec3 pull = (m_anchor - device) * kSpringNPerMm;
+        if (const double newtons = lengthOf(pull); newtons > kLeadN)
+            pull *= kLeadN / newtons;
+        force += (pull + m_gaining * kDamperNSPerMm) * m_strength;
+    }
+    return force;
+}
+
+}  // namespace core::contact
