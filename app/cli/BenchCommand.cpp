@@ -34,6 +34,7 @@ constexpr Suite kSuites[] = {
     {"contact", "error of each contact method against exact positions", bench::contactSuite},
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite},
     {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite},
+    {"cutting", "swept volumes, pace over grids, rates and headings, ripple", bench::cuttingSuite},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite},
 };
 

@@ -41,6 +41,8 @@ struct Context
 [[nodiscard]] core::Result<Figures> contactSuite(const Context& context);
 /// What becomes of servo, device and hand in scenes where methods fail: how many trials of each method hold.
 [[nodiscard]] core::Result<Figures> stabilitySuite(const Context& context);
+/// Volume of swept burs against closed form, spread of the pace over grids, rates and headings, rates, ripple.
+[[nodiscard]] core::Result<Figures> cuttingSuite(const Context& context);
 /// Minutes of continuous drilling: ticks and memory.
 [[nodiscard]] core::Result<Figures> drillingSuite(const Context& context);
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
