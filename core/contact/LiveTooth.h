@@ -35,6 +35,16 @@ struct Touch
     double rise = 0.0;
 };
 
+/// A list of columns, as the kernels read it: behind the `most` of them there is room for a row of the lattice.
+struct ColumnsRoom
+{
+    std::size_t most = 0;
+    std::vector<float> i;  ///< whole numbers
+    std::vector<float> j;
+    std::vector<std::uint32_t> index;
+    std::vector<float> under;  ///< of the head, where it is just looked at
+};
+
 /// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
 /// dilation,
 ///
@@ -87,7 +97,8 @@ public:
     void lower(int i, int j, float heightMm) noexcept;
 
     /// Room for every column that any bur covers, for whoever cuts to make a list in. Not part of the tooth's state.
-    [[nodiscard]] std::span<terrain::ColumnAt> columnsRoom() noexcept { return m_columnsRoom; }
+    [[nodiscard]] ColumnsRoom& columnsRoom() noexcept { return m_columnsRoom; }
+    [[nodiscard]] const Kernels& kernels() const noexcept { return m_kernels; }
 
 private:
     /// The bur over p carried by the highest of a quarter, and by the surface around it.
@@ -113,7 +124,7 @@ private:
     std::vector<drilling::BurMask> m_masks;
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
-    std::vector<terrain::ColumnAt> m_columnsRoom;
+    ColumnsRoom m_columnsRoom;
     std::vector<float> m_blocks;  ///< highest top of kBlock x kBlock columns as they began
     int m_blockSide = 0;
     Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer
