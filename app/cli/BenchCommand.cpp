@@ -33,7 +33,7 @@ constexpr Suite kSuites[] = {
     {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 20.0},
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 20.0},
     {"stability", "scenes where methods fail, by method, stiffness, delay and hand", bench::stabilitySuite, 155.0},
-    {"cutting", "volume of swept cuts against closed form, by grid", bench::cuttingSuite, 16.0},
+    {"cutting", "swept volumes, pace over grids, rates and headings, ripple", bench::cuttingSuite, 16.0},
     {"model", "height stack and dense voxels: size, time, volume", bench::modelSuite, 10.0},
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };

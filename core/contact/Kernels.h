@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/drilling/BurMask.h"
+#include "core/contact/Head.h"
 
 /// The innermost loops of contact: maxima and minima over a bur's footprint. One source, compiled for the plain
 /// architecture and for AVX2; every element goes through the same IEEE operations in both, so they agree to the bit.
@@ -11,6 +11,12 @@ namespace core::contact {
 
 /// Columns a side of the blocks that kernels work through.
 inline constexpr int kBlock = 8;
+
+/// So many rounded up to whole blocks.
+[[nodiscard]] constexpr std::size_t wholeBlocks(std::size_t count)
+{
+    return (count + kBlock - 1) / kBlock * kBlock;
+}
 
 /// The heights a kernel reads: a square map, row by row, at least a block a side.
 struct HeightView
@@ -49,6 +55,10 @@ struct Kernels
                             const Search& wanted) noexcept;
     Peaks (*lowestAtPoint)(const HeightView& bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
                            const Search& wanted) noexcept;
+    /// underAt() over each of some columns (i, j), whole blocks of kBlock of them: [count].
+    /// @param nearer  mm2, taken off every squared distance from the axis
+    void (*undersides)(const float* i, const float* j, std::size_t count, const Head& head, float nearer,
+                       float* under) noexcept;
 };
 
 extern const Kernels kPlainKernels;

@@ -6,7 +6,7 @@
 namespace core::contact {
 
 extern const Kernels kAvx2Kernels;
-const Kernels kAvx2Kernels{"avx2", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>};
+const Kernels kAvx2Kernels{"avx2", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>, undersides};
 
 }  // namespace core::contact
 #endif

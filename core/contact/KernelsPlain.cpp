@@ -5,7 +5,7 @@
 
 namespace core::contact {
 
-const Kernels kPlainKernels{"plain", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>};
+const Kernels kPlainKernels{"plain", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>, undersides};
 
 #ifdef CUSP_HAVE_AVX2
 extern const Kernels kAvx2Kernels;

@@ -55,14 +55,20 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy),
       m_floorMm(static_cast<double>(*std::max_element(m_tooth.anatomy->top.begin(), m_tooth.anatomy->top.end())) -
                 drilling::kChuckMm),
-      m_kernels(kernels())
+      m_kernels(contact::kernels())
 {
     for (const drilling::Bur& bur : drilling::burs())
         m_masks.emplace_back(bur, grid().cellMm);
     std::size_t widest = 0;
     for (const drilling::BurMask& mask : m_masks)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
-    m_columnsRoom.resize((widest + 2) * (widest + 2));  // and those that a cell's advance adds
+    widest += 2;  // and those that a cell's advance adds
+    m_columnsRoom.most = widest * widest;
+    const std::size_t room = wholeBlocks(m_columnsRoom.most + static_cast<std::size_t>(grid().side) + kBlock);
+    m_columnsRoom.i.resize(room);
+    m_columnsRoom.j.resize(room);
+    m_columnsRoom.index.resize(room);
+    m_columnsRoom.under.resize(room);
     m_blockSide = (grid().side + kBlock - 1) / kBlock;
     m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
     for (int j = 0; j < grid().side; ++j) {

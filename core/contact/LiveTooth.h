@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -29,6 +28,16 @@ struct Room
 /// How the edges of uncut ground are felt: as the columns they are sampled by, or as the upright sides that the samples
 /// stand for.
 enum class Edges { Columns, Sides };
+
+/// A list of columns, as the kernels read it: behind the `most` of them there is room for a row of the lattice.
+struct ColumnsRoom
+{
+    std::size_t most = 0;
+    std::vector<float> i;  ///< whole numbers
+    std::vector<float> j;
+    std::vector<std::uint32_t> index;
+    std::vector<float> under;  ///< of the head, where it is just looked at
+};
 
 /// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
 /// dilation,
@@ -92,7 +101,8 @@ public:
     void lower(int i, int j, float heightMm) noexcept;
 
     /// Room for every column that any bur covers, for whoever cuts to make a list in. Not part of the tooth's state.
-    [[nodiscard]] std::span<terrain::ColumnAt> columnsRoom() noexcept { return m_columnsRoom; }
+    [[nodiscard]] ColumnsRoom& columnsRoom() noexcept { return m_columnsRoom; }
+    [[nodiscard]] const Kernels& kernels() const noexcept { return m_kernels; }
 
 private:
     /// The last highest column as it stands under a bur at a place on the lattice; i < 0 if there is none.
@@ -127,7 +137,7 @@ private:
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
     std::uint64_t m_revision = 0;
-    std::vector<terrain::ColumnAt> m_columnsRoom;
+    ColumnsRoom m_columnsRoom;
     std::vector<float> m_blocks;  ///< highest top of kBlock x kBlock columns as they began
     int m_blockSide = 0;
     std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each

@@ -24,6 +24,7 @@ BurMask::BurMask(const Bur& bur, double cellMm)
         const double r = std::min(std::sqrt(r2), bur.headRadiusMm);
         upperOfR2[static_cast<std::size_t>(step)] = static_cast<float>(bur.upperSideMm(r));
     }
+    lowestUpperMm = *std::min_element(upperOfR2.begin(), upperOfR2.end());
 }
 
 double BurMask::reachAt(double height) const noexcept

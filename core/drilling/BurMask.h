@@ -25,7 +25,8 @@ struct BurMask
     int span = 0;  ///< columns that the head reaches to either side of the lattice cell its axis is in
 
     float radiusMm = 0.0F;
-    float r2ToStep = 0.0F;  ///< table steps per mm2
+    float lowestUpperMm = 0.0F;  ///< of upperOfR2
+    float r2ToStep = 0.0F;       ///< table steps per mm2
     std::array<float, kTableSteps + 1> upperOfR2{};
 
     double flatMm = 0.0;    ///< radius of the flat end

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -24,16 +23,16 @@ constexpr double kAim = 0.975;
 /// Of the way a column has to go: less is a material that does not yield to this force.
 constexpr double kLeastShare = 1.0e-6;
 constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
+/// What is looked at between two questions whether it is enough.
+constexpr std::size_t kColumnsAtOnce = 64;
 /// Impulse of a touch, N s, until which it is a brush: 0.3 N for 20 ms must leave no mark (dentists, 2011), which the
 /// threshold of force alone would let a ball's tip make 30 um deep.
 constexpr double kBrushNS = 0.008;
 
-using Columns = std::span<const terrain::ColumnAt>;
-
 /// The columns that a bur moving from `from` towards `towards` for up to `reachMm` may lower: no column is missed, some
-/// are listed in vain. Stops early and returns `room.size() + 1` if there is no room for them.
-std::size_t listColumns(const contact::LiveTooth& live, const glm::dvec3& from, const glm::dvec3& towards,
-                        double reachMm, std::span<terrain::ColumnAt> room) noexcept
+/// are listed in vain. They go into the tooth's columnsRoom(); false if there is not enough of it.
+bool listColumns(contact::LiveTooth& live, const glm::dvec3& from, const glm::dvec3& towards, double reachMm,
+                 std::size_t& count) noexcept
 {
     const terrain::Grid& grid = live.grid();
     const BurMask& mask = live.mask();
@@ -42,65 +41,83 @@ std::size_t listColumns(const contact::LiveTooth& live, const glm::dvec3& from, 
     const double sideways = reachMm * std::sqrt(towards.x * towards.x + towards.y * towards.y);
     const double radius = static_cast<double>(mask.radiusMm) + sideways;
     // (r - sideways)^2 is no less than r^2 - 2 radius sideways anywhere in the circle: no square root a column.
-    const auto nearer = static_cast<float>(2.0 * radius * sideways);
+    const auto nearer = static_cast<float>(2.0 * radius * sideways + kRoundingMm);
     const auto lowestZ = static_cast<float>(from.z + std::min(0.0, reachMm * towards.z) - kRoundingMm);
     const contact::Head head = contact::headAt(mask, grid.cellMm, at.x, at.y);
-    const auto cell = static_cast<float>(grid.cellMm);
     const double cells = radius / grid.cellMm + kRoundingMm;
     const int firstRow = std::max(0, static_cast<int>(std::ceil(at.y - cells)));
     const int lastRow = std::min(grid.side - 1, static_cast<int>(std::floor(at.y + cells)));
-    std::size_t count = 0;
+    contact::ColumnsRoom& room = live.columnsRoom();
+    count = 0;
     for (int j = firstRow; j <= lastRow; ++j) {
         const double dv = j - at.y;
         const double half = std::sqrt(std::max(0.0, cells * cells - dv * dv));
         const int first = std::max(0, static_cast<int>(std::ceil(at.x - half)));
         const int last = std::min(grid.side - 1, static_cast<int>(std::floor(at.x + half)));
-        const float dy = static_cast<float>(dv) * cell;
-        const float dy2 = dy * dy - nearer;
+        std::size_t end = count;
         for (int i = first; i <= last; ++i) {
-            const float top = tooth.top[grid.index(i, j)];
-            if (!(top > lowestZ))
+            const std::size_t k = grid.index(i, j);
+            if (!(tooth.top[k] > lowestZ))
                 continue;
-            const float dx = static_cast<float>(i - at.x) * cell;
-            if (!(top > lowestZ + contact::underAt(std::clamp(dx * dx + dy2, 0.0F, head.radius2), head)))
+            room.i[end] = static_cast<float>(i);
+            room.j[end] = static_cast<float>(j);
+            room.index[end++] = static_cast<std::uint32_t>(k);
+        }
+        live.kernels().undersides(room.i.data() + count, room.j.data() + count, contact::wholeBlocks(end - count), head,
+                                  nearer, room.under.data() + count);
+        for (std::size_t n = count; n < end; ++n) {
+            if (!(tooth.top[room.index[n]] > lowestZ + room.under[n]))
                 continue;
-            if (count == room.size())
-                return count + 1;
-            room[count++] = {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)};
+            if (count == room.most)
+                return false;
+            room.i[count] = room.i[n];
+            room.j[count] = room.j[n];
+            room.index[count++] = room.index[n];
         }
     }
-    return count;
+    return true;
 }
 
-/// One advance of the bur: the tooth, where the tip began, and the columns it may meet.
+/// One advance of the bur: the tooth, where the tip began, and how many columns it may meet: the list is in the
+/// tooth's columnsRoom().
 struct Advance
 {
     contact::LiveTooth& tooth;
     double beginZ;
-    Columns columns;
+    std::size_t count;
 };
 
-/// Calls visit(index, i, j, limit) for every listed column that a bur with its tip at `tip` would lower to `limit`.
+/// Calls visit(index, limit) for every listed column that a bur with its tip at `tip` would lower to `limit`.
 template <class Visit>
 void forEachColumn(const Advance& advance, const glm::dvec3& tip, Visit&& visit) noexcept
 {
     const terrain::Grid& grid = advance.tooth.grid();
     const terrain::Tooth& tooth = advance.tooth.tooth();
+    const BurMask& mask = advance.tooth.mask();
+    contact::ColumnsRoom& room = advance.tooth.columnsRoom();
     const glm::dvec2 at = grid.latticeOf({tip.x, tip.y});
-    const contact::Head head = contact::headAt(advance.tooth.mask(), grid.cellMm, at.x, at.y);
+    const contact::Head head = contact::headAt(mask, grid.cellMm, at.x, at.y);
     const auto tipZ = static_cast<float>(tip.z);
     // The head has been everywhere on its way down: thin material is not spared because its far side was reached.
     const auto highestZ = static_cast<float>(std::max(tip.z, advance.beginZ));
-    for (const terrain::ColumnAt column : advance.columns) {
-        const float r2 = contact::r2Of(column.i, contact::dy2Of(column.j, head), head);
-        const std::size_t k = grid.index(column.i, column.j);
-        const float limit = tipZ + contact::underAt(r2, head);
-        if (!(tooth.top[k] > limit))
-            continue;
-        if (!(highestZ + contact::upperAt(r2, head) > tooth.bottom[k]))
-            continue;
-        if (!visit(k, column.i, column.j, limit))
-            return;
+    for (std::size_t from = 0; from < advance.count; from += kColumnsAtOnce) {
+        const std::size_t to = std::min(advance.count, from + kColumnsAtOnce);
+        advance.tooth.kernels().undersides(room.i.data() + from, room.j.data() + from, contact::wholeBlocks(to - from),
+                                           head, 0.0F, room.under.data() + from);
+        for (std::size_t n = from; n < to; ++n) {
+            const std::size_t k = room.index[n];
+            const float limit = tipZ + room.under[n];
+            if (!(tooth.top[k] > limit))
+                continue;
+            if (!(highestZ + mask.lowestUpperMm > tooth.bottom[k])) {
+                const float r2 =
+                    contact::r2Of(static_cast<int>(room.i[n]), contact::dy2Of(static_cast<int>(room.j[n]), head), head);
+                if (!(highestZ + contact::upperAt(r2, head) > tooth.bottom[k]))
+                    continue;
+            }
+            if (!visit(k, limit))
+                return;
+        }
     }
 }
 
@@ -129,7 +146,7 @@ double secondsToRemove(const Advance& advance, const glm::dvec3& tip, const terr
                        double limit) noexcept
 {
     double seconds = 0.0;
-    forEachColumn(advance, tip, [&](std::size_t k, int, int, float height) {
+    forEachColumn(advance, tip, [&](std::size_t k, float height) {
         forEachVolume(advance.tooth.tooth(), k, height,
                       [&](std::size_t m, double volume) { seconds += volume * secondsPerMm3[m]; });
         return seconds <= limit;
@@ -141,7 +158,10 @@ double secondsToRemove(const Advance& advance, const glm::dvec3& tip, const terr
 void removeUnder(const Advance& advance, const glm::dvec3& tip, float share, Cut& done) noexcept
 {
     contact::LiveTooth& tooth = advance.tooth;
-    forEachColumn(advance, tip, [&](std::size_t k, int i, int j, float height) {
+    const auto side = static_cast<std::size_t>(tooth.grid().side);
+    forEachColumn(advance, tip, [&](std::size_t k, float height) {
+        const auto i = static_cast<int>(k % side);
+        const auto j = static_cast<int>(k / side);
         const float top = tooth.tooth().top[k];
         const float low = std::max(height, tooth.tooth().bottom[k]);
         const float to = share < 1.0F ? top - share * (top - low) : height;
@@ -196,16 +216,12 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     double tried = std::min(gap, std::max(m_lastAdvance, kFirstGuessMm));
     int side = 0;
     double listed = -1.0;  // the list holds what an advance up to here meets
-    Advance advance{tooth, anchor.z, {}};
+    Advance advance{tooth, anchor.z, 0};
     for (int attempt = 0; attempt < kMaxTries; ++attempt) {
         if (tried > listed) {
             listed = std::min(gap, 2.0 * tried);
-            std::size_t count = listColumns(tooth, anchor, towards, listed, tooth.columnsRoom());
-            while (count > tooth.columnsRoom().size()) {  // a long way sideways: go half of it
-                listed *= 0.5;
-                count = listColumns(tooth, anchor, towards, listed, tooth.columnsRoom());
-            }
-            advance.columns = tooth.columnsRoom().first(count);
+            while (!listColumns(tooth, anchor, towards, listed, advance.count))
+                listed *= 0.5;  // a long way sideways: go half of it
             tried = std::min(tried, listed);
         }
         const double needed = secondsToRemove(advance, anchor + towards * tried, secondsPerMm3, 4.0 * granted);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include <glm/vec2.hpp>
 
@@ -34,13 +33,6 @@ struct Grid
         return {(pointMm.x - originMm.x) / cellMm, (pointMm.y - originMm.y) / cellMm};
     }
     bool operator==(const Grid&) const = default;
-};
-
-/// A node or column by its place, in four bytes.
-struct ColumnAt
-{
-    std::uint16_t i = 0;
-    std::uint16_t j = 0;
 };
 
 }  // namespace core::terrain

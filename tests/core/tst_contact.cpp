@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -57,6 +58,7 @@ class TestContact : public QObject
 {
     Q_OBJECT
 private slots:
+    void undersidesAreThoseOfTheHead();
     void kernelsAgreeToTheBit();
     void clearanceIsTheSlowObviousMaximum();
     void anchorStandsOnPlanes_data();
@@ -78,6 +80,40 @@ private slots:
     void aPerforationLetsTheBurThroughAndHoldsIt();
     void unknownMethodIsRefused();
 };
+
+void TestContact::undersidesAreThoseOfTheHead()
+{
+    // What cutting asks in blocks is what contact asks column by column, on every processor.
+    Rng rng(11);
+    const auto tooth = live({});
+    constexpr std::size_t kCount = 64;
+    std::array<float, kCount> i{};
+    std::array<float, kCount> j{};
+    std::array<float, kCount> under{};
+    for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
+        tooth->selectBur(bur);
+        for (int n = 0; n < 500; ++n) {
+            const contact::Head head =
+                contact::headAt(tooth->mask(), 0.07, rng.uniform(20.0, 40.0), rng.uniform(20.0, 40.0));
+            for (std::size_t k = 0; k < kCount; ++k) {
+                i[k] = static_cast<float>(rng.below(60));
+                j[k] = std::floor(head.v) + static_cast<float>(rng.below(16) - 8);
+            }
+            for (const contact::Kernels* kernels : {&contact::kernels(), &contact::kPlainKernels}) {
+                kernels->undersides(i.data(), j.data(), kCount, head, 0.0F, under.data());
+                for (std::size_t k = 0; k < kCount; ++k) {
+                    const float dy2 = contact::dy2Of(static_cast<int>(j[k]), head);
+                    QCOMPARE(under[k], contact::underAt(contact::r2Of(static_cast<int>(i[k]), dy2, head), head));
+                }
+            }
+            // Nearer than it is, the underside is nowhere higher.
+            std::array<float, kCount> nearer{};
+            contact::kernels().undersides(i.data(), j.data(), kCount, head, 0.05F, nearer.data());
+            for (std::size_t k = 0; k < kCount; ++k)
+                QVERIFY(nearer[k] <= under[k]);
+        }
+    }
+}
 
 void TestContact::kernelsAgreeToTheBit()
 {

@@ -47,7 +47,7 @@ struct Context
 [[nodiscard]] core::Result<Figures> rateSuite(const Context& context);
 /// What becomes of servo, device and hand in scenes where methods fail: how many trials of each method hold.
 [[nodiscard]] core::Result<Figures> stabilitySuite(const Context& context);
-/// Volume of swept cuts against closed form, by grid.
+/// Volume of swept burs against closed form, spread of the pace over grids, rates and headings, rates, ripple.
 [[nodiscard]] core::Result<Figures> cuttingSuite(const Context& context);
 /// The height stack beside a dense voxel model of the same tooth: size, time, volume.
 [[nodiscard]] core::Result<Figures> modelSuite(const Context& context);
