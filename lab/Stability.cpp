@@ -249,11 +249,12 @@ private:
         else if (result.rippleN > bars.buzzN)
             result.outcome = Outcome::Buzzes;
         const std::pair<bool, std::string_view> misses[] = {
-            {m_pushedLate, "force after loss"},         {result.rippleN > bars.rippleN, "ripple"},
-            {result.jumpN > bars.jumpN, "jump"},        {result.lagMm > bars.lagMm, "lag"},
-            {result.errorMm > bars.errorMm, "error"},   {result.settleS > bars.settleS, "settling"},
-            {result.bounces > bars.bounces, "bounces"}, {result.depthMm > bars.depthMm, "depth"},
-            {result.mostN > bars.mostN, "force"},       {result.mmPerS > bars.mmPerS, "speed"},
+            {m_pushedLate, "force after loss"},          {result.swingMm > bars.swingMm, "swing"},
+            {result.rippleN > bars.rippleN, "ripple"},   {result.jumpN > bars.jumpN, "jump"},
+            {result.lagMm > bars.lagMm, "lag"},          {result.errorMm > bars.errorMm, "error"},
+            {result.settleS > bars.settleS, "settling"}, {result.bounces > bars.bounces, "bounces"},
+            {result.depthMm > bars.depthMm, "depth"},    {result.mostN > bars.mostN, "force"},
+            {result.mmPerS > bars.mmPerS, "speed"},
         };
         for (const auto& [missed, name] : misses)
             if (missed && result.missed.empty())

@@ -33,6 +33,7 @@ inline constexpr double kSpringLeakUj = 2.0;
 struct StabilityBars
 {
     double buzzN = 0.05;  ///< above it the outcome is Buzzes
+    double swingMm = 1.0e9;
     double rippleN = 1.0e9;
     double jumpN = 1.0e9;
     double lagMm = 1.0e9;

@@ -59,6 +59,13 @@ double leaning(double seconds, double byS, double mmPerN, double newtons)
     return 0.5 - rise(seconds, 0.0, byS) * (0.5 + newtons * mmPerN);
 }
 
+/// What a hand wishes farther to overcome friction on a way that lasts from `from` to `to`, mm: a light one would not
+/// move else.
+double urge(double seconds, double from, double to, double mmPerN, double newtons)
+{
+    return newtons * mmPerN * (rise(seconds, from, from + 0.05) - rise(seconds, to, to + 0.05));
+}
+
 class Scenes
 {
 public:
@@ -93,6 +100,7 @@ private:
         });
         push.seconds = 2.2;
         push.steadyS = {{0.4, 1.0}};
+        push.bars.swingMm = 0.1;
         push.exact = [](const glm::dvec3& at) { return glm::dvec3(at.x, at.y, 0.0); };
         for (const int mmPerS : {50, 100, 200, 400}) {
             StabilityScene& impact = add(2, "impact " + std::to_string(mmPerS), m_plate,
@@ -121,7 +129,8 @@ private:
         for (const auto& [name, shift] :
              {std::pair("groove", 0), std::pair("groove, a quarter", 1), std::pair("groove, a half", 2)}) {
             StabilityScene& slid = add(4, name, m_groove[static_cast<std::size_t>(shift)], [](double t, double mmPerN) {
-                return glm::dvec3(0.0, -2.0 + 4.0 * rise(t, 0.4, 1.4), leaning(t, 0.3, mmPerN, 2.0));
+                return glm::dvec3(0.0, -2.0 + 4.0 * rise(t, 0.4, 1.4) + urge(t, 0.4, 1.4, mmPerN, 0.45),
+                                  leaning(t, 0.3, mmPerN, 2.0));
             });
             slid.along = {0.0, 1.0, 0.0};
             slid.steadyS = {{0.7, 1.4}};
@@ -136,7 +145,8 @@ private:
         StabilityScene& slope = add(0, "slope", m_slope, [](double t, double mmPerN) {
             const double x = -1.5 + 3.0 * rise(t, 0.4, 0.9) - 3.0 * rise(t, 0.9, 1.4);
             const double press = rise(t, 0.1, 0.3) * 1.2 * mmPerN;
-            return glm::dvec3(x + 0.5 * press, 0.0, kSlope * x + 0.6 - 0.5 * rise(t, 0.0, 0.3) - press);
+            const double along = x + urge(t, 0.4, 0.9, mmPerN, 0.35) - urge(t, 0.9, 1.4, mmPerN, 0.35);
+            return glm::dvec3(along + 0.5 * press, 0.0, kSlope * along + 0.6 - 0.5 * rise(t, 0.0, 0.3) - press);
         });
         slope.along = glm::normalize(glm::dvec3(1.0, 0.0, kSlope));
         slope.steadyS = {{0.6, 0.9}, {1.1, 1.4}};
@@ -147,7 +157,8 @@ private:
     void wallRidgeStep()
     {
         StabilityScene& beside = add(5, "wall", m_wall, [](double t, double mmPerN) {
-            return glm::dvec3(-1.0 + rise(t, 0.2, 0.5) * (0.5 + 1.5 * mmPerN), -1.0 + 2.0 * rise(t, 0.6, 1.4),
+            return glm::dvec3(-1.0 + rise(t, 0.2, 0.5) * (0.5 + 1.5 * mmPerN),
+                              -1.0 + 2.0 * rise(t, 0.6, 1.4) + urge(t, 0.6, 1.4, mmPerN, 0.4),
                               leaning(t, 0.2, mmPerN, 0.5));
         });
         beside.along = {0.0, 1.0, 0.0};
@@ -167,8 +178,9 @@ private:
         }
         for (const auto& [name, at] : {std::pair("step 0.07", 0), std::pair("step 0.2", 1), std::pair("step 0.5", 2)}) {
             StabilityScene& scene = add(7, name, m_step[static_cast<std::size_t>(at)], [](double t, double mmPerN) {
-                return glm::dvec3(-1.5 + 3.0 * rise(t, 0.3, 0.9) - 3.0 * rise(t, 0.9, 1.5), 0.0,
-                                  leaning(t, 0.3, mmPerN, 1.0));
+                return glm::dvec3(-1.5 + 3.0 * rise(t, 0.3, 0.9) - 3.0 * rise(t, 0.9, 1.5) +
+                                      urge(t, 0.3, 0.9, mmPerN, 0.35) - urge(t, 0.9, 1.5, mmPerN, 0.35),
+                                  0.0, leaning(t, 0.3, mmPerN, 1.0));
             });
             scene.seconds = 2.2;
             scene.along = {1.0, 0.0, 0.0};

@@ -6,8 +6,9 @@
 namespace core::contact {
 namespace {
 
-/// About a count of the Falcon, 0.048 mm sideways and 0.028 along its axis (haptics.md section 5), along each axis.
-constexpr double kCountMm = 0.045;
+/// A count of the Falcon, 0.048 mm sideways and 0.028 along its axis (haptics.md section 5): no less, or a device that
+/// rests on the edge of one would seem to move at 30 mm/s.
+constexpr double kCountMm = 0.05;
 constexpr double kCornerRadPerS = 2.0 * 3.14159265358979 * 240.0;
 
 }  // namespace
