@@ -1,83 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "app/cli/bench/Suites.h"
-#include "core/drilling/Bur.h"
-#include "lab/Block.h"
-#include "lab/SweepVolume.h"
+#include "app/cli/bench/Sweeps.h"
 
 namespace app::cli::bench {
-namespace {
-
-constexpr std::array kSides{75, 150, 300, 600};
-constexpr std::array kSweeps{lab::Sweep::Trench, lab::Sweep::Arc, lab::Sweep::Plunge};
-constexpr double kReachPercent = 1.0;
-constexpr LookIndex kMeanLook = 4;
-
-QLatin1String latin(std::string_view text)
-{
-    return {text.data(), static_cast<qsizetype>(text.size())};
-}
-
-}  // namespace
 
 core::Result<Figures> cuttingSuite(const Context& context)
 {
     Figures figures;
-    const auto burs = core::drilling::burs();
-    CurveChart chart;
-    chart.x = {QStringLiteral("columns a side of the grid over 10.5 mm, and their cell"), -0.2, 3.2};
-    for (const int side : kSides)
-        chart.x.labels << QStringLiteral("%1: %2 mm").arg(side).arg(lab::kBlockExtentMm / side, 0, 'g', 2);
-    chart.y = {QStringLiteral("volume removed, off closed form by (%)"), 0.001, 20.0, 10.0};
-    chart.limits = {{QStringLiteral("asked for at grid 150, on the average"), kReachPercent, false}};
-    for (std::size_t bur = 0; bur < burs.size(); ++bur)
-        chart.curves << Curve{QStringLiteral("bur ") + latin(burs[bur].id), static_cast<LookIndex>(bur), {}, {}};
-    Curve mean{QStringLiteral("mean of 32, any bur"), kMeanLook, {}, {}};
-    int done = 0;
-    for (const int side : kSides) {
-        const auto place = static_cast<double>(chart.curves.front().points.size());
-        double farthestMean = 0.0;
-        for (std::size_t bur = 0; bur < burs.size(); ++bur) {
-            double worst = 0.0;
-            for (const lab::Sweep sweep : kSweeps) {
-                context.progress(
-                    QStringLiteral("grid %1, bur %2, %3").arg(side).arg(latin(burs[bur].id), latin(lab::nameOf(sweep))),
-                    done++, static_cast<int>(kSides.size() * burs.size() * kSweeps.size()));
-                const lab::SweepErrors errors = lab::measureSweep(sweep, side, bur);
-                const auto add = [&](const char* what, double value, const char* unit, const QString& reach = {}) {
-                    figures << Figure{QStringLiteral("cutting_%1_%2_grid_%3_%4")
-                                          .arg(latin(lab::nameOf(sweep)), latin(burs[bur].id))
-                                          .arg(side)
-                                          .arg(QLatin1String(what)),
-                                      QStringLiteral("%1, bur %2, grid %3: %4")
-                                          .arg(latin(lab::nameOf(sweep)), latin(burs[bur].id))
-                                          .arg(side)
-                                          .arg(QLatin1String(what)),
-                                      value, QLatin1String(unit), reach};
-                };
-                add("volume_percent", errors.volumePercent, "%", side == 150 ? QStringLiteral("within 1") : QString());
-                add("worst_percent", errors.worstPercent, "%");
-                add("depth_rms_um", errors.depthRmsUm, "um");
-                worst = std::max(worst, errors.worstPercent);
-                farthestMean = std::max(farthestMean, std::abs(errors.volumePercent));
-            }
-            chart.curves[static_cast<qsizetype>(bur)].points << QPointF(place, worst);
-        }
-        mean.points << QPointF(place, farthestMean);
-    }
-    chart.curves << mean;
-    for (Curve& curve : chart.curves)
-        for (const QPointF& point : curve.points)
-            curve.notes << QString::number(point.y(), 'g', 2);
-    context.show(
-        {QStringLiteral("cutting"), QStringLiteral("Volume error of a cut against the grid"),
-         QStringLiteral("Trench 3 mm long, half circle of 1.2 mm, plunge; 0.4 mm deep, in 32 lies of the lattice. "
-                        "Bur: the worst single lie of\nthe worst of the three. Mean: the farthest off of any "
-                        "bur's and sweep's averages over the lies."),
-         chart});
+    addSweeps(figures, context, kSweepSteps);
     return figures;
 }
 

@@ -2,6 +2,7 @@
 #include "app/cli/bench/Progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/cli/Arguments.h"
@@ -11,7 +12,7 @@ namespace {
 
 QString minutes(double seconds)
 {
-    const auto whole = static_cast<int>(seconds + 0.5);
+    const long whole = std::lround(seconds);
     return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 

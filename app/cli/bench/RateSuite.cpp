@@ -65,7 +65,8 @@ core::Result<Figures> rateSuite(const Context& context)
                     lab::measureContact(family, contactMethods()[k]->settings.method, kChartStiffnessNPerMm));
         }
     for (std::size_t k = 0; k < contactMethods().size(); ++k)
-        for (const auto& [rate, average] : averages[k]) {
+        for (const auto& [hz, average] : averages[k]) {
+            const int rate = hz;  // a binding cannot be captured with Clang
             const Contestant& method = *contactMethods()[k];
             const auto add = [&](const char* what, double value) {
                 figures << Figure{
