@@ -190,15 +190,15 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
     // A column that stands a little lower than another may lie on ground that is higher.
     const float least = highestOf(peaks).value - spread;
     // Those of one smooth spot, one in each quarter, all lead to the place on it where the bur stands.
-    terrain::ColumnAt spot{};
+    glm::ivec2 spot{};
     bool isSmooth = false;
     for (const Peak& peak : peaks) {
         if (peak.i < 0 || peak.value < least)
             continue;
-        if (isSmooth && std::max(std::abs(peak.i - spot.i), std::abs(peak.j - spot.j)) <= 1)
+        if (isSmooth && std::max(std::abs(peak.i - spot.x), std::abs(peak.j - spot.y)) <= 1)
             continue;
         Touch touch{};
-        terrain::ColumnAt node{};
+        glm::ivec2 node{};
         if (touchOnBowl(peak, pointMm, touch, node)) {
             spot = node;
             isSmooth = true;
@@ -270,7 +270,7 @@ Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexc
 
 /// The bur stands where bur and ground have the same slope. From the highest column go there, and from the node that is
 /// nearest to it again: on steep ground the highest column may be some cells to the side.
-bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, terrain::ColumnAt& node) const noexcept
+bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, glm::ivec2& node) const noexcept
 {
     int i = peak.i;
     int j = peak.j;
@@ -303,7 +303,7 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
                               bowl.twist * out.x * out.y;
         const double r = std::min(lengthOf(foot - pointMm), static_cast<double>(mask().radiusMm));
         touch = {ground - mask().heightAt(r), slope, {foot, ground}};
-        node = {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)};
+        node = {i, j};
         return touch.heightMm >= static_cast<double>(peak.value) - kFloatMm;
     }
     return false;

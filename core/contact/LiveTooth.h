@@ -112,8 +112,7 @@ private:
     [[nodiscard]] Touch touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexcept;
     /// The same on ground that bends without an edge; false if it does not.
     /// @param node  the node that is nearest to where the bur stands
-    [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch,
-                                   terrain::ColumnAt& node) const noexcept;
+    [[nodiscard]] bool touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, glm::ivec2& node) const noexcept;
     /// Slope from column (i, j) to its neighbour that lies outwards of the bur's axis, mm a mm.
     [[nodiscard]] double riseBeyond(int i, int j, glm::dvec2 outwards) const noexcept;
 

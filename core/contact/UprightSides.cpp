@@ -78,9 +78,7 @@ std::vector<UprightSides::Fall> UprightSides::fallsOf(const terrain::ToothAnatom
                 continue;
             for (const auto& [di, dj] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
                 if (fallsOff(anatomy, i, j, di, dj))
-                    falls.push_back({{i + 0.5 * di, j + 0.5 * dj},
-                                     {di, dj},
-                                     {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)}});
+                    falls.push_back({{i + 0.5 * di, j + 0.5 * dj}, {di, dj}, {i, j}});
         }
     }
     return falls;
@@ -92,8 +90,8 @@ glm::dvec2 UprightSides::straightened(const Fall& fall, const std::vector<Fall>&
                                       const std::vector<std::vector<std::size_t>>& byBlock, int blockSide)
 {
     const int reach = static_cast<int>(std::ceil(kFitCells / kBlock));
-    const int blockI = fall.high.i / kBlock;
-    const int blockJ = fall.high.j / kBlock;
+    const int blockI = fall.high.x / kBlock;
+    const int blockJ = fall.high.y / kBlock;
     std::vector<glm::dvec2> around;
     glm::dvec2 mean(0.0);
     for (int j = std::max(0, blockJ - reach); j <= std::min(blockSide - 1, blockJ + reach); ++j) {
@@ -140,7 +138,7 @@ UprightSides::UprightSides(const terrain::ToothAnatomy& anatomy)
     const auto blocks = static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide);
     std::vector<std::vector<std::size_t>> byBlock(blocks);
     for (std::size_t k = 0; k < falls.size(); ++k)
-        byBlock[static_cast<std::size_t>(falls[k].high.j / kBlock * m_blockSide + falls[k].high.i / kBlock)].push_back(
+        byBlock[static_cast<std::size_t>(falls[k].high.y / kBlock * m_blockSide + falls[k].high.x / kBlock)].push_back(
             k);
     for (const std::vector<std::size_t>& block : byBlock) {
         m_first.push_back(static_cast<std::uint32_t>(m_posts.size()));
@@ -174,11 +172,11 @@ bool UprightSides::isFar(glm::dvec2 lattice) const noexcept
 
 /// A node and its neighbours are as they began: beside a cut the columns alone count, or the pocket that a bur made
 /// would be narrower than the bur.
-bool UprightSides::isUncut(terrain::ColumnAt node, const terrain::Tooth& tooth) noexcept
+bool UprightSides::isUncut(glm::ivec2 node, const terrain::Tooth& tooth) noexcept
 {
     const terrain::Grid& grid = tooth.grid();
-    const int i = node.i;
-    const int j = node.j;
+    const int i = node.x;
+    const int j = node.y;
     for (int atJ = std::max(0, j - 1); atJ <= std::min(grid.side - 1, j + 1); ++atJ) {
         for (int atI = std::max(0, i - 1); atI <= std::min(grid.side - 1, i + 1); ++atI) {
             const std::size_t k = grid.index(atI, atJ);
@@ -215,7 +213,7 @@ Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, con
         const std::size_t end = m_first[static_cast<std::size_t>(j * m_blockSide + lastI) + 1];
         for (std::size_t n = first; n < end && count < nodes.size(); ++n) {
             const Post& post = m_posts[n];
-            const std::size_t k = grid.index(post.high.i, post.high.j);
+            const std::size_t k = grid.index(post.high.x, post.high.y);
             const glm::dvec2 place(post.placeMm);
             const glm::dvec2 away = place - pointMm;
             const double apart2 = glm::dot(away, away);

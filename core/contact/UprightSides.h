@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec2.hpp>
 
 #include "core/contact/Touch.h"
@@ -38,7 +39,7 @@ private:
     struct Post
     {
         glm::vec2 placeMm;
-        terrain::ColumnAt high;  ///< the node that stands behind it
+        glm::ivec2 high;  ///< the node that stands behind it
     };
 
     /// The fall of the ground from one node to the next, before it is straightened.
@@ -46,13 +47,13 @@ private:
     {
         glm::dvec2 middle;  ///< lattice
         glm::dvec2 outwards;
-        terrain::ColumnAt high;
+        glm::ivec2 high;
     };
     [[nodiscard]] static std::vector<Fall> fallsOf(const terrain::ToothAnatomy& anatomy);
     [[nodiscard]] static glm::dvec2 straightened(const Fall& fall, const std::vector<Fall>& all,
                                                  const std::vector<std::vector<std::size_t>>& byBlock, int blockSide);
 
-    [[nodiscard]] static bool isUncut(terrain::ColumnAt node, const terrain::Tooth& tooth) noexcept;
+    [[nodiscard]] static bool isUncut(glm::ivec2 node, const terrain::Tooth& tooth) noexcept;
     /// True if no side can be met over a place on the lattice.
     [[nodiscard]] bool isFar(glm::dvec2 lattice) const noexcept;
 
