@@ -56,7 +56,10 @@ void tryAll(Trials& trials)
             trial.falcon.delayS = trials.delayMs * 0.001;
             trial.falcon.delayJitterS = 0.0;
             trial.hand = haptics::kHands[hand];
-            trials.results[k][hand] = lab::tryStability(trials.scene, trial).value();  // nothing here is refused
+            // Where the path is given no hand counts.
+            const bool isAgain = hand > 0 && trials.scene.starts_with("loops");
+            trials.results[k][hand] =
+                isAgain ? trials.results[k][0] : lab::tryStability(trials.scene, trial).value();  // nothing is refused
         }
 }
 
