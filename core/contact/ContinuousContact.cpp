@@ -13,6 +13,8 @@ namespace core::contact {
 namespace {
 
 constexpr int kMaxSlides = 3;          ///< places looked at in a tick; the next tick goes on from there
+constexpr double kBehindMm = 0.1;      ///< a bur this near to the hand is not stuck
+constexpr int kPatienceTicks = 2;      ///< without a way: then the search that knows no planes finds one
 constexpr int kMaxSideSlides = 5;      ///< the same along upright sides, whose planes are forgotten after each move
 constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: it ends inside whatever it would pass through
 /// Farthest that the bur slides in a tick: a bur that slips off a cusp under a hand that presses far into the tooth
@@ -135,7 +137,10 @@ bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm:
 ///
 /// @param left    how far it may get in this tick, mm
 /// @param ground  touchAt() the anchor, and so again in the end
-void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, Touch& ground,
+/// @return false if it got nowhere because every place that it looked at was taken: on rugged ground the half-spaces
+/// may
+///         leave no way where there is one
+bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, Touch& ground,
            glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
@@ -144,20 +149,21 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
     double best = distance2(anchor, device);
     bool metSide = false;
+    bool hasMoved = false;
     int most = kMaxSlides;
     for (int looks = 0; looks < most; ++looks) {
         glm::dvec3 next{0.0};
         if (!planes.nearest(device, next))
-            return;
+            return hasMoved;
         const glm::dvec3 move = next - anchor;
         const double length = std::sqrt(glm::dot(move, move));
         if (length < kStillMm)
-            return;
+            return true;
         const double reach = std::min(longest, left);
         if (length > reach)
             next = anchor + move * (reach / length);
         if (distance2(next, device) >= best)
-            return;
+            return true;
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
         if (edges == Edges::Sides && !touch.isSide() && touch.heightMm > next.z + kRounding) {
             // Far in, the columns behind a side stand higher than the side, but it is the side that is met first.
@@ -178,7 +184,7 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
             if (isFreeBeneath(tooth, touch, next)) {  // the way under an overhang is open
                 anchor = next;
                 ground = touch;
-                return;
+                return true;
             }
             planes.add(planeBetween(tooth.mask(), anchor, next, touch));
             if (touch.isSide()) {
@@ -197,12 +203,14 @@ void slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         ground = touch;
         best = distance2(anchor, device);
         left -= std::sqrt(distance2(from, anchor));
+        hasMoved = true;
         if (left < kStillMm)
-            return;
+            return true;
         if (touch.heightMm > static_cast<double>(terrain::kEmptyTop) &&
             glm::dot(touch.slope, touch.slope) < kSteepest * kSteepest)
             planes.add(tangentAt(at, touch));
     }
+    return hasMoved;
 }
 
 }  // namespace
@@ -281,12 +289,19 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_anchor.z = z;
     }
     m_mayBeInside = false;
+    const bool isStuck = m_blockedTicks > kPatienceTicks;
     if (underRoof || inNotch) {
-        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, m_anchor);
+        const glm::dvec3 before = m_anchor;
+        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, isStuck, m_anchor);
+        const bool isBehind = distance2(m_anchor, device) > kBehindMm * kBehindMm;
+        m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
     }
-    slide(tooth, edges, device, left, ground, m_anchor);
-    if (edges == Edges::Sides)
+    const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
+    m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
+    if (isBlocked && isStuck)
+        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), false, true, m_anchor);
+    else if (edges == Edges::Sides)
         m_known = {&tooth, tooth.revision(), glm::dvec2(m_anchor), ground};
     return m_anchor;
 }

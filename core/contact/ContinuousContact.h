@@ -43,6 +43,7 @@ private:
     };
 
     Known m_known;
+    int m_blockedTicks = 0;  ///< on end in which the slide found no way
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
     glm::dvec3 m_device{0.0, 0.0, 10.0};
     bool m_mayBeInside = true;  ///< the anchor was not free where it stands by any move of its own

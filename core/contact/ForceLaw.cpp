@@ -14,6 +14,8 @@ constexpr double kTouchMm = 1.0e-6;  ///< a nanometre is rounding, not touch
 /// The nearest point of a convex hump moves at most 2.5 / 1.5 times as fast as a hand 1 mm inside it.
 constexpr double kSlipMmPerS = 100.0;
 constexpr double kSlipShare = 2.0;
+constexpr double kGoneS =
+    0.006;  ///< and from far away it comes as by a first-order lag: no hand is dragged through air
 constexpr double kBrakeNSPerMm = 0.03;
 
 double lengthOf(const glm::dvec3& v)
@@ -64,8 +66,8 @@ Status check(const ForceSettings& settings)
 void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept
 {
     const glm::dvec3 way = anchor - m_held;
-    const double most = kSlipMmPerS * seconds + kSlipShare * movedMm;
     const double length = lengthOf(way);
+    const double most = std::max(kSlipMmPerS * seconds + kSlipShare * movedMm, length * seconds / kGoneS);
     m_held = m_begins || length <= most ? anchor : m_held + way * (most / length);
 }
 
@@ -137,12 +139,14 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
     if (touches) {
         const glm::dvec3 pace = handsPace();
         wanted = stretch * stiffness + damper(pace);
+        const glm::dvec3 gain =
+            glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
+        wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch * gain, stretch), seconds);
         const glm::dvec3 normal = (m_held - device) / depth;
         const double pull = glm::dot(wanted, normal);
         if (pull < 0.0)
-            wanted -= normal * pull;  // a damper that would pull the hand into the tooth lets go
-        wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch, stretch), seconds);
-        wanted *= glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
+            wanted -= normal * pull;  // what would pull the hand into the tooth lets go
+        wanted *= gain;
     } else {
         m_takenMj = 0.0;
     }

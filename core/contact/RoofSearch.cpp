@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kMaxSlope = 4.0;  ///< steepest climb of one step
 constexpr int kFinestLevel = 5;    ///< smallest step: cell / 2^5
-constexpr int kMaxLooks = 48;      ///< places looked at in a tick; the next tick goes on from there
+constexpr double kWideCells = 2.0;
+constexpr int kMaxLooks = 48;  ///< places looked at in a tick; the next tick goes on from there
 
 constexpr double kDiagonal = 0.7071067811865476;
 /// The four along the lattice first: only the finest step tries the others, unless one of them helped last.
@@ -69,15 +70,16 @@ bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexc
 
 }  // namespace
 
-void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, bool inNotch,
+void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, bool inNotch, bool isStuck,
                      glm::dvec3& anchor) noexcept
 {
     const double cell = tooth.grid().cellMm;
-    // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels.
+    // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels. One that is
+    // stuck behind a column goes round it in steps that are wider than a column, and no wider than half the bur.
     const double reach = movedMm + cell / 32.0;
-    double step = cell;
+    double step = isStuck ? std::min(kWideCells * cell, 0.5 * static_cast<double>(tooth.mask().radiusMm)) : cell;
     int level = 0;
-    while (level < kFinestLevel - 1 && step > 2.0 * reach) {
+    while (!isStuck && level < kFinestLevel - 1 && step > 2.0 * reach) {
         step *= 0.5;
         ++level;
     }
@@ -86,7 +88,7 @@ void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm,
     int streak = 0;
     for (int looks = 0; level <= kFinestLevel && looks < kMaxLooks;) {
         bool found = false;
-        const std::size_t turns = 1 + (level == kFinestLevel ? kDirections.size() : kAlong);
+        const std::size_t turns = 1 + (isStuck || level == kFinestLevel ? kDirections.size() : kAlong);
         for (std::size_t turn = 0; turn < turns && !found; ++turn) {
             const std::size_t now = turn == 0 ? heading : turn - 1;
             if (turn > 0 && now == heading)

@@ -15,7 +15,8 @@ namespace core::contact {
 /// last move down to 1/32 cell; a step that would climb or sink more than four cells a cell is refused (haptics.md
 /// 3.2). Servo thread; no allocation.
 /// @param movedMm  how far the device moved in this tick
-void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, bool inNotch,
+/// @param isStuck  it has found no way for some ticks: begins with wider steps, in all directions
+void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, bool inNotch, bool isStuck,
                      glm::dvec3& anchor) noexcept;
 
 }  // namespace core::contact
