@@ -13,6 +13,7 @@ namespace {
 constexpr double kMaxSlope = 4.0;  ///< steepest climb of one step
 constexpr int kFinestLevel = 5;    ///< smallest step: cell / 2^5
 constexpr double kWideCells = 2.0;
+constexpr int kNodesAround = 2;
 constexpr int kMaxLooks = 48;  ///< places looked at in a tick; the next tick goes on from there
 
 constexpr double kDiagonal = 0.7071067811865476;
@@ -84,6 +85,27 @@ void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm,
         ++level;
     }
     double best = distance2(anchor, device);
+    if (isStuck) {
+        // First the nodes around: with its axis over a node a bur gets past columns that it does not between them.
+        const terrain::Grid& grid = tooth.grid();
+        const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(anchor));
+        const glm::dvec3 from = anchor;
+        for (int dj = -kNodesAround; dj <= kNodesAround; ++dj) {
+            for (int di = -kNodesAround; di <= kNodesAround; ++di) {
+                const glm::dvec2 at = grid.nodeMm(static_cast<int>(std::floor(lattice.x + 0.5)) + di,
+                                                  static_cast<int>(std::floor(lattice.y + 0.5)) + dj);
+                const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
+                if (flat >= best)
+                    continue;
+                const Step to{device.z, from.z, kMaxSlope * cell, device.z + std::sqrt(best - flat), inNotch};
+                double z = 0.0;
+                if (standAt(tooth, at, to, z) && distance2({at, z}, device) < best) {
+                    anchor = {at, z};
+                    best = distance2(anchor, device);
+                }
+            }
+        }
+    }
     std::size_t heading = 0;  // the direction that helped last is tried first
     int streak = 0;
     for (int looks = 0; level <= kFinestLevel && looks < kMaxLooks;) {
