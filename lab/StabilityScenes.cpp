@@ -166,7 +166,7 @@ private:
         beside.jumpsFromS = 0.9;
         beside.exact = [](const glm::dvec3& at) { return glm::dvec3(-kBallMm, at.y, 0.0); };
         beside.bars.errorMm = 0.5 * kCellMm + 0.001;
-        for (const int cells : {1, 2}) {
+        for (const std::size_t cells : {std::size_t{1}, std::size_t{2}}) {
             StabilityScene& scene = add(
                 6, cells == 1 ? "ridge, 1 cell" : "ridge, 2 cells", m_ridge[cells - 1], [](double t, double mmPerN) {
                     return glm::dvec3(-0.7 + rise(t, 0.6, 1.2) * (0.2 + 3.9 * mmPerN), 0.0, 0.3);

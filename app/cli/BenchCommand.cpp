@@ -93,9 +93,13 @@ int benchCommand(const QStringList& arguments)
     bench::Context context;
     context.minutes = parser.value(QStringLiteral("minutes")).toDouble(&isNumber);
     if (!isNumber || !(context.minutes > 0.0 && context.minutes <= 240.0))
-        return wrongUsage(QStringLiteral("--minutes wants a number up to 240"));
+        return wrongUsage(QStringLiteral("--minutes wants a number above 0, up to 240"));
     context.meshes = parser.values(QStringLiteral("mesh"));
+    if (!context.meshes.isEmpty() && !wanted.isEmpty() && wanted != QLatin1String("load"))
+        return wrongUsage(QStringLiteral("--mesh belongs to the suite \"load\""));
     const QString out = parser.value(QStringLiteral("out"));
+    if (parser.isSet(QStringLiteral("out")) && out.isEmpty())
+        return wrongUsage(QStringLiteral("--out wants a folder"));
     const QDir folder(out);
     if (!out.isEmpty() && !(folder.mkpath(QStringLiteral(".")) && QFileInfo(folder.path()).isWritable()))
         return failed({core::ErrorCode::FileUnwritable,

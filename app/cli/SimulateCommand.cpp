@@ -129,7 +129,7 @@ void addOptions(QCommandLineParser& parser)
            "T.csv");
     parser.addOption({QStringLiteral("drill"), QStringLiteral("Drill on all the time, whatever the path says.")});
     option("bur", "2, 330 (default), 245 or 57.", "NAME");
-    option("method", "continuous (default), lattice or penalty.", "M");
+    option("method", "continuous (default), lattice, lattice16 (16 steps a tick) or penalty.", "M");
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
     option("preset",
            "Hardness: natural (default), typodont, or a JSON file such as {\"name\": \"soft\", \"enamel\": "
