@@ -13,6 +13,7 @@ namespace core::contact {
 namespace {
 
 constexpr int kMaxSlides = 3;          ///< places looked at in a tick; the next tick goes on from there
+constexpr double kStuckClimb = 0.5;    ///< cells a cell: out of a pocket there is no way
 constexpr double kBehindMm = 0.1;      ///< a bur this near to the hand is not stuck
 constexpr int kPatienceTicks = 2;      ///< without a way: then the search that knows no planes finds one
 constexpr int kMaxSideSlides = 5;      ///< the same along upright sides, whose planes are forgotten after each move
@@ -289,10 +290,14 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_anchor.z = z;
     }
     m_mayBeInside = false;
+    // A bur that cuts is where it is because it cuts.
+    if (m_revision != tooth.revision())
+        m_blockedTicks = 0;
+    m_revision = tooth.revision();
     const bool isStuck = m_blockedTicks > kPatienceTicks;
     if (underRoof || inNotch) {
         const glm::dvec3 before = m_anchor;
-        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), inNotch, isStuck, m_anchor);
+        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {inNotch, isStuck}, m_anchor);
         const bool isBehind = distance2(m_anchor, device) > kBehindMm * kBehindMm;
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
@@ -300,7 +305,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
     m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
     if (isBlocked && isStuck)
-        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), false, true, m_anchor);
+        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);
     else if (edges == Edges::Sides)
         m_known = {&tooth, tooth.revision(), glm::dvec2(m_anchor), ground};
     return m_anchor;

@@ -43,6 +43,7 @@ private:
     };
 
     Known m_known;
+    std::uint64_t m_revision = 0;
     int m_blockedTicks = 0;  ///< on end in which the slide found no way
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
     glm::dvec3 m_device{0.0, 0.0, 10.0};

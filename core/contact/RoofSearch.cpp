@@ -10,8 +10,7 @@
 namespace core::contact {
 namespace {
 
-constexpr double kMaxSlope = 4.0;  ///< steepest climb of one step
-constexpr int kFinestLevel = 5;    ///< smallest step: cell / 2^5
+constexpr int kFinestLevel = 5;  ///< smallest step: cell / 2^5
 constexpr double kWideCells = 2.0;
 constexpr int kNodesAround = 2;
 constexpr int kMaxLooks = 48;  ///< places looked at in a tick; the next tick goes on from there
@@ -71,13 +70,14 @@ bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexc
 
 }  // namespace
 
-void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, bool inNotch, bool isStuck,
+void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const SearchLimits& limits,
                      glm::dvec3& anchor) noexcept
 {
     const double cell = tooth.grid().cellMm;
     // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels. One that is
     // stuck behind a column goes round it in steps that are wider than a column, and no wider than half the bur.
     const double reach = movedMm + cell / 32.0;
+    const bool isStuck = limits.isStuck;
     double step = isStuck ? std::min(kWideCells * cell, 0.5 * static_cast<double>(tooth.mask().radiusMm)) : cell;
     int level = 0;
     while (!isStuck && level < kFinestLevel - 1 && step > 2.0 * reach) {
@@ -97,7 +97,8 @@ void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm,
                 const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
                 if (flat >= best)
                     continue;
-                const Step to{device.z, from.z, kMaxSlope * cell, device.z + std::sqrt(best - flat), inNotch};
+                const Step to{device.z, from.z, limits.steepest * cell, device.z + std::sqrt(best - flat),
+                              limits.inNotch};
                 double z = 0.0;
                 if (standAt(tooth, at, to, z) && distance2({at, z}, device) < best) {
                     anchor = {at, z};
@@ -121,7 +122,8 @@ void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm,
             const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
             if (flat >= best)
                 continue;
-            const Step to{device.z, anchor.z, kMaxSlope * step, device.z + std::sqrt(best - flat), inNotch};
+            const Step to{device.z, anchor.z, limits.steepest * step, device.z + std::sqrt(best - flat),
+                          limits.inNotch};
             double z = 0.0;
             ++looks;
             if (!standAt(tooth, at, to, z))
