@@ -12,11 +12,12 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 3;          ///< places looked at in a tick; the next tick goes on from there
-constexpr double kStuckClimb = 0.5;    ///< cells a cell: out of a pocket there is no way
-constexpr double kBehindMm = 0.1;      ///< a bur this near to the hand is not stuck
-constexpr int kPatienceTicks = 2;      ///< without a way: then the search that knows no planes finds one
-constexpr int kMaxSideSlides = 5;      ///< the same along upright sides, whose planes are forgotten after each move
+constexpr int kMaxSlides = 3;        ///< places looked at in a tick; the next tick goes on from there
+constexpr double kAskMm = 0.15;      ///< that the hand goes before the search is asked, and again before the next time
+constexpr double kStuckClimb = 0.5;  ///< cells a cell: out of a pocket there is no way
+constexpr double kBehindMm = 0.1;    ///< a bur this near to the hand is not stuck
+constexpr int kPatienceTicks = 2;    ///< without a way: then the search that knows no planes finds one
+constexpr int kMaxSideSlides = 5;    ///< the same along upright sides, whose planes are forgotten after each move
 constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: it ends inside whatever it would pass through
 /// Farthest that the bur slides in a tick: a bur that slips off a cusp under a hand that presses far into the tooth
 /// takes ten ticks for a millimetre, and the force with it. In mm, and per mm that the hand moved.
@@ -226,6 +227,8 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
     m_anchor = device;
     m_device = device;
     m_mayBeInside = true;
+    m_known.tooth = nullptr;
+    m_blockedTicks = 0;
 }
 
 /// Puts an anchor right that grazes an upright side, as where two chords meet. One that is in it by more is cutting
@@ -294,7 +297,11 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
     if (m_revision != tooth.revision())
         m_blockedTicks = 0;
     m_revision = tooth.revision();
-    const bool isStuck = m_blockedTicks > kPatienceTicks;
+    if (m_blockedTicks == 0)
+        m_askedFrom = device;
+    const bool isStuck = m_blockedTicks > kPatienceTicks && distance2(device, m_askedFrom) > kAskMm * kAskMm;
+    if (isStuck)
+        m_askedFrom = device;
     if (underRoof || inNotch) {
         const glm::dvec3 before = m_anchor;
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {inNotch, isStuck}, m_anchor);

@@ -43,6 +43,7 @@ private:
     };
 
     Known m_known;
+    glm::dvec3 m_askedFrom{0.0};  ///< where the hand was when a way was last found or looked for far around
     std::uint64_t m_revision = 0;
     int m_blockedTicks = 0;  ///< on end in which the slide found no way
     glm::dvec3 m_anchor{0.0, 0.0, 10.0};
