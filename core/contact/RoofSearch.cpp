@@ -85,31 +85,37 @@ void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm,
         ++level;
     }
     double best = distance2(anchor, device);
+    int looks = 0;
+    // Goes to a place if it is free and nearer than the best.
+    const auto goTo = [&](glm::dvec2 at, double fromZ, double climb) {
+        // A place whose own column is already farther than the best needs no clearance.
+        const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
+        if (flat >= best)
+            return false;
+        ++looks;
+        const Step to{device.z, fromZ, climb, device.z + std::sqrt(best - flat), limits.inNotch};
+        double z = 0.0;
+        if (!standAt(tooth, at, to, z) || distance2({at, z}, device) >= best)
+            return false;
+        anchor = {at, z};
+        best = distance2(anchor, device);
+        return true;
+    };
     if (isStuck) {
         // First the nodes around: with its axis over a node a bur gets past columns that it does not between them.
         const terrain::Grid& grid = tooth.grid();
         const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(anchor));
-        const glm::dvec3 from = anchor;
-        for (int dj = -kNodesAround; dj <= kNodesAround; ++dj) {
-            for (int di = -kNodesAround; di <= kNodesAround; ++di) {
-                const glm::dvec2 at = grid.nodeMm(static_cast<int>(std::floor(lattice.x + 0.5)) + di,
-                                                  static_cast<int>(std::floor(lattice.y + 0.5)) + dj);
-                const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
-                if (flat >= best)
-                    continue;
-                const Step to{device.z, from.z, limits.steepest * cell, device.z + std::sqrt(best - flat),
-                              limits.inNotch};
-                double z = 0.0;
-                if (standAt(tooth, at, to, z) && distance2({at, z}, device) < best) {
-                    anchor = {at, z};
-                    best = distance2(anchor, device);
-                }
-            }
-        }
+        const double fromZ = anchor.z;
+        for (int dj = -kNodesAround; dj <= kNodesAround; ++dj)
+            for (int di = -kNodesAround; di <= kNodesAround; ++di)
+                static_cast<void>(goTo(grid.nodeMm(static_cast<int>(std::floor(lattice.x + 0.5)) + di,
+                                                   static_cast<int>(std::floor(lattice.y + 0.5)) + dj),
+                                       fromZ, limits.steepest * cell));
+        looks = 0;
     }
     std::size_t heading = 0;  // the direction that helped last is tried first
     int streak = 0;
-    for (int looks = 0; level <= kFinestLevel && looks < kMaxLooks;) {
+    while (level <= kFinestLevel && looks < kMaxLooks) {
         bool found = false;
         const std::size_t turns = 1 + (isStuck || level == kFinestLevel ? kDirections.size() : kAlong);
         for (std::size_t turn = 0; turn < turns && !found; ++turn) {
@@ -118,24 +124,9 @@ void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm,
                 continue;
             const glm::dvec2& direction = kDirections[now];
             const glm::dvec2 at(anchor.x + direction.x * step, anchor.y + direction.y * step);
-            // A place whose own column is already farther than the best needs no clearance.
-            const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
-            if (flat >= best)
-                continue;
-            const Step to{device.z, anchor.z, limits.steepest * step, device.z + std::sqrt(best - flat),
-                          limits.inNotch};
-            double z = 0.0;
-            ++looks;
-            if (!standAt(tooth, at, to, z))
-                continue;
-            const glm::dvec3 candidate(at.x, at.y, z);
-            const double far = distance2(candidate, device);
-            if (far < best) {
-                best = far;
-                anchor = candidate;
+            found = goTo(at, anchor.z, limits.steepest * step);
+            if (found)
                 heading = now;
-                found = true;
-            }
         }
         if (!found) {
             step *= 0.5;
