@@ -16,7 +16,7 @@ struct SearchLimits
 
 /// Moves an anchor that has tooth above it nearer to the device: beneath an overhang along its underside, and in a
 /// notch cut from the side, with floor beneath one part of the bur and overhang above another, column by column
-/// (LiveTooth::roomAt).
+/// (LiveTooth::roomAt). Also the last resort of an anchor above the tooth that is stuck.
 ///
 /// Only (x, y) is searched, for over a point the best height is known. Eight directions, steps from about the device's
 /// last move down to 1/32 cell; a step that would climb or sink more steeply than allowed is refused. Servo thread; no
