@@ -68,12 +68,11 @@ std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, 
     return std::make_unique<haptics::PointerDevice>(pointer, stiffness, periodS);
 }
 
-/// A Falcon has a work area. The will that guides the simulated one takes any force for contact: no vibration there.
 core::session::ServoSettings settingsFor(bool simulated)
 {
     core::session::ServoSettings settings;
     if (simulated)
-        settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
+        haptics::falcon::addFalconFeel(settings.force);
     return settings;
 }
 
@@ -118,6 +117,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
 
     if (options.simulatedDevice) {
         m_window->setSelfDrilling();
+        m_window->offerHome();
         m_demoBeat.setInterval(kDemoBeatMs);
         connect(&m_demoBeat, &QTimer::timeout, this, &Application::letDemoHandDecide);
         m_demoBeat.start();

@@ -220,6 +220,10 @@
         <source>The handpiece answers late: the tooth is made softer to the hand.</source>
         <translation>Das Handstück antwortet verzögert: Der Zahn fühlt sich weicher an.</translation>
     </message>
+    <message>
+        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
+        <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -578,6 +582,14 @@
     <message>
         <source>Hold the handpiece from the other side; the view stays</source>
         <translation>Das Handstück von der anderen Seite halten; die Ansicht bleibt</translation>
+    </message>
+    <message>
+        <source>Lead the handpiece home</source>
+        <translation>Handstück heimführen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand back over the tooth</source>
+        <translation>Die Hand vom Handstück über den Zahn zurückführen lassen</translation>
     </message>
 </context>
 <context>

@@ -220,6 +220,10 @@
         <source>The handpiece answers late: the tooth is made softer to the hand.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -577,6 +581,14 @@
     </message>
     <message>
         <source>Hold the handpiece from the other side; the view stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lead the handpiece home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand back over the tooth</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

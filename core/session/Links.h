@@ -24,6 +24,7 @@ enum Health : std::uint32_t {
     kRecordGap = 1U << 3U,       ///< the session was so late that ticks are missing from the recording
     kBegunInside = 1U << 4U,     ///< the bur began inside the tooth: no force and no cutting until it has been out
     kLoopIsSlow = 1U << 5U,      ///< force comes late: the spring is softer than set
+    kLedHome = 1U << 6U,         ///< the hand is led home over the tooth (contact::WorkArea)
 };
 
 /// Newest state of the servo. Servo thread writes, ui reads.
@@ -97,7 +98,10 @@ struct SetDrill
 {
     bool on = false;
 };
-using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill>;
+/// Lead the hand home over the tooth; nothing where the device has no work area.
+struct BringHome
+{};
+using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.

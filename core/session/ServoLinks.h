@@ -20,9 +20,6 @@ struct SwapTooth
     bool anew = false;               ///< a tooth to begin with, not a step back
     std::uint64_t restoredTick = 0;  ///< not anew: the tick of this attempt after which the tooth stood like this
 };
-/// Lead the hand home over the tooth.
-struct BringHome
-{};
 /// Session to servo.
 using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, BringHome>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);

@@ -113,7 +113,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_changed = {};
     m_state.cutting = false;
     m_state.burRpm = m_state.drillOn ? m_drill.rpmUnder(0.0, 0.0) : 0.0;
-    m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside);
+    m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside | kLedHome);
     if (device == nullptr || !isPlausible(*device)) {
         letGo();
         m_drill.rest();
@@ -204,6 +204,8 @@ glm::dvec3 ServoTick::around(const glm::dvec3& contactN, double seconds) noexcep
 {
     const glm::dvec3 sum = contactN + m_workArea.update(m_state.deviceMm, seconds) +
                            m_vibration.update(m_state.drillOn && !m_state.touching, seconds);
+    if (m_workArea.isLeading())
+        m_state.health |= kLedHome;
     const double newtons = std::sqrt(glm::dot(sum, sum));
     const double clampN = m_force.settings().clampN;
     return newtons > clampN ? sum * (clampN / newtons) : sum;

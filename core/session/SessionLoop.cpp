@@ -166,6 +166,11 @@ void SessionLoop::apply(const SetDrill& drill)
     static_cast<void>(m_servo.commands.tryPush(drill));
 }
 
+void SessionLoop::apply(const BringHome& home)
+{
+    static_cast<void>(m_servo.commands.tryPush(home));
+}
+
 /// Gives the servo the tooth of a moment and shows the view what that changes.
 void SessionLoop::handOver(const history::ToothMoment& moment)
 {

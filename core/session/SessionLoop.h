@@ -58,6 +58,7 @@ private:
     void apply(const ReplaceTooth& replace);
     void apply(const SetBur& bur);
     void apply(const SetDrill& drill);
+    void apply(const BringHome& home);
     void rememberUnfinished();
     void handOver(const history::ToothMoment& moment);
     void forward();

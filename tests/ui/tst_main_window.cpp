@@ -66,6 +66,7 @@ private slots:
     void filesAreAskedFor();
     void eachKindOfFileRemembersItsFolder();
     void droppedFilesAreToldApart();
+    void homeIsOfferedWhereAHandCanBeLed();
     void otherHandPanelAndFullScreen();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
@@ -391,6 +392,30 @@ void TestMainWindow::droppedFilesAreToldApart()
     drop("/tmp/letter.docx");
     QCOMPARE(scan.size() + open.size(), 2);
     QVERIFY(message().contains("neither a scan"));
+}
+
+void TestMainWindow::homeIsOfferedWhereAHandCanBeLed()
+{
+    const auto rowInHelp = [this] {
+        for (const QLabel* label : child<HelpOverlay>()->findChildren<QLabel*>())
+            if (label->text() == actions().bringHome->text())
+                return label->isVisible();
+        return false;
+    };
+    press(Qt::Key_C);
+    QVERIFY(sent().empty());
+    press(Qt::Key_F1);
+    QVERIFY(!rowInHelp());
+    m_window->offerHome();
+    QVERIFY(rowInHelp());
+    press(Qt::Key_F1);
+    press(Qt::Key_C);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 1);
+    QVERIFY(std::holds_alternative<BringHome>(commands.front()));
+    m_window->setReplaying(true);
+    press(Qt::Key_C);
+    QVERIFY(sent().empty());
 }
 
 void TestMainWindow::otherHandPanelAndFullScreen()

@@ -46,6 +46,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     otherHand =
         add("hand", tr("Other hand"), tr("Hold the handpiece from the other side; the view stays"), {Qt::Key_H});
     otherHand->setCheckable(true);
+    bringHome = add("home", tr("Lead the handpiece home"), tr("Let the handpiece lead your hand back over the tooth"),
+                    {Qt::Key_C});
 
     m_groups.push_back({tr("Tooth and files"), {}});
     chooseTooth = add("tooth", tr("Choose a tooth"), tr("Show the arches and choose one of 16 teeth"), {Qt::Key_T});
@@ -101,6 +103,10 @@ QToolButton* barButton(QAction* action, bool withText, QWidget* parent)
     const auto name = [button, action] { button->setAccessibleName(action->text()); };
     name();
     QObject::connect(action, &QAction::changed, button, name);
+    if (!action->isVisible())
+        button->hide();
+    QObject::connect(action, &QAction::visibleChanged, button,
+                     [button, action] { button->setVisible(action->isVisible()); });
     button->setAccessibleDescription(action->toolTip());
     return button;
 }

@@ -33,6 +33,7 @@ public:
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
+    QAction* bringHome = nullptr;  ///< hidden where the device cannot lead a hand
     QAction* resetView = nullptr;
     QList<QAction*> burs;  ///< checkable, one of them; in the order of core::drilling::burs()
     QAction* undo = nullptr;

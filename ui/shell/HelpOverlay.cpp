@@ -54,14 +54,16 @@ QLabel* keyCap(const QString& words, QWidget* parent)
     return cap;
 }
 
-QHBoxLayout* rowOf(QWidget* parent, const QString& words, const QStringList& keys)
+QWidget* rowOf(QWidget* parent, const QString& words, const QStringList& keys)
 {
-    auto* row = new QHBoxLayout;
+    auto* whole = new QWidget(parent);
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kSpace1);
-    row->addWidget(new QLabel(words, parent), 1);
+    row->addWidget(new QLabel(words, whole), 1);
     for (const QString& key : keys)
-        row->addWidget(keyCap(key, parent));
-    return row;
+        row->addWidget(keyCap(key, whole));
+    return whole;
 }
 
 }  // namespace
@@ -96,27 +98,31 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
         columns->addLayout(column[k], 1);
     }
     qsizetype lastFilled = 0;
-    const auto place = [&](const QString& words, const QList<QHBoxLayout*>& rows) {
+    const auto place = [&](const QString& words, const QList<QWidget*>& rows) {
         const qsizetype k = filled[0] <= filled[1] ? 0 : 1;
         lastFilled = k;
         if (filled[k] > 0)
             column[k]->addSpacing(kSpace4);
         column[k]->addWidget(heading(words, content));
-        for (QHBoxLayout* row : rows)
-            column[k]->addLayout(row);
+        for (QWidget* row : rows)
+            column[k]->addWidget(row);
         filled[k] += rows.size() + 2;
     };
     for (const Actions::Group& group : actions.groups()) {
-        QList<QHBoxLayout*> rows;
+        QList<QWidget*> rows;
         for (const QAction* action : group.actions) {
             QStringList keys;
             for (const QKeySequence& key : action->shortcuts())
                 keys << key.toString(QKeySequence::NativeText);
             rows << rowOf(content, action->text(), keys);
+            QWidget* row = rows.back();
+            const auto follow = [row, action] { row->setVisible(action->isVisible()); };
+            follow();
+            connect(action, &QAction::visibleChanged, row, follow);
         }
         place(group.title, rows);
     }
-    QList<QHBoxLayout*> rows;
+    QList<QWidget*> rows;
     for (const Gesture& gesture : gestures())
         rows << rowOf(content, gesture.doing, gesture.with);
     place(tr("Over the tooth"), rows);

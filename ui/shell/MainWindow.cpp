@@ -90,6 +90,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
+    m_actions->bringHome->setVisible(false);
 
     connectActions();
     connectView();
@@ -124,6 +125,7 @@ void MainWindow::connectActions()
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
     on(m_actions->otherHand, [this](bool left) { m_view->setLeftHanded(left); });
+    on(m_actions->bringHome, [this] { send(core::session::BringHome{}); });
     on(m_actions->resetView, [this] { m_view->resetCamera(); });
     on(m_actions->undo, [this] { send(core::session::Undo{}); });
     on(m_actions->redo, [this] { send(core::session::Redo{}); });
@@ -166,6 +168,12 @@ void MainWindow::connectActions()
     });
     on(m_actions->back, [this] { goBack(); });
     on(m_actions->quit, [this] { close(); });
+}
+
+void MainWindow::offerHome()
+{
+    m_actions->bringHome->setVisible(true);
+    enableActions();
 }
 
 void MainWindow::connectView()
@@ -297,6 +305,7 @@ void MainWindow::enableActions()
     for (QAction* bur : m_actions->burs)
         bur->setEnabled(inRoom && mine);
     m_actions->otherHand->setEnabled(inRoom);
+    m_actions->bringHome->setEnabled(inRoom && mine && m_actions->bringHome->isVisible());
     m_actions->resetView->setEnabled(inRoom);
     m_actions->panel->setEnabled(inRoom);
     m_actions->undo->setEnabled(inRoom && mine && m_session.undoSteps > 0);

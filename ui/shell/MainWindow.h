@@ -35,8 +35,8 @@ class ToothChooser;
 
 /// The window: the practice room, and over it the choice of a tooth, the grade, the keys, messages and progress.
 ///
-/// It reads links.session and writes links.commands (Undo, Redo, Reload, SetBur, SetDrill); the rest of the links
-/// belong to the tooth view. What needs files, the database or another tooth it asks for by its signals.
+/// It reads links.session and writes links.commands (Undo, Redo, Reload, SetBur, SetDrill, BringHome); the rest of the
+/// links belong to the tooth view. What needs files, the database or another tooth it asks for by its signals.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -76,6 +76,8 @@ public slots:
     void showReplayEnd();
     /// Every tooth shown from now on is drilled by the simulated handpiece, and the window says so beside its name.
     void setSelfDrilling() { m_selfDrilling = true; }
+    /// The device has a work area and a force: the user can ask to be led home over the tooth.
+    void offerHome();
 
 signals:
     void toothChosen(int fdi);

@@ -197,6 +197,7 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
     row->addWidget(barButton(actions.reload, true, frame));
     row->addStretch(1);
     row->addWidget(barButton(actions.otherHand, true, frame));
+    row->addWidget(barButton(actions.bringHome, true, frame));
     row->addWidget(barButton(actions.resetView, true, frame));
     row->addStretch(1);
     row->addWidget(pageButton(actions.grade, "filled", frame));
