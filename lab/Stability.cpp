@@ -82,9 +82,9 @@ private:
 std::unique_ptr<Contestant> contestantFor(const StabilityScene& scene, const StabilityTrial& trial,
                                           haptics::HapticDevice& device)
 {
-    // Without the bur's vibration: a tremble that is meant is none of the loop's.
     core::session::ServoSettings settings = trial.settings;
-    settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
+    haptics::falcon::addFalconFeel(settings.force);
+    settings.force.vibrationN = 0.0;  // a tremble that is meant is none of the loop's
     return *makeContestant(settings, trial.ceds, device,
                            std::make_unique<core::contact::LiveTooth>(core::terrain::Tooth(scene.anatomy)), scene.drill,
                            std::chrono::milliseconds(1));

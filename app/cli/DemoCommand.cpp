@@ -31,7 +31,7 @@ core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::Bui
     haptics::SimulationOptions options;
     options.record = true;
     if (simulatedDevice)
-        options.settings.force.workAreaMm = haptics::falcon::kWorkAreaMm;
+        haptics::falcon::addFalconFeel(options.settings.force);
     core::rt::TripleBuffer<core::session::PointerInput> pointer;
     const double stiffness = options.settings.force.stiffnessNPerMm;
     haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);

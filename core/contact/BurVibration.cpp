@@ -28,8 +28,10 @@ void BurVibration::draw() noexcept
     m_noise[2] = m_noise[1];
     m_noise[1] = m_noise[0];
     m_noise[0] = kScale * glm::dvec2(m_rng.uniform(-1.0, 1.0), m_rng.uniform(-1.0, 1.0));
-    if (++m_drawn % kDrawsPerAim == 0)
+    if (++m_drawn == kDrawsPerAim) {
+        m_drawn = 0;
         m_aim = m_rng.uniform(kWeakest, kStrongest);
+    }
 }
 
 glm::dvec3 BurVibration::update(bool running, double seconds) noexcept
@@ -42,9 +44,13 @@ glm::dvec3 BurVibration::update(bool running, double seconds) noexcept
         m_level = 0.0;
     if (!(m_level > 0.0))
         return glm::dvec3(0.0);
-    // Half a nanosecond of slack: a millisecond is not a sum of binary fractions.
-    for (m_sinceDrawnS += seconds; m_sinceDrawnS >= kDrawS - 5.0e-10; m_sinceDrawnS -= kDrawS)
+    // Half a nanosecond of slack: a millisecond is not a sum of binary fractions. One draw a tick at most: of the last
+    // of several the sum would not be that of the newest.
+    m_sinceDrawnS += seconds;
+    if (m_sinceDrawnS >= kDrawS - 5.0e-10) {
         draw();
+        m_sinceDrawnS = std::min(m_sinceDrawnS - kDrawS, kDrawS);
+    }
     return {(m_noise[0] - m_noise[2]) * (m_level * m_rmsN), 0.0};
 }
 

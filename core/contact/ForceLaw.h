@@ -19,11 +19,15 @@ struct ForceSettings
     /// What the damper has more for motion much faster than ForceLaw::kFastMmPerS, which dry friction does not hold
     /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large).
     double fastDampingNSPerM = 30.0;
-    double brakeN = 0.5;        ///< most that passivity control takes out of fast motion; 0 is none
-    double friction = 0.1;      ///< Coulomb coefficient of the bur sliding on the tooth
-    double lateralGain = 1.0;   ///< of the force along x and y: arms are weaker sideways
-    double verticalGain = 1.0;  ///< of the force along z
-    double clampN = 8.0;        ///< largest force ever given to the hand
+    double brakeN = 0.5;    ///< most that passivity control takes out of fast motion; 0 is none
+    double friction = 0.1;  ///< Coulomb coefficient of the bur sliding on the tooth
+    /// Of the force along x and y, for a device whose arms are weaker sideways, and of that along z. Equal gains are a
+    /// softer spring. Unequal ones tilt the force on a slope, so that it is no longer that of any spring: a circle into
+    /// a 45 degree plane and out again, 0.3 mm wide, gives 0.07 mJ for a difference of one half. So both are shipped
+    /// at 1.
+    double lateralGain = 1.0;
+    double verticalGain = 1.0;
+    double clampN = 8.0;  ///< largest force ever given to the hand
     /// Radius of the ball about the tooth's origin that the device moves in, mm; 0: it has no end, as a mouse has none
     /// (WorkArea).
     double workAreaMm = 0.0;

@@ -15,6 +15,7 @@ constexpr double kFollowLagS = 2.0 * kPushLagS;  ///< and the pace of a cut is l
 constexpr double kLiftLagS = 0.03;               ///< and is gone over this
 constexpr double kApproachMmPerS = 25.0;         ///< fastest descent of the leaning hand before it meets the tooth
 constexpr double kGlideMmPerS = 400.0;           ///< fastest travel in the air
+constexpr double kFeltN = 0.05;                  ///< less than this is no contact to a hand (haptics.md section 7)
 constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning
 
 bool isFinite(const core::session::PointerInput& input)
@@ -58,7 +59,7 @@ DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
         const double missing = want.pushForceN - force;
         const double sink = missing / (m_stiffness * kPushLagS);
         // What the bur gives way to is no missing force. Learnt in contact only: the approach is no cut.
-        if (force > 0.0)
+        if (force > kFeltN)
             m_followMmPerS += sink * m_period / kFollowLagS;
         m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
         m_tip.z -= std::min(sink + m_followMmPerS, kApproachMmPerS) * m_period;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/simulated/GuidedFalcon.h"
 
+#include <algorithm>
+
 #include <glm/common.hpp>
 
 namespace haptics {
@@ -11,6 +13,7 @@ constexpr HandFigures kHand = kHands[2];
 constexpr double kHandNPerMm = 0.001 * kHand.stiffnessNPerM;
 constexpr glm::dvec3 kStartMm{0.0, 0.0, 4.0};  ///< where a PointerDevice begins
 constexpr double kEyeLagS = 0.3;               ///< from eye to hand [A]
+constexpr double kFeelLagS = 0.01;             ///< over which a push is told from a tremble [A]
 constexpr double kMostCorrectionMm = 0.5;      ///< a little more than the device's dry friction holds this hand back
 
 }  // namespace
@@ -20,12 +23,13 @@ GuidedFalcon::GuidedFalcon(core::rt::TripleBuffer<core::session::PointerInput>& 
     : m_glance(periodS / kEyeLagS),
       // Who leans on a tooth through an arm stretches both springs, one behind the other.
       m_will(input, stiffnessNPerMm * kHandNPerMm / (stiffnessNPerMm + kHandNPerMm), periodS),
-      m_falcon({}, kHand, periodS, 1, kStartMm), m_readMm(kStartMm)
+      m_falcon({}, kHand, periodS, 1, kStartMm), m_readMm(kStartMm), m_feeling(std::min(1.0, periodS / kFeelLagS))
 {}
 
 DeviceSample GuidedFalcon::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
-    const glm::dvec3 wanted(m_will.exchange(forceOnHandN).tipInToothMm);
+    m_feltN += (forceOnHandN - m_feltN) * m_feeling;
+    const glm::dvec3 wanted(m_will.exchange(m_feltN).tipInToothMm);
     // Along the bur's axis it is the force that the hand minds, not the place.
     const glm::dvec3 aside = (wanted - m_readMm) * glm::dvec3(1.0, 1.0, 0.0);
     m_correctionMm =

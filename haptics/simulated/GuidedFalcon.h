@@ -22,6 +22,8 @@ private:
     SimulatedFalcon m_falcon;
     glm::dvec3 m_readMm;
     glm::dvec3 m_correctionMm{0.0};
+    glm::dvec3 m_feltN{0.0};
+    double m_feeling;  ///< share of a new force that is felt after a tick
 };
 
 }  // namespace haptics

@@ -34,6 +34,8 @@ constexpr int kSwatchPx = 18;
 constexpr qint64 kWordsEveryMs = 80;
 /// Less than this is friction, and not what a person wonders about.
 constexpr double kSidewaysFromN = 0.15;
+/// In the air, less than this is the tremble of the bur (core::contact::BurVibration), and no push.
+constexpr double kTrembleN = 0.2;
 
 std::size_t at(Material material)
 {
@@ -206,7 +208,8 @@ void SidePanel::setFigure(const Figure& figure, const QString& words, const QStr
 
 void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session)
 {
-    const double forceN = glm::length(servo.forceN);
+    const double feltN = glm::length(servo.forceN);
+    const double forceN = servo.touching || feltN > kTrembleN ? feltN : 0.0;
     const bool limited = (servo.health & core::session::kForceClamped) != 0;
     m_forceBar->setForce(forceN, m_pushN, limited);
     if (m_sinceWords.isValid() && m_sinceWords.elapsed() < kWordsEveryMs)
