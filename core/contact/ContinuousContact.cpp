@@ -26,12 +26,15 @@ constexpr double kSlipShare = 4.0;
 constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
 constexpr double kStillMm = 3.0e-4;     ///< a move shorter than that is none
 constexpr double kSlackMm = 1.0e-5;     ///< a bur this far above the ground stands on it
+constexpr double kNearMm = 0.002;       ///< ground this near is what stops a bur that moves on
 constexpr double kSteepest = 20.0;      ///< ground steeper than that is an upright side
 constexpr double kSmoothShare = 0.001;  ///< of a move, by which a tangent plane may cut off the place it began at
 constexpr double kLiftShare = 0.1;      ///< of a move, by which its end is lifted onto the ground at most
 constexpr double kNearerMm2 = 1.0e-9;
 constexpr int kHalvings = 10;           ///< in looking for the place where the bur met the tooth
 constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is put right and no more
+constexpr double kStrayedCells = 1.0;   ///< the same where nothing is cut: so far behind a side its columns may stand
+constexpr double kShorterShare = 0.25;  ///< of a tick's way: so far is looked where the whole of it led nowhere
 constexpr int kCornerLooks = 4;         ///< at nearer and nearer places, for what stops the bur at a corner
 constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
 constexpr double kCornerMm = 0.002;     ///< what stands behind a side by less stands before it
@@ -97,7 +100,10 @@ HalfSpace planeBetween(const drilling::BurMask& mask, const glm::dvec3& from, co
     const double slope = std::max(touch.rise, mask.slopeAt(std::min(r, radiusMm)));
     if (r > 0.0 && (slope > kSteepest || r >= radiusMm))
         return through(entry, {outwards, 0.0});
-    return through(entry, {outwards * slope, 1.0});
+    // The top of a side may slope along it.
+    const glm::dvec2 along =
+        touch.isSide() ? touch.slope - touch.outwards * glm::dot(touch.slope, touch.outwards) : glm::dvec2(0.0);
+    return through(entry, {outwards * slope - along, 1.0});
 }
 
 /// True if a tip at `to` is stopped by a side that the tip at `from` already stands behind: the side goes round a
@@ -146,7 +152,8 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
            glm::dvec3& anchor) noexcept
 {
     HalfSpaces planes;
-    if (anchor.z <= ground.heightMm + kSlackMm && glm::dot(ground.slope, ground.slope) < kSteepest * kSteepest)
+    const double steep2 = glm::dot(ground.slope, ground.slope);
+    if (steep2 < kSteepest * kSteepest && anchor.z <= ground.heightMm + kNearMm * std::sqrt(1.0 + steep2))
         planes.add(tangentAt(glm::dvec2(anchor), ground));
     const double longest = kLongestShare * static_cast<double>(tooth.mask().radiusMm);
     double best = distance2(anchor, device);
@@ -167,10 +174,10 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         if (distance2(next, device) >= best)
             return true;
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
-        if (edges == Edges::Sides && !touch.isSide() && touch.heightMm > next.z + kRounding) {
-            // Far in, the columns behind a side stand higher than the side, but it is the side that is met first.
-            const Touch side = tooth.sideAt(glm::dvec2(next));
-            if (side.isSide() && isBeside(tooth.mask(), anchor, next, side))
+        if (edges == Edges::Sides && touch.heightMm > next.z + kRounding) {
+            // Far in, the columns behind a side and its other parts stand higher: the nearest part is met first.
+            const Touch side = tooth.sideAt(glm::dvec2(next), std::max(anchor.z, next.z));
+            if (side.isSide())
                 touch = side;
         }
         for (int k = 0; k < kCornerLooks && isRoundCorner(tooth.mask(), anchor, next, touch); ++k) {
@@ -231,8 +238,9 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
     m_blockedTicks = 0;
 }
 
-/// Puts an anchor right that grazes an upright side, as where two chords meet. One that is in it by more is cutting
-/// into it, or came from beneath: for this tick the side is its columns.
+/// Puts an anchor right that grazes an upright side, as where two chords meet, or has strayed into one by a way that
+/// went by the columns. One that is in it by more, or cuts, or came from beneath: for this tick the side is its
+/// columns.
 /// @param ground  at the anchor, sides included; brought up to date
 Edges ContinuousContact::standClear(LiveTooth& tooth, Touch& ground) noexcept
 {
@@ -241,7 +249,8 @@ Edges ContinuousContact::standClear(LiveTooth& tooth, Touch& ground) noexcept
     const double reach = tooth.mask().reachAt(std::max(0.0, ground.onMm.z - m_anchor.z));
     const glm::dvec2 apart = glm::dvec2(m_anchor) - glm::dvec2(ground.onMm);
     const double depth = reach - glm::dot(apart, ground.outwards);
-    if (ground.roofMm < m_anchor.z && depth <= kGrazedMm) {
+    const bool isCutting = m_revision != tooth.revision();
+    if (ground.roofMm < m_anchor.z && depth <= (isCutting ? kGrazedMm : kStrayedCells * tooth.grid().cellMm)) {
         const glm::dvec2 aside = glm::dvec2(m_anchor) + ground.outwards * (depth + kSlackMm);
         const Touch there = tooth.touchAt(aside, 1.0e9, Edges::Sides);
         if (there.heightMm <= m_anchor.z + kRounding) {
@@ -309,7 +318,9 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
     }
-    const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
+    bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
+    if (isBlocked)  // far inside the tooth nothing is learnt of the way along it
+        isBlocked = !slide(tooth, edges, device, kShorterShare * left, ground, m_anchor);
     m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
     if (isBlocked && isStuck)
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);

@@ -149,12 +149,6 @@ Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough, Edges edges) noexcep
     return m_sides.touchAt(pointMm, m_tooth, mask(), touch);
 }
 
-Touch LiveTooth::sideAt(glm::dvec2 pointMm) const noexcept
-{
-    constexpr auto kNothing = static_cast<double>(terrain::kEmptyTop);
-    return m_sides.touchAt(pointMm, m_tooth, mask(), {kNothing, {0.0, 0.0}, {pointMm, kNothing}});
-}
-
 bool LiveTooth::isAbove(glm::dvec2 pointMm, double z, Edges edges) noexcept
 {
     // Mostly the column that was the highest a tick ago says it all.

@@ -79,8 +79,12 @@ public:
     /// the bur that made it.
     /// @param enough  any answer above this may be given as any other above it (lets the search stop early)
     [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, double enough = 1.0e9, Edges edges = Edges::Columns) noexcept;
-    /// The upright side that carries the bur highest over a point, whatever else there is; none if it is no isSide().
-    [[nodiscard]] Touch sideAt(glm::dvec2 pointMm) const noexcept;
+    /// The upright side that stands beside a tip at `tipMm`, not beneath its rounded end, and nearest to its axis;
+    /// none if it is no isSide().
+    [[nodiscard]] Touch sideAt(glm::dvec2 pointMm, double tipMm) const noexcept
+    {
+        return m_sides.besideAt(pointMm, tipMm, m_tooth, mask());
+    }
     /// Whether touchAt() is higher than `z`.
     [[nodiscard]] bool isAbove(glm::dvec2 pointMm, double z, Edges edges) noexcept;
     /// C alone.

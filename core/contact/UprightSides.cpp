@@ -34,15 +34,6 @@ constexpr double kChordShare = 0.75;
 constexpr double kFitCells = 5.5;
 constexpr double kFitsCells = 0.75;
 
-struct Node
-{
-    glm::dvec2 place;
-    double top;
-    double bottom;
-    double apart;  ///< from the bur's axis, mm
-};
-constexpr std::size_t kMostNodes = 96;
-
 double lengthOf(glm::dvec2 v)
 {
     return std::sqrt(v.x * v.x + v.y * v.y);
@@ -187,23 +178,15 @@ bool UprightSides::isUncut(glm::ivec2 node, const terrain::Tooth& tooth) noexcep
     return true;
 }
 
-Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
-                            const Touch& below) const noexcept
+std::size_t UprightSides::nodesNear(glm::dvec2 pointMm, const terrain::Tooth& tooth, const Reach& reach, double aboveMm,
+                                    Nodes& nodes) const noexcept
 {
     const terrain::Grid& grid = tooth.grid();
-    const double cell = grid.cellMm;
-    const auto radius = static_cast<double>(mask.radiusMm);
-    const double longest = std::min(kChordCells * cell, kChordShare * radius);
-    const double proud = longest * longest / (8.0 * radius);  // of its ends, the middle of a chord
     const glm::dvec2 lattice = grid.latticeOf(pointMm);
-    if (isFar(lattice))
-        return below;
-
-    std::array<Node, kMostNodes> nodes;
     std::size_t count = 0;
-    double nearest = radius + proud;
-    const double farthest = std::sqrt(nearest * nearest + longest * longest);
-    const double cells = farthest / cell + 1.0;  // a post may lie before its node
+    if (isFar(lattice))
+        return count;
+    const double cells = reach.farthest / grid.cellMm + 1.0;  // a post may lie before its node
     const int firstI = std::clamp(static_cast<int>(lattice.x - cells), 0, m_side - 1) / kBlock;
     const int lastI = std::clamp(static_cast<int>(lattice.x + cells), 0, m_side - 1) / kBlock;
     const int firstJ = std::clamp(static_cast<int>(lattice.y - cells), 0, m_side - 1) / kBlock;
@@ -217,49 +200,125 @@ Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, con
             const glm::dvec2 place(post.placeMm);
             const glm::dvec2 away = place - pointMm;
             const double apart2 = glm::dot(away, away);
-            if (apart2 > farthest * farthest || static_cast<double>(tooth.top[k]) <= below.heightMm ||
+            if (apart2 > reach.farthest * reach.farthest || static_cast<double>(tooth.top[k]) <= aboveMm ||
                 !isUncut(post.high, tooth))
                 continue;
-            const double apart = std::sqrt(apart2);
-            nodes[count++] = {place, static_cast<double>(tooth.top[k]), static_cast<double>(tooth.bottom[k]), apart};
-            nearest = std::min(nearest, apart);
+            nodes[count++] = {place, static_cast<double>(tooth.top[k]), static_cast<double>(tooth.bottom[k]),
+                              std::sqrt(apart2)};
         }
     }
+    return count;
+}
 
-    Touch best = below;
-    const auto take = [&](glm::dvec2 foot, double top, double bottom) {
-        const glm::dvec2 out = pointMm - foot;
-        const double apart = lengthOf(out);
-        if (!(apart > 0.0) || apart > radius)
+UprightSides::Reach::Reach(const terrain::Grid& grid, const drilling::BurMask& mask)
+    : radius(static_cast<double>(mask.radiusMm)), chord(std::min(kChordCells * grid.cellMm, kChordShare * radius))
+{
+    const double proud = chord * chord / (8.0 * radius);  // of its ends, the middle of a chord
+    farthest = std::sqrt((radius + proud) * (radius + proud) + chord * chord);
+}
+
+/// Where a side comes nearest to a bur: at a post, or on a chord between two of them.
+struct UprightSides::Foot
+{
+    glm::dvec2 place;
+    double top;
+    double bottom;
+    glm::dvec2 along;  ///< slope of the side's top, along the chord
+};
+
+/// The foot on the chord between two posts, if there is one.
+bool UprightSides::footBetween(glm::dvec2 pointMm, const Node& one, const Node& other, double longest,
+                               Foot& foot) noexcept
+{
+    const glm::dvec2 chord = other.place - one.place;
+    const double length2 = glm::dot(chord, chord);
+    if (!(length2 > kRounding) || length2 > longest * longest)
+        return false;
+    const double share = glm::dot(chord, pointMm - one.place) / length2;
+    const double rise = other.top - one.top;
+    if (share <= 0.0 || share >= 1.0 || rise * rise > kTopSlope * kTopSlope * length2)
+        return false;
+    foot = {one.place + chord * share, one.top + rise * share, one.bottom + (other.bottom - one.bottom) * share,
+            chord * (rise / length2)};
+    return true;
+}
+
+Touch UprightSides::touchOf(glm::dvec2 pointMm, const drilling::BurMask& mask, const Foot& foot) noexcept
+{
+    const glm::dvec2 out = pointMm - foot.place;
+    const double apart = lengthOf(out);
+    const glm::dvec2 outwards = out / apart;
+    return {foot.top - mask.heightAt(apart),
+            foot.along - outwards * mask.slopeAt(apart),
+            {foot.place, foot.top},
+            outwards,
+            foot.bottom - mask.upperAt(apart)};
+}
+
+Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
+                            const Touch& below) const noexcept
+{
+    const Reach reach(tooth.grid(), mask);
+    Nodes nodes;
+    const std::size_t count = nodesNear(pointMm, tooth, reach, below.heightMm, nodes);
+    double highest = below.heightMm;
+    Foot best{};
+    const auto take = [&](const Foot& foot) {
+        const double apart = lengthOf(pointMm - foot.place);
+        if (!(apart > 0.0) || apart > reach.radius)
             return;
-        const double height = top - mask.heightAt(apart);
-        if (!(height > best.heightMm))
-            return;
-        const glm::dvec2 outwards = out / apart;
-        best = {height, -outwards * mask.slopeAt(apart), {foot, top}, outwards, bottom - mask.upperAt(apart)};
+        const double height = foot.top - mask.heightAt(apart);
+        if (height > highest) {
+            highest = height;
+            best = foot;
+        }
     };
+    for (std::size_t a = 0; a < count; ++a)
+        take({nodes[a].place, nodes[a].top, nodes[a].bottom, {0.0, 0.0}});
+    // A chord's foot is at most half a chord from its nearer end.
+    const double half = 0.5 * reach.chord;
     for (std::size_t a = 0; a < count; ++a) {
         const Node& one = nodes[a];
-        if (one.apart >
-            nearest + longest * longest /
-                          (8.0 * std::max(nearest, cell)))  // no chord of which this is the nearer end is the nearest
+        const double nearest = std::sqrt(std::max(0.0, one.apart * one.apart - half * half));
+        if (nearest > reach.radius || one.top + kTopSlope * half - mask.heightAt(nearest) <= highest)
             continue;
-        take(one.place, one.top, one.bottom);
-        const glm::dvec2 towards = pointMm - one.place;
-        for (std::size_t b = 0; b < count; ++b) {
-            const Node& other = nodes[b];
-            const glm::dvec2 chord = other.place - one.place;
-            const double length2 = glm::dot(chord, chord);
-            const double share = glm::dot(chord, towards) / std::max(length2, kRounding);
-            if (b == a || length2 > longest * longest || share <= 0.0 || share >= 1.0)
-                continue;
-            if (std::abs(other.top - one.top) > kTopSlope * std::sqrt(length2))
-                continue;
-            take(one.place + chord * share, one.top + (other.top - one.top) * share,
-                 one.bottom + (other.bottom - one.bottom) * share);
-        }
+        for (std::size_t b = 0; b < count; ++b)
+            if (Foot foot{}; b != a && footBetween(pointMm, one, nodes[b], reach.chord, foot))
+                take(foot);
     }
-    return best;
+    return highest > below.heightMm ? touchOf(pointMm, mask, best) : below;
+}
+
+Touch UprightSides::besideAt(glm::dvec2 pointMm, double tipMm, const terrain::Tooth& tooth,
+                             const drilling::BurMask& mask) const noexcept
+{
+    const Reach reach(tooth.grid(), mask);
+    Nodes nodes;
+    const std::size_t count = nodesNear(pointMm, tooth, reach, tipMm + mask.cornerMm, nodes);
+    double least = reach.radius;
+    Foot best{};
+    bool isThere = false;
+    const auto take = [&](const Foot& foot) {
+        const double apart = lengthOf(pointMm - foot.place);
+        if (!(apart > 0.0) || apart > least || foot.bottom - mask.upperAt(apart) >= tipMm)
+            return;
+        least = apart;
+        best = foot;
+        isThere = true;
+    };
+    for (std::size_t a = 0; a < count; ++a)
+        take({nodes[a].place, nodes[a].top, nodes[a].bottom, {0.0, 0.0}});
+    const double half = 0.5 * reach.chord;
+    for (std::size_t a = 0; a < count; ++a) {
+        const Node& one = nodes[a];
+        if (one.apart * one.apart - half * half > least * least)
+            continue;
+        for (std::size_t b = 0; b < count; ++b)
+            if (Foot foot{}; b != a && footBetween(pointMm, one, nodes[b], reach.chord, foot))
+                take(foot);
+    }
+    constexpr auto kNothing = static_cast<double>(terrain::kEmptyTop);
+    return isThere ? touchOf(pointMm, mask, best) : Touch{kNothing, {0.0, 0.0}, {pointMm, kNothing}};
 }
 
 }  // namespace core::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,8 +33,39 @@ public:
     [[nodiscard]] Touch touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
                                 const Touch& below) const noexcept;
 
+    /// Of the sides that stand beside a bur whose tip is at `tipMm` over a point, and not wholly above it, the one that
+    /// comes nearest to its axis; none if it is no isSide().
+    [[nodiscard]] Touch besideAt(glm::dvec2 pointMm, double tipMm, const terrain::Tooth& tooth,
+                                 const drilling::BurMask& mask) const noexcept;
+
 private:
     static constexpr int kBlock = 8;
+
+    /// A post that a bur may touch.
+    struct Node
+    {
+        glm::dvec2 place;
+        double top;
+        double bottom;
+        double apart;  ///< from the bur's axis, mm
+    };
+    using Nodes = std::array<Node, 96>;
+
+    /// How far around its axis a bur asks for posts, mm.
+    struct Reach
+    {
+        Reach(const terrain::Grid& grid, const drilling::BurMask& mask);
+        double radius;
+        double chord;     ///< longest
+        double farthest;  ///< end of a chord that it may touch
+    };
+    struct Foot;
+
+    [[nodiscard]] std::size_t nodesNear(glm::dvec2 pointMm, const terrain::Tooth& tooth, const Reach& reach,
+                                        double aboveMm, Nodes& nodes) const noexcept;
+    [[nodiscard]] static bool footBetween(glm::dvec2 pointMm, const Node& one, const Node& other, double longest,
+                                          Foot& foot) noexcept;
+    [[nodiscard]] static Touch touchOf(glm::dvec2 pointMm, const drilling::BurMask& mask, const Foot& foot) noexcept;
 
     /// A point of a side.
     struct Post
