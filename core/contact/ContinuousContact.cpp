@@ -34,7 +34,8 @@ constexpr double kNearerMm2 = 1.0e-9;
 constexpr int kHalvings = 10;           ///< in looking for the place where the bur met the tooth
 constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is put right and no more
 constexpr double kStrayedCells = 1.0;   ///< the same where nothing is cut: so far behind a side its columns may stand
-constexpr double kShorterShare = 0.25;  ///< of a tick's way: so far is looked where the whole of it led nowhere
+constexpr double kShorterShare = 0.25;  ///< of a way that led nowhere, so far is looked next
+constexpr double kLeastShare = 0.05;    ///< of a tick's way, and no nearer
 constexpr int kCornerLooks = 4;         ///< at nearer and nearer places, for what stops the bur at a corner
 constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
 constexpr double kCornerMm = 0.002;     ///< what stands behind a side by less stands before it
@@ -318,9 +319,10 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
     }
-    bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
-    if (isBlocked)  // far inside the tooth nothing is learnt of the way along it
-        isBlocked = !slide(tooth, edges, device, kShorterShare * left, ground, m_anchor);
+    bool isBlocked = true;
+    // Far inside the tooth nothing is learnt of the way along it.
+    for (double reach = left; isBlocked && reach > kLeastShare * left; reach *= kShorterShare)
+        isBlocked = !slide(tooth, edges, device, reach, ground, m_anchor);
     m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
     if (isBlocked && isStuck)
         searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);
