@@ -10,6 +10,7 @@
 #include "core/contact/ContactMethod.h"
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
+#include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -76,6 +77,8 @@ private slots:
     void burGoesUnderAnOverhang();
     void theRimOfAToothIsRound_data();
     void theRimOfAToothIsRound();
+    void theFlanksOfAToothDoNotClick_data();
+    void theFlanksOfAToothDoNotClick();
     void theShoulderStopsBeneathAnOverhang();
     void aPerforationLetsTheBurThroughAndHoldsIt();
     void unknownMethodIsRefused();
@@ -468,6 +471,69 @@ void TestContact::theRimOfAToothIsRound()
 }
 
 /// The head of bur 330 pulled up under the edge of a plate: its shoulder meets the plate's bottom, column by column.
+void TestContact::theFlanksOfAToothDoNotClick_data()
+{
+    QTest::addColumn<int>("fdi");
+    QTest::addColumn<int>("bur");
+    for (const int fdi : {36, 24, 21})
+        for (const int bur : {0, 1})
+            QTest::addRow("tooth %d, bur %d", fdi, bur) << fdi << bur;
+}
+
+void TestContact::theFlanksOfAToothDoNotClick()
+{
+    QFETCH(int, fdi);
+    QFETCH(int, bur);
+    const auto built = teeth::buildTooth({fdi}, {}).value();
+    contact::LiveTooth tooth{terrain::Tooth(built.anatomy)};
+    tooth.selectBur(static_cast<std::size_t>(bur));
+    const double highest = tooth.floorMm() + drilling::kChuckMm;
+    // Round the crown at 20 mm/s, 0.3 mm inside the outline that the bur has at that height, smoothed over 9 degrees.
+    constexpr int kDegrees = 360;
+    int ticks = 0;
+    int clicks = 0;
+    double worstN = 0.0;
+    for (const double down : {0.5, 1.1, 1.7, 2.3, 2.9, 3.5}) {
+        const double z = highest - down;
+        std::array<double, kDegrees> outline{};
+        for (int k = 0; k < kDegrees; ++k) {
+            const glm::dvec2 towards(std::cos(k * kDegree), std::sin(k * kDegree));
+            double radius = 8.0;
+            while (radius > 0.2 && tooth.touchAt(radius * towards, 1.0e9, contact::Edges::Sides).heightMm <= z)
+                radius -= 0.02;
+            outline.at(static_cast<std::size_t>(k)) = radius;
+        }
+        const auto handAt = [&](double angle, double depth) {
+            double mean = 0.0;
+            for (int n = -4; n <= 4; ++n)
+                mean += outline.at(static_cast<std::size_t>(static_cast<int>(angle) + n + kDegrees) % kDegrees) / 9.0;
+            const double radius = std::max(0.1, mean - depth);
+            return glm::dvec3(radius * std::cos(angle * kDegree), radius * std::sin(angle * kDegree), z);
+        };
+        const auto contact = contact::makeContactMethod("continuous").value();
+        contact->restart(handAt(0.0, -3.0));
+        for (double depth = -3.0; depth < 0.3; depth += 0.02)
+            static_cast<void>(contact->update(tooth, handAt(0.0, depth)));
+        glm::dvec3 hand = handAt(0.0, 0.3);
+        glm::dvec3 stretch = contact->update(tooth, hand) - hand;
+        for (double angle = 0.0; angle < kDegrees; ++ticks) {
+            const glm::dvec3 now = handAt(angle, 0.3);
+            const double movedMm = glm::length(now - hand);
+            hand = now;
+            const glm::dvec3 next = contact->update(tooth, hand) - hand;
+            const double jumpN = 2.0 * std::max(0.0, glm::length(next - stretch) - 2.0 * movedMm);
+            stretch = next;
+            clicks += jumpN > 0.1 ? 1 : 0;
+            worstN = std::max(worstN, jumpN);
+            angle += 0.02 / std::max(1.0, glm::length(glm::dvec2(hand))) / kDegree;
+        }
+    }
+    const QString found = QStringLiteral("%1 of %2 ticks, %3 N").arg(clicks).arg(ticks).arg(worstN);
+    // Where steep ground goes over into the upright rim a step of its columns is left, 1 tick in 100.
+    QVERIFY2(clicks < ticks / 100, qPrintable(found));
+    QVERIFY2(worstN < 0.7, qPrintable(found));
+}
+
 void TestContact::theShoulderStopsBeneathAnOverhang()
 {
     support::Block block;
