@@ -49,7 +49,8 @@ private:
         double bottom;
         double apart;  ///< from the bur's axis, mm
     };
-    using Nodes = std::array<Node, 96>;
+    /// Enough for both sides of a slot under the widest bur at 1024 nodes a side.
+    using Nodes = std::array<Node, 512>;
 
     /// How far around its axis a bur asks for posts, mm.
     struct Reach
