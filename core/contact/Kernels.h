@@ -2,21 +2,18 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/contact/Head.h"
+#include "core/terrain/Tooth.h"
 
-/// The innermost loops of contact: maxima and minima over a bur's footprint. One source, compiled for the plain
-/// architecture and for AVX2; every element goes through the same IEEE operations in both, so they agree to the bit.
+/// The innermost loops of contact and cutting: maxima, minima and sums over a bur's footprint. One source, compiled for
+/// the plain architecture and for AVX2; every element goes through the same IEEE operations in both, so they agree to
+/// the bit.
 namespace core::contact {
 
 /// Columns a side of the blocks that kernels work through.
 inline constexpr int kBlock = 8;
-
-/// So many rounded up to whole blocks.
-[[nodiscard]] constexpr std::size_t wholeBlocks(std::size_t count)
-{
-    return (count + kBlock - 1) / kBlock * kBlock;
-}
 
 /// The heights a kernel reads: a square map, row by row, at least a block a side.
 struct HeightView
@@ -46,6 +43,49 @@ struct Peak
 /// One for each quarter of the bur: a bur in a groove stands on two, one to either side.
 using Peaks = std::array<Peak, 4>;
 
+/// A tooth as the kernels read it: maps of side * side.
+struct ToothView
+{
+    const float* top;
+    const float* bottom;
+    const float* areaMm2;
+    const terrain::ColumnLayers* layers;
+    int side;
+};
+
+/// Neighbours in a row of the lattice, copied out of the tooth: cutting looks at the same ones again and again.
+struct alignas(32) Columns
+{
+    using PerColumn = std::array<float, kBlock>;
+    PerColumn top;
+    PerColumn bottom;
+    PerColumn areaMm2;  ///< 0 for one that another group holds as well
+    PerColumn cariesRoof;
+    PerColumn cariesFloor;
+    PerColumn dej;
+    PerColumn pulpRoof;
+    PerColumn pulpFloor;
+    int i;  ///< the first
+    int j;
+    float highestBottom;  ///< of those that may be cut
+    bool isSound;         ///< there is neither caries nor pulp as far down as they may be cut
+};
+
+/// Which columns a bur on its way down meets.
+struct Reach
+{
+    double cells;    ///< to either side of its axis
+    float nearer;    ///< mm2, taken off every squared distance from the axis
+    float lowestMm;  ///< of its tip
+};
+
+/// Where the tip of a cutting bur is, mm, and the highest it was on its way there.
+struct Descent
+{
+    float tipMm;
+    float highestMm;
+};
+
 struct Kernels
 {
     const char* name;  ///< "plain" or "avx2"
@@ -55,10 +95,17 @@ struct Kernels
                             const Search& wanted) noexcept;
     Peaks (*lowestAtPoint)(const HeightView& bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
                            const Search& wanted) noexcept;
-    /// underAt() over each of some columns (i, j), whole blocks of kBlock of them: [count].
-    /// @param nearer  mm2, taken off every squared distance from the axis
-    void (*undersides)(const float* i, const float* j, std::size_t count, const Head& head, float nearer,
-                       float* under) noexcept;
+    /// Copies out the columns that stand up into a head, row by row; some are copied in vain.
+    /// @return how many groups of columns; room.size() + 1 if there is not enough room
+    std::size_t (*columnsUnder)(const ToothView& tooth, const Head& head, const Reach& reach,
+                                std::span<Columns> room) noexcept;
+    /// Time that it takes to remove what is in a head's way.
+    double (*secondsToRemove)(std::span<const Columns> columns, const Head& head, const Descent& descent,
+                              const terrain::PerMaterial& secondsPerMm3) noexcept;
+    /// Lowers the columns in a head's way by a share of it, empties those that are lowered to their bottom, and adds
+    /// what that takes away, mm3.
+    void (*remove)(std::span<Columns> columns, const Head& head, const Descent& descent, float share,
+                   terrain::PerMaterial& removedMm3) noexcept;
 };
 
 extern const Kernels kPlainKernels;

@@ -63,20 +63,10 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     for (const drilling::BurMask& mask : m_masks)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
     widest += 2;  // and those that a cell's advance adds
-    m_columnsRoom.most = widest * widest;
-    const std::size_t room = wholeBlocks(m_columnsRoom.most + static_cast<std::size_t>(grid().side) + kBlock);
-    m_columnsRoom.i.resize(room);
-    m_columnsRoom.j.resize(room);
-    m_columnsRoom.index.resize(room);
-    m_columnsRoom.under.resize(room);
+    m_columnsRoom.resize(widest * (widest / kBlock + 1));
     m_blockSide = (grid().side + kBlock - 1) / kBlock;
     m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
-    for (int j = 0; j < grid().side; ++j) {
-        for (int i = 0; i < grid().side; ++i) {
-            float& highest = m_blocks[static_cast<std::size_t>(j / kBlock * m_blockSide + i / kBlock)];
-            highest = std::max(highest, m_tooth.top[grid().index(i, j)]);
-        }
-    }
+    refreshBlocks(0, 0, grid().side - 1, grid().side - 1);
     m_bends.assign(grid().count(), 0);
     for (int j = 1; j < grid().side - 1; ++j)
         for (int i = 1; i < grid().side - 1; ++i)
@@ -366,6 +356,49 @@ void LiveTooth::lower(int i, int j, float heightMm) noexcept
     }
     m_tooth.top[index] = terrain::kEmptyTop;
     m_tooth.bottom[index] = terrain::kEmptyBottom;
+}
+
+unsigned LiveTooth::lower(const Columns& to) noexcept
+{
+    const std::size_t first = grid().index(to.i, to.j);
+    float* top = m_tooth.top.data() + first;
+    const float* whole = m_tooth.anatomy->top.data() + first;
+    unsigned lowered = 0;
+    unsigned anew = 0;  // cut for the first time, or emptied
+    for (std::size_t n = 0; n < to.top.size(); ++n) {
+        lowered |= static_cast<unsigned>(to.top[n] < top[n]) << n;
+        anew |= static_cast<unsigned>(top[n] >= whole[n] || to.top[n] <= terrain::kEmptyTop) << n;
+    }
+    anew &= lowered;
+    for (std::size_t n = 0; n < to.top.size(); ++n) {
+        if ((anew >> n & 1U) != 0)
+            lower(to.i + static_cast<int>(n), to.j, to.top[n]);
+        else
+            top[n] = std::min(top[n], to.top[n]);
+    }
+    if (lowered != 0)
+        ++m_revision;
+    return lowered;
+}
+
+void LiveTooth::refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept
+{
+    for (int blockJ = firstJ / kBlock; blockJ <= lastJ / kBlock; ++blockJ) {
+        const int rowTo = std::min(grid().side, (blockJ + 1) * kBlock);
+        for (int blockI = firstI / kBlock; blockI <= lastI / kBlock; ++blockI) {
+            // The last block of a row looks at some columns of the one before: it says no less than it should.
+            const int from = std::min(blockI * kBlock, grid().side - kBlock);
+            std::array<float, kBlock> highest;
+            highest.fill(terrain::kEmptyTop);
+            for (int j = blockJ * kBlock; j < rowTo; ++j) {
+                const float* row = m_tooth.top.data() + grid().index(from, j);
+                for (std::size_t n = 0; n < highest.size(); ++n)
+                    highest[n] = std::max(highest[n], row[n]);
+            }
+            m_blocks[static_cast<std::size_t>(blockJ * m_blockSide + blockI)] =
+                *std::max_element(highest.begin(), highest.end());
+        }
+    }
 }
 
 }  // namespace core::contact

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -28,16 +29,6 @@ struct Room
 /// How the edges of uncut ground are felt: as the columns they are sampled by, or as the upright sides that the samples
 /// stand for.
 enum class Edges { Columns, Sides };
-
-/// A list of columns, as the kernels read it: behind the `most` of them there is room for a row of the lattice.
-struct ColumnsRoom
-{
-    std::size_t most = 0;
-    std::vector<float> i;  ///< whole numbers
-    std::vector<float> j;
-    std::vector<std::uint32_t> index;
-    std::vector<float> under;  ///< of the head, where it is just looked at
-};
 
 /// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
 /// dilation,
@@ -100,8 +91,19 @@ public:
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     void lower(int i, int j, float heightMm) noexcept;
 
-    /// Room for every column that any bur covers, for whoever cuts to make a list in. Not part of the tooth's state.
-    [[nodiscard]] ColumnsRoom& columnsRoom() noexcept { return m_columnsRoom; }
+    /// Lowers columns to the tops of a copy of them.
+    /// @return a bit for each that went down, the first in the lowest
+    unsigned lower(const Columns& to) noexcept;
+    /// To be told, after cutting, of the columns that were lowered, or looks take longer than they need to.
+    void refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept;
+
+    /// Room for every column that any bur covers, for whoever cuts to make a copy in. Not part of the tooth's state.
+    [[nodiscard]] std::span<Columns> columnsRoom() noexcept { return m_columnsRoom; }
+    [[nodiscard]] ToothView view() const noexcept
+    {
+        return {m_tooth.top.data(), m_tooth.bottom.data(), m_tooth.anatomy->areaMm2.data(),
+                m_tooth.anatomy->layers.data(), grid().side};
+    }
     [[nodiscard]] const Kernels& kernels() const noexcept { return m_kernels; }
 
 private:
@@ -136,8 +138,8 @@ private:
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
     std::uint64_t m_revision = 0;
-    ColumnsRoom m_columnsRoom;
-    std::vector<float> m_blocks;  ///< highest top of kBlock x kBlock columns as they began
+    std::vector<Columns> m_columnsRoom;
+    std::vector<float> m_blocks;  ///< no column of kBlock x kBlock is higher
     int m_blockSide = 0;
     std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each
     Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer

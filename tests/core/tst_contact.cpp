@@ -10,6 +10,7 @@
 #include "core/contact/ContactMethod.h"
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
+#include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -58,7 +59,7 @@ class TestContact : public QObject
 {
     Q_OBJECT
 private slots:
-    void undersidesAreThoseOfTheHead();
+    void cutsAsColumnByColumn();
     void kernelsAgreeToTheBit();
     void clearanceIsTheSlowObviousMaximum();
     void anchorStandsOnPlanes_data();
@@ -81,36 +82,75 @@ private slots:
     void unknownMethodIsRefused();
 };
 
-void TestContact::undersidesAreThoseOfTheHead()
+/// What cutting does eight columns at a time, on every processor, is what it would do one by one.
+void TestContact::cutsAsColumnByColumn()
 {
-    // What cutting asks in blocks is what contact asks column by column, on every processor.
     Rng rng(11);
-    const auto tooth = live({});
-    constexpr std::size_t kCount = 64;
-    std::array<float, kCount> i{};
-    std::array<float, kCount> j{};
-    std::array<float, kCount> under{};
-    for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
-        tooth->selectBur(bur);
-        for (int n = 0; n < 500; ++n) {
-            const contact::Head head =
-                contact::headAt(tooth->mask(), 0.07, rng.uniform(20.0, 40.0), rng.uniform(20.0, 40.0));
-            for (std::size_t k = 0; k < kCount; ++k) {
-                i[k] = static_cast<float>(rng.below(60));
-                j[k] = std::floor(head.v) + static_cast<float>(rng.below(16) - 8);
-            }
-            for (const contact::Kernels* kernels : {&contact::kernels(), &contact::kPlainKernels}) {
-                kernels->undersides(i.data(), j.data(), kCount, head, 0.0F, under.data());
-                for (std::size_t k = 0; k < kCount; ++k) {
-                    const float dy2 = contact::dy2Of(static_cast<int>(j[k]), head);
-                    QCOMPARE(under[k], contact::underAt(contact::r2Of(static_cast<int>(i[k]), dy2, head), head));
+    const auto anatomy = support::syntheticMolar(150);
+    terrain::Tooth thin(anatomy);
+    for (std::size_t k = 0; k < thin.top.size(); k += 7)  // bottoms and holes are met too
+        if (thin.isSolid(k))
+            thin.bottom[k] = thin.top[k] - 0.2F;
+    const double cell = anatomy->grid.cellMm;
+    const int side = anatomy->grid.side;
+    for (int n = 0; n < 400; ++n) {
+        contact::LiveTooth tooth(thin);
+        tooth.selectBur(static_cast<std::size_t>(n) % drilling::burs().size());
+        const drilling::BurMask& mask = tooth.mask();
+        const contact::Head head = contact::headAt(mask, cell, rng.uniform(-5.0, 155.0), rng.uniform(-5.0, 155.0));
+        const contact::Descent descent{static_cast<float>(rng.uniform(-6.0, 0.0)), 0.5F};
+        const float share = n % 3 == 0 ? 0.4F : 1.0F;
+        const terrain::PerMaterial seconds{2.0, 7.0, 3.0, 1.0};
+        std::vector<float> tops = thin.top;
+        terrain::PerMaterial removed{};
+        double spent = 0.0;
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                const std::size_t k = anatomy->grid.index(i, j);
+                const float r2 = contact::r2Of(i, contact::dy2Of(j, head), head);
+                const float limit = descent.tipMm + contact::underAt(r2, head);
+                if (!(thin.top[k] > limit) || !(descent.highestMm + contact::upperAt(r2, head) > thin.bottom[k]))
+                    continue;
+                const float low = std::max(limit, thin.bottom[k]);
+                const float to = share < 1.0F ? thin.top[k] - share * (thin.top[k] - low) : limit;
+                tops[k] = to > thin.bottom[k] ? to : terrain::kEmptyTop;
+                const auto all = terrain::lengthsBetween(anatomy->layers[k], low, thin.top[k]);
+                const auto part =
+                    terrain::lengthsBetween(anatomy->layers[k], std::max(to, thin.bottom[k]), thin.top[k]);
+                for (std::size_t m = 0; m < all.size(); ++m) {
+                    spent += all[m] * static_cast<double>(anatomy->areaMm2[k]) * seconds[m];
+                    removed[m] += part[m] * static_cast<double>(anatomy->areaMm2[k]);
                 }
             }
-            // Nearer than it is, the underside is nowhere higher.
-            std::array<float, kCount> nearer{};
-            contact::kernels().undersides(i.data(), j.data(), kCount, head, 0.05F, nearer.data());
-            for (std::size_t k = 0; k < kCount; ++k)
-                QVERIFY(nearer[k] <= under[k]);
+        }
+        const contact::Reach reach{static_cast<double>(mask.radiusMm) / cell + 0.01, 1.0e-5F, descent.tipMm - 1.0e-5F};
+        double firstSpent = 0.0;
+        terrain::PerMaterial firstRemoved{};
+        for (const contact::Kernels* kernels : {&contact::kernels(), &contact::kPlainKernels}) {
+            std::vector<contact::Columns> room(1000);
+            const std::size_t count = kernels->columnsUnder(tooth.view(), head, reach, room);
+            QVERIFY(count <= room.size());
+            if (count > 0)
+                QCOMPARE(kernels->columnsUnder(tooth.view(), head, reach, std::span(room).first(count - 1)), count);
+            const std::span<contact::Columns> columns = std::span(room).first(count);
+            const double took = kernels->secondsToRemove(columns, head, descent, seconds);
+            QVERIFY2(std::abs(took - spent) <= 1.0e-6 * spent, qPrintable(QString::number(took - spent)));
+            terrain::PerMaterial mm3{};
+            kernels->remove(columns, head, descent, share, mm3);
+            for (std::size_t m = 0; m < mm3.size(); ++m)
+                QVERIFY(std::abs(mm3[m] - removed[m]) <= 1.0e-6 * spent);
+            if (kernels == &contact::kPlainKernels) {
+                QCOMPARE(took, firstSpent);
+                QCOMPARE(mm3, firstRemoved);
+            }
+            firstSpent = took;
+            firstRemoved = mm3;
+            if (kernels != &contact::kPlainKernels)
+                continue;
+            for (const contact::Columns& eight : columns)
+                static_cast<void>(tooth.lower(eight));
+            for (std::size_t k = 0; k < tops.size(); ++k)
+                QVERIFY2(tooth.tooth().top[k] == tops[k], qPrintable(QString::number(k)));
         }
     }
 }
