@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "core/contact/Head.h"
@@ -50,6 +51,8 @@ struct ToothView
     const float* bottom;
     const float* areaMm2;
     const terrain::ColumnLayers* layers;
+    const float* dej;    ///< of layers
+    const float* sound;  ///< there is neither caries nor pulp above that height
     int side;
 };
 
@@ -67,8 +70,10 @@ struct alignas(32) Columns
     PerColumn pulpFloor;
     int i;  ///< the first
     int j;
-    float highestBottom;  ///< of those that may be cut
-    bool isSound;         ///< there is neither caries nor pulp as far down as they may be cut
+    float highestBottom;   ///< of those that may be cut
+    bool isSound;          ///< there is neither caries nor pulp as far down as they may be cut; if so, it is not copied
+    std::uint8_t lowered;  ///< since they were copied: a bit each, the first in the lowest
+    std::uint8_t emptied;  ///< those of them of which nothing is left
 };
 
 /// Which columns a bur on its way down meets.
@@ -102,8 +107,8 @@ struct Kernels
     /// Time that it takes to remove what is in a head's way.
     double (*secondsToRemove)(std::span<const Columns> columns, const Head& head, const Descent& descent,
                               const terrain::PerMaterial& secondsPerMm3) noexcept;
-    /// Lowers the columns in a head's way by a share of it, empties those that are lowered to their bottom, and adds
-    /// what that takes away, mm3.
+    /// Lowers the copies of the columns in a head's way by a share of it, empties those that are lowered to their
+    /// bottom, and adds what that takes away, mm3.
     void (*remove)(std::span<Columns> columns, const Head& head, const Descent& descent, float share,
                    terrain::PerMaterial& removedMm3) noexcept;
 };

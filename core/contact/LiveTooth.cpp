@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -67,6 +68,14 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     m_blockSide = (grid().side + kBlock - 1) / kBlock;
     m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
     refreshBlocks(0, 0, grid().side - 1, grid().side - 1);
+    m_dej.reserve(grid().count());
+    m_sound.reserve(grid().count());
+    for (const terrain::ColumnLayers& column : m_tooth.anatomy->layers) {
+        m_dej.push_back(column.dej);
+        const float lesion = column.cariesRoof > column.cariesFloor ? column.cariesRoof : terrain::kEmptyTop;
+        const float pulp = column.pulpRoof > column.pulpFloor ? column.pulpRoof : terrain::kEmptyTop;
+        m_sound.push_back(std::max(lesion, pulp));
+    }
     m_bends.assign(grid().count(), 0);
     for (int j = 1; j < grid().side - 1; ++j)
         for (int i = 1; i < grid().side - 1; ++i)
@@ -358,27 +367,34 @@ void LiveTooth::lower(int i, int j, float heightMm) noexcept
     m_tooth.bottom[index] = terrain::kEmptyBottom;
 }
 
-unsigned LiveTooth::lower(const Columns& to) noexcept
+bool LiveTooth::bendsAround(int i, int j) const noexcept
 {
-    const std::size_t first = grid().index(to.i, to.j);
-    float* top = m_tooth.top.data() + first;
-    const float* whole = m_tooth.anatomy->top.data() + first;
-    unsigned lowered = 0;
-    unsigned anew = 0;  // cut for the first time, or emptied
-    for (std::size_t n = 0; n < to.top.size(); ++n) {
-        lowered |= static_cast<unsigned>(to.top[n] < top[n]) << n;
-        anew |= static_cast<unsigned>(top[n] >= whole[n] || to.top[n] <= terrain::kEmptyTop) << n;
+    const int left = std::max(i - 1, 0);
+    const int right = std::min(i + 1, grid().side - kBlock);
+    std::uint64_t any = 0;
+    for (int atJ = std::max(0, j - 1); atJ <= std::min(grid().side - 1, j + 1); ++atJ) {
+        for (const int atI : {left, right}) {
+            std::uint64_t eight = 0;
+            static_assert(sizeof eight == kBlock);
+            std::memcpy(&eight, m_bends.data() + grid().index(atI, atJ), sizeof eight);
+            any |= eight;
+        }
     }
-    anew &= lowered;
-    for (std::size_t n = 0; n < to.top.size(); ++n) {
-        if ((anew >> n & 1U) != 0)
-            lower(to.i + static_cast<int>(n), to.j, to.top[n]);
-        else
-            top[n] = std::min(top[n], to.top[n]);
+    return any != 0;
+}
+
+void LiveTooth::take(const Columns& columns) noexcept
+{
+    if (columns.lowered == 0)
+        return;
+    ++m_revision;
+    if (columns.emptied != 0 || bendsAround(columns.i, columns.j)) {
+        for (int n = 0; n < kBlock; ++n)
+            if ((columns.lowered >> n & 1) != 0)
+                lower(columns.i + n, columns.j, columns.top[static_cast<std::size_t>(n)]);
+        return;
     }
-    if (lowered != 0)
-        ++m_revision;
-    return lowered;
+    std::copy(columns.top.begin(), columns.top.end(), m_tooth.top.data() + grid().index(columns.i, columns.j));
 }
 
 void LiveTooth::refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept

@@ -91,9 +91,8 @@ public:
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     void lower(int i, int j, float heightMm) noexcept;
 
-    /// Lowers columns to the tops of a copy of them.
-    /// @return a bit for each that went down, the first in the lowest
-    unsigned lower(const Columns& to) noexcept;
+    /// Lowers columns to what removal has left of a copy of them.
+    void take(const Columns& columns) noexcept;
     /// To be told, after cutting, of the columns that were lowered, or looks take longer than they need to.
     void refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept;
 
@@ -101,8 +100,13 @@ public:
     [[nodiscard]] std::span<Columns> columnsRoom() noexcept { return m_columnsRoom; }
     [[nodiscard]] ToothView view() const noexcept
     {
-        return {m_tooth.top.data(), m_tooth.bottom.data(), m_tooth.anatomy->areaMm2.data(),
-                m_tooth.anatomy->layers.data(), grid().side};
+        return {m_tooth.top.data(),
+                m_tooth.bottom.data(),
+                m_tooth.anatomy->areaMm2.data(),
+                m_tooth.anatomy->layers.data(),
+                m_dej.data(),
+                m_sound.data(),
+                grid().side};
     }
     [[nodiscard]] const Kernels& kernels() const noexcept { return m_kernels; }
 
@@ -131,6 +135,8 @@ private:
     [[nodiscard]] static Bowl bowlAt(const terrain::Grid& grid, const std::vector<float>& top, int i, int j) noexcept;
     [[nodiscard]] bool isWhole(std::size_t k) const noexcept;
     void noteCut(int i, int j) noexcept;
+    /// Whether noteCut() of kBlock columns from (i, j) on would have anything to note.
+    [[nodiscard]] bool bendsAround(int i, int j) const noexcept;
 
     terrain::Tooth m_tooth;
     UprightSides m_sides;
@@ -141,6 +147,8 @@ private:
     std::vector<Columns> m_columnsRoom;
     std::vector<float> m_blocks;  ///< no column of kBlock x kBlock is higher
     int m_blockSide = 0;
+    std::vector<float> m_dej;  ///< see ToothView
+    std::vector<float> m_sound;
     std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each
     Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer
     const Kernels& m_kernels;

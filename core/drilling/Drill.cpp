@@ -16,10 +16,12 @@ namespace {
 /// Tries at finding the advance. It is found when removal uses from 95 to 100 % of the time granted; what is left goes
 /// to the next tick.
 constexpr int kMaxTries = 6;
+constexpr double kMostExcess = 8.0;      ///< times what is granted: a try that is far beyond says no more than that
+constexpr double kFarther = 4.0;         ///< times the advance, at most, that was tried last
 constexpr double kFirstGuessMm = 0.001;  ///< advance tried first in fresh material
-constexpr double kTightMm = 0.002;       ///< a bracket this narrow holds a wall, not the advance
+constexpr double kTightMm = 0.0005;      ///< a bracket this narrow holds a wall, not the advance
 constexpr double kCloseEnough = 0.95;
-constexpr double kAim = 0.975;
+constexpr double kAim = 0.975;  ///< of the time granted: while it is not known how far is too far
 /// Of the way a column has to go: less is a material that does not yield to this force.
 constexpr double kLeastShare = 1.0e-6;
 constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
@@ -71,22 +73,31 @@ struct Advance
         return tooth.kernels().secondsToRemove(columns, headAt(tip), descentTo(tip), secondsPerMm3);
     }
 
-    /// Lowers every column that a bur with its tip at `tip` would lower, by a share of the way, and adds to `done`.
+    /// Lowers the copy of every column that a bur with its tip at `tip` would lower, by a share of the way, and adds to
+    /// `done` what that takes away.
     void removeTo(const glm::dvec3& tip, float share, Cut& done) const noexcept
     {
         tooth.kernels().remove(columns, headAt(tip), descentTo(tip), share, done.removedMm3);
-        CutRect& rect = done.changed;
+    }
+
+    /// Lowers the tooth to the copies, and says where it changed.
+    [[nodiscard]] CutRect giveBack() const noexcept
+    {
+        CutRect rect;
         for (const contact::Columns& eight : columns) {
-            const unsigned lowered = tooth.lower(eight);
-            if (lowered == 0)
+            if (eight.lowered == 0)
                 continue;
-            const int first = eight.i + std::countr_zero(lowered);
-            const int last = eight.i + std::bit_width(lowered) - 1;
+            tooth.take(eight);
+            const int first = eight.i + std::countr_zero(eight.lowered);
+            const int last = eight.i + std::bit_width(eight.lowered) - 1;
             if (rect.isEmpty())
                 rect = {first, eight.j, last, eight.j};
             rect = {std::min(rect.i0, first), std::min(rect.j0, eight.j), std::max(rect.i1, last),
                     std::max(rect.j1, eight.j)};
         }
+        if (!rect.isEmpty())
+            tooth.refreshBlocks(rect.i0, rect.j0, rect.i1, rect.j1);
+        return rect;
     }
 };
 
@@ -124,11 +135,12 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     const double granted = seconds + m_leftS;
     const double aim = kAim * granted;
     double near = 0.0;
-    double nearLack = aim;
+    double nearLack = granted;
     double far = -1.0;  // not found yet
+    double farNeeded = 0.0;
     double farExcess = 0.0;
     double spent = 0.0;
-    double tried = std::min(gap, std::max(m_lastAdvance, kFirstGuessMm));
+    double tried = std::min(gap, std::max(m_lastMmPerS * aim, kFirstGuessMm));
     int side = 0;
     double listed = -1.0;  // the list holds what an advance up to here meets
     Advance advance{tooth, anchor.z, {}};
@@ -139,11 +151,11 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
                 listed *= 0.5;  // a long way sideways: go half of it
             tried = std::min(tried, listed);
         }
-        const double needed = std::min(advance.secondsTo(anchor + towards * tried, secondsPerMm3), 8.0 * granted);
+        const double needed = advance.secondsTo(anchor + towards * tried, secondsPerMm3);
         if (needed <= granted) {
             near = tried;
             spent = needed;
-            nearLack = aim - spent;
+            nearLack = granted - spent;
             if (near >= gap || spent >= kCloseEnough * granted)
                 break;
             if (side == 1)
@@ -151,7 +163,8 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
             side = 1;
         } else {
             far = tried;
-            farExcess = needed - aim;
+            farNeeded = needed;
+            farExcess = std::min(needed, kMostExcess * granted) - granted;
             if (side == -1)
                 nearLack *= 0.5;
             side = -1;
@@ -161,9 +174,9 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         if (far > 0.0)
             tried = near + (far - near) * std::clamp(nearLack / (nearLack + farExcess), 0.02, 0.98);
         else
-            tried = std::min(gap, 4.0 * tried);
+            tried = std::min(gap, tried * std::min(kFarther, needed > 0.0 ? aim / needed : kFarther));
     }
-    m_lastAdvance = near;
+    m_lastMmPerS = spent > 0.0 ? near / spent : far > 0.0 ? far / farNeeded : 0.0;
     done.tipMm = anchor + towards * near;
     if (spent > 0.0)
         advance.removeTo(done.tipMm, 1.0F, done);
@@ -172,14 +185,13 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     // uses the time. Then the columns just beyond are lowered by that share of their way which the time pays for.
     if (far > 0.0 && spent < kCloseEnough * granted) {
         const glm::dvec3 beyond = anchor + towards * far;
-        const double share = (granted - spent) / advance.secondsTo(beyond, secondsPerMm3);
+        const double share = (granted - spent) / (farNeeded - spent);
         if (share > kLeastShare) {
             advance.removeTo(beyond, static_cast<float>(std::min(1.0, share)), done);
             spent = granted;
         }
     }
-    if (!done.changed.isEmpty())
-        tooth.refreshBlocks(done.changed.i0, done.changed.j0, done.changed.i1, done.changed.j1);
+    done.changed = advance.giveBack();
     m_leftS = std::min(seconds, granted - spent);
     return done;
 }
