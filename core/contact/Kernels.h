@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/contact/Head.h"
 #include "core/terrain/Tooth.h"
@@ -21,8 +22,29 @@ struct HeightView
 {
     const float* heights = nullptr;
     int side = 0;
-    const float* blocks = nullptr;  ///< no column of a block is higher, [blockSide * blockSide]; tops only
-    int blockSide = 0;
+    const float* blocks = nullptr;  ///< see Blocks
+};
+
+/// What is known of kBlock x kBlock columns at a time: no top is higher than `tops`, no bottom lower than `bottoms`,
+/// [side * side] and room for a kernel to read on behind.
+struct Blocks
+{
+    int side = 0;
+    std::vector<float> tops;
+    std::vector<float> bottoms;
+};
+
+/// Blocks a side of a map.
+[[nodiscard]] constexpr int blocksFor(int side)
+{
+    return (side + kBlock - 1) / kBlock;
+}
+
+/// Heights of the tip between which a bur is free, mm: above the columns beneath it, beneath those above it.
+struct Room
+{
+    double floorMm;
+    double roofMm;
 };
 
 /// What is known beforehand of a maximum, and what need not be found out. Neither changes an answer that matters.
@@ -100,6 +122,8 @@ struct Kernels
                             const Search& wanted) noexcept;
     Peaks (*lowestAtPoint)(const HeightView& bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
                            const Search& wanted) noexcept;
+    /// The room around the height `tipMm`: LiveTooth::roomAt().
+    Room (*roomAt)(const HeightView& top, const HeightView& bottom, const Head& head, float tipMm) noexcept;
     /// Copies out the columns that stand up into a head, row by row; some are copied in vain.
     /// @return how many groups of columns; room.size() + 1 if there is not enough room
     std::size_t (*columnsUnder)(const ToothView& tooth, const Head& head, const Reach& reach,

@@ -65,8 +65,10 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
     widest += 2;  // and those that a cell's advance adds
     m_columnsRoom.resize(widest * (widest / kBlock + 1));
-    m_blockSide = (grid().side + kBlock - 1) / kBlock;
-    m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
+    m_blocks.side = blocksFor(grid().side);
+    const std::size_t blocks = static_cast<std::size_t>(m_blocks.side) * static_cast<std::size_t>(m_blocks.side);
+    m_blocks.tops.assign(blocks + kBlock, terrain::kEmptyTop);
+    m_blocks.bottoms.assign(blocks + kBlock, terrain::kEmptyBottom);
     refreshBlocks(0, 0, grid().side - 1, grid().side - 1);
     m_dej.reserve(grid().count());
     m_sound.reserve(grid().count());
@@ -181,8 +183,7 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
         if (last.value > wanted.enough)  // the bur has moved by a fraction of a cell: mostly it is the highest still
             return {static_cast<double>(last.value), {0.0, 0.0}, {pointMm, static_cast<double>(last.value)}};
     }
-    const Peaks peaks = m_kernels.highestAtPoint({m_tooth.top.data(), grid().side, m_blocks.data(), m_blockSide},
-                                                 mask(), grid().cellMm, lattice.x, lattice.y, wanted);
+    const Peaks peaks = m_kernels.highestAtPoint(tops(), mask(), grid().cellMm, lattice.x, lattice.y, wanted);
     if (const Peak& highest = highestOf(peaks); highest.i >= 0)
         m_peak = highest;
     Touch best{static_cast<double>(terrain::kEmptyTop), {0.0, 0.0}, {pointMm, static_cast<double>(terrain::kEmptyTop)}};
@@ -319,38 +320,15 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) const noexcept
         if (value > wanted.enough)
             return -static_cast<double>(value);
     }
-    const Peaks peaks = m_kernels.lowestAtPoint({m_tooth.bottom.data(), grid().side, nullptr, 0}, mask(), grid().cellMm,
-                                                lattice.x, lattice.y, wanted);
+    const Peaks peaks = m_kernels.lowestAtPoint(bottoms(), mask(), grid().cellMm, lattice.x, lattice.y, wanted);
     return -static_cast<double>(highestOf(peaks).value);
 }
 
 Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
-    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    const int span = mask().span;
-    const int midI = static_cast<int>(std::floor(lattice.x));
-    const int midJ = static_cast<int>(std::floor(lattice.y));
-    const auto tip = static_cast<float>(z);
-    float floor = terrain::kEmptyTop;
-    float roof = terrain::kEmptyBottom;
-    for (int j = std::max(0, midJ - span); j <= std::min(grid().side - 1, midJ + 1 + span); ++j) {
-        const float dy2 = dy2Of(j, head);
-        for (int i = std::max(0, midI - span); i <= std::min(grid().side - 1, midI + 1 + span); ++i) {
-            const std::size_t k = grid().index(i, j);
-            if (!m_tooth.isSolid(k))
-                continue;
-            const float above = valueOver<Side::Above>(m_tooth.top[k], i, dy2, head);
-            const float beneath = -valueOver<Side::Beneath>(m_tooth.bottom[k], i, dy2, head);
-            if (above <= beneath)  // not under the head
-                continue;
-            if (2.0F * tip >= above + beneath)
-                floor = std::max(floor, above);
-            else
-                roof = std::min(roof, beneath);
-        }
-    }
-    return {static_cast<double>(floor), static_cast<double>(roof)};
+    return m_kernels.roomAt(tops(), bottoms(), headAt(mask(), grid().cellMm, lattice.x, lattice.y),
+                            static_cast<float>(z));
 }
 
 void LiveTooth::lower(int i, int j, float heightMm) noexcept
@@ -400,19 +378,25 @@ void LiveTooth::take(const Columns& columns) noexcept
 void LiveTooth::refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept
 {
     for (int blockJ = firstJ / kBlock; blockJ <= lastJ / kBlock; ++blockJ) {
-        const int rowTo = std::min(grid().side, (blockJ + 1) * kBlock);
+        const int rowEnd = std::min(grid().side, (blockJ + 1) * kBlock);
         for (int blockI = firstI / kBlock; blockI <= lastI / kBlock; ++blockI) {
             // The last block of a row looks at some columns of the one before: it says no less than it should.
             const int from = std::min(blockI * kBlock, grid().side - kBlock);
             std::array<float, kBlock> highest;
+            std::array<float, kBlock> lowest;
             highest.fill(terrain::kEmptyTop);
-            for (int j = blockJ * kBlock; j < rowTo; ++j) {
-                const float* row = m_tooth.top.data() + grid().index(from, j);
-                for (std::size_t n = 0; n < highest.size(); ++n)
-                    highest[n] = std::max(highest[n], row[n]);
+            lowest.fill(terrain::kEmptyBottom);
+            for (int j = blockJ * kBlock; j < rowEnd; ++j) {
+                const float* top = m_tooth.top.data() + grid().index(from, j);
+                const float* bottom = m_tooth.bottom.data() + grid().index(from, j);
+                for (std::size_t n = 0; n < highest.size(); ++n) {
+                    highest[n] = std::max(highest[n], top[n]);
+                    lowest[n] = std::min(lowest[n], bottom[n]);
+                }
             }
-            m_blocks[static_cast<std::size_t>(blockJ * m_blockSide + blockI)] =
-                *std::max_element(highest.begin(), highest.end());
+            const auto block = static_cast<std::size_t>(blockJ * m_blocks.side + blockI);
+            m_blocks.tops[block] = *std::max_element(highest.begin(), highest.end());
+            m_blocks.bottoms[block] = *std::min_element(lowest.begin(), lowest.end());
         }
     }
 }

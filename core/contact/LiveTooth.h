@@ -19,13 +19,6 @@
 
 namespace core::contact {
 
-/// Heights of the tip between which a bur is free, mm: above the columns beneath it, beneath those above it.
-struct Room
-{
-    double floorMm;
-    double roofMm;
-};
-
 /// How the edges of uncut ground are felt: as the columns they are sampled by, or as the upright sides that the samples
 /// stand for.
 enum class Edges { Columns, Sides };
@@ -130,6 +123,11 @@ private:
         glm::dvec2 bend;  ///< of slope.x along x and of slope.y along y, 1 / mm
         double twist;     ///< of slope.x along y, 1 / mm
     };
+    [[nodiscard]] HeightView tops() const noexcept { return {m_tooth.top.data(), grid().side, m_blocks.tops.data()}; }
+    [[nodiscard]] HeightView bottoms() const noexcept
+    {
+        return {m_tooth.bottom.data(), grid().side, m_blocks.bottoms.data()};
+    }
     [[nodiscard]] static bool bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexcept;
     /// Of the uncut ground around a node inside the map.
     [[nodiscard]] static Bowl bowlAt(const terrain::Grid& grid, const std::vector<float>& top, int i, int j) noexcept;
@@ -145,8 +143,7 @@ private:
     std::size_t m_bur = 0;
     std::uint64_t m_revision = 0;
     std::vector<Columns> m_columnsRoom;
-    std::vector<float> m_blocks;  ///< no column of kBlock x kBlock is higher
-    int m_blockSide = 0;
+    Blocks m_blocks;
     std::vector<float> m_dej;  ///< see ToothView
     std::vector<float> m_sound;
     std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each

@@ -163,16 +163,19 @@ void TestContact::kernelsAgreeToTheBit()
     support::Block block;
     block.topMm = [&rng](double, double) { return rng.uniform(-2.0, 0.0); };
     const auto tooth = live(block);
-    std::vector<float> blocks(19 * 19, terrain::kEmptyTop);
+    std::vector<float> blocks(19 * 19 + contact::kBlock, terrain::kEmptyTop);
+    std::vector<float> lowest(blocks.size(), terrain::kEmptyBottom);
     for (int j = 0; j < 150; ++j)
         for (int i = 0; i < 150; ++i) {
             float& highest = blocks[static_cast<std::size_t>(j / 8 * 19 + i / 8)];
             highest = std::max(highest, tooth->tooth().top[tooth->grid().index(i, j)]);
+            float& low = lowest[static_cast<std::size_t>(j / 8 * 19 + i / 8)];
+            low = std::min(low, tooth->tooth().bottom[tooth->grid().index(i, j)]);
         }
     const std::vector<float> unknown(blocks.size(), 0.0F);
-    const contact::HeightView top{tooth->tooth().top.data(), 150, blocks.data(), 19};
-    const contact::HeightView topAlone{tooth->tooth().top.data(), 150, unknown.data(), 19};
-    const contact::HeightView bottom{tooth->tooth().bottom.data(), 150, nullptr, 0};
+    const contact::HeightView top{tooth->tooth().top.data(), 150, blocks.data()};
+    const contact::HeightView topAlone{tooth->tooth().top.data(), 150, unknown.data()};
+    const contact::HeightView bottom{tooth->tooth().bottom.data(), 150, lowest.data()};
     const auto highestOf = [](const contact::Peaks& peaks) {
         return *std::max_element(peaks.begin(), peaks.end(),
                                  [](const auto& a, const auto& b) { return a.value < b.value; });
