@@ -309,19 +309,26 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
     return false;
 }
 
-double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) const noexcept
+double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
-    const Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
-    if (m_peak.i >= 0) {  // what stops the bur from above mostly reaches down beside it
-        const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-        const float value = valueOver<Side::Beneath>(m_tooth.bottom[grid().index(m_peak.i, m_peak.j)], m_peak.i,
-                                                     dy2Of(m_peak.j, head), head);
+    Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
+    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    // What hung lowest a tick ago mostly does still, and what stops the bur from above mostly reaches down beside it.
+    for (const Peak& last : {m_lowest, m_peak}) {
+        if (last.i < 0)
+            continue;
+        const float bottom = m_tooth.bottom[grid().index(last.i, last.j)];
+        const float value = valueOver<Side::Beneath>(bottom, last.i, dy2Of(last.j, head), head);
         if (value > wanted.enough)
             return -static_cast<double>(value);
+        wanted.atLeast = std::max(wanted.atLeast, value);
     }
     const Peaks peaks = m_kernels.lowestAtPoint(bottoms(), mask(), grid().cellMm, lattice.x, lattice.y, wanted);
-    return -static_cast<double>(highestOf(peaks).value);
+    const Peak& lowest = highestOf(peaks);
+    if (lowest.i >= 0)
+        m_lowest = lowest;
+    return -static_cast<double>(lowest.value);
 }
 
 Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept

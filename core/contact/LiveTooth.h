@@ -74,7 +74,7 @@ public:
     }
     /// D: greatest height at which the tip is free beneath everything, over the columns.
     /// @param enough  any answer below this may be given as any other below it
-    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) const noexcept;
+    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) noexcept;
 
     /// The room around height `z` at a point, column by column: a column whose middle the bur is above is floor, any
     /// other roof. There is none if the floor is above the roof. For the notch that a bur makes in from the side, where
@@ -147,7 +147,9 @@ private:
     std::vector<float> m_dej;  ///< see ToothView
     std::vector<float> m_sound;
     std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each
-    Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer
+    /// Highest column of the last look, and the one that hung lowest: they save time in the next and change no answer.
+    Peak m_peak;
+    Peak m_lowest;
     const Kernels& m_kernels;
 };
 
