@@ -123,7 +123,8 @@ struct Kernels
     Peaks (*lowestAtPoint)(const HeightView& bottom, const drilling::BurMask& mask, double cellMm, double u, double v,
                            const Search& wanted) noexcept;
     /// The room around the height `tipMm`: LiveTooth::roomAt().
-    Room (*roomAt)(const HeightView& top, const HeightView& bottom, const Head& head, float tipMm) noexcept;
+    Room (*roomAt)(const HeightView& top, const HeightView& bottom, const Head& head, float tipMm,
+                   const Room& enough) noexcept;
     /// Copies out the columns that stand up into a head, row by row; some are copied in vain.
     /// @return how many groups of columns; room.size() + 1 if there is not enough room
     std::size_t (*columnsUnder)(const ToothView& tooth, const Head& head, const Reach& reach,

@@ -331,11 +331,11 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
     return -static_cast<double>(lowest.value);
 }
 
-Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
+Room LiveTooth::roomAt(glm::dvec2 pointMm, double z, const Room& enough) const noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     return m_kernels.roomAt(tops(), bottoms(), headAt(mask(), grid().cellMm, lattice.x, lattice.y),
-                            static_cast<float>(z));
+                            static_cast<float>(z), enough);
 }
 
 void LiveTooth::lower(int i, int j, float heightMm) noexcept

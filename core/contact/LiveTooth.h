@@ -79,7 +79,9 @@ public:
     /// The room around height `z` at a point, column by column: a column whose middle the bur is above is floor, any
     /// other roof. There is none if the floor is above the roof. For the notch that a bur makes in from the side, where
     /// it has both; clearanceAt() and undersideAt() are quicker and know only one.
-    [[nodiscard]] Room roomAt(glm::dvec2 pointMm, double z) const noexcept;
+    /// @param enough  a room with a floor above this one's or a roof below may be given as any other such, and one that
+    ///                is none as any other
+    [[nodiscard]] Room roomAt(glm::dvec2 pointMm, double z, const Room& enough = {1.0e9, -1.0e9}) const noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     void lower(int i, int j, float heightMm) noexcept;
