@@ -24,6 +24,8 @@ constexpr int kFootRounds = 12;
 /// A node's second-order ground reaches this far: a little into its neighbours' cells, or a foot on the border would
 /// belong to neither.
 constexpr double kOwnCells = 0.6;
+/// Below this, ground and bur bend so much alike that there is no telling where they touch.
+constexpr double kLeastDeterminant = 0.05;
 constexpr double kFootMm = 3.0e-4;  ///< a foot that moves by less has been found: the height there is a maximum
 
 const Peak& highestOf(const Peaks& peaks)
@@ -37,6 +39,33 @@ glm::dvec2 footOn(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 {
     const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
+}
+
+/// From a place on ground that has `slope` there and bends, towards where the ground has the slope that the bur has:
+/// Newton's step, or, where that leads to no maximum, to where ground with this slope would carry the bur.
+glm::dvec2 stepToFoot(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm::dvec2 slope, glm::dvec2 bend,
+                      double twist)
+{
+    const glm::dvec2 error = footOn(mask, p, slope) - at;
+    const double steep2 = slope.x * slope.x + slope.y * slope.y;
+    if (!(steep2 > 0.0))
+        return error;
+    // The foot is p + slope * share; how it moves with the slope, times how the slope moves with the place.
+    const double steep = std::sqrt(steep2);
+    const double root = std::sqrt(1.0 + steep2);
+    const double share = mask.flatMm / steep + mask.cornerMm / root;
+    const double along = (mask.cornerMm / (root * root * root) - share) / steep2;
+    const double xx = share + along * slope.x * slope.x;
+    const double xy = along * slope.x * slope.y;
+    const double yy = share + along * slope.y * slope.y;
+    const double a = 1.0 - (xx * bend.x + xy * twist);
+    const double b = -(xx * twist + xy * bend.y);
+    const double c = -(xy * bend.x + yy * twist);
+    const double d = 1.0 - (xy * twist + yy * bend.y);
+    const double determinant = a * d - b * c;
+    if (!(determinant > kLeastDeterminant) || !(a + d > 0.0))
+        return error;
+    return glm::dvec2(d * error.x - b * error.y, a * error.y - c * error.x) / determinant;
 }
 
 /// The whole number nearest to a place on the lattice, or a negative one before its edge.
@@ -280,8 +309,8 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
     glm::dvec2 slope = bowl.slope;
     glm::dvec2 foot(bowl.nodeMm);
     for (int round = 0; round < kFootRounds; ++round) {
-        const glm::dvec2 before = foot;
-        foot = footOn(mask(), pointMm, slope);
+        const glm::dvec2 moved = stepToFoot(mask(), pointMm, foot, slope, bowl.bend, bowl.twist);
+        foot += moved;
         const glm::dvec2 lattice = grid().latticeOf(foot);
         const bool isElsewhere = std::abs(lattice.x - i) > kOwnCells || std::abs(lattice.y - j) > kOwnCells;
         if (isElsewhere) {
@@ -295,7 +324,6 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
         }
         const glm::dvec2 out = foot - glm::dvec2(bowl.nodeMm);
         slope = bowl.slope + bowl.bend * out + glm::dvec2(out.y, out.x) * bowl.twist;
-        const glm::dvec2 moved = foot - before;
         const bool isPlane = bowl.twist == 0.0 && bowl.bend.x == 0.0 && bowl.bend.y == 0.0;
         if (isElsewhere || (!isPlane && glm::dot(moved, moved) > kFootMm * kFootMm))
             continue;
