@@ -85,17 +85,18 @@ struct alignas(32) Columns
     PerColumn top;
     PerColumn bottom;
     PerColumn areaMm2;  ///< 0 for one that another group holds as well
-    PerColumn cariesRoof;
-    PerColumn cariesFloor;
     PerColumn dej;
-    PerColumn pulpRoof;
-    PerColumn pulpFloor;
     int i;  ///< the first
     int j;
     float highestBottom;   ///< of those that may be cut
-    bool isSound;          ///< there is neither caries nor pulp as far down as they may be cut; if so, it is not copied
+    bool isSound;          ///< there is neither caries nor pulp as far down as they may be cut
     std::uint8_t lowered;  ///< since they were copied: a bit each, the first in the lowest
     std::uint8_t emptied;  ///< those of them of which nothing is left
+    // Not copied of what is sound.
+    PerColumn cariesRoof;
+    PerColumn cariesFloor;
+    PerColumn pulpRoof;
+    PerColumn pulpFloor;
 };
 
 /// Which columns a bur on its way down meets.
