@@ -130,7 +130,7 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         secondsPerMm3[m] = rate > 0.0 ? 1.0 / rate : kNever;
     }
 
-    // The time that removal takes rises with the advance: bracket it, beginning from the last tick's advance, then
+    // The time that removal takes rises with the advance: bracket it, beginning with the last tick's pace, then
     // close in by false position, kept honest by halving when one end does not move (Illinois).
     const double granted = seconds + m_leftS;
     const double aim = kAim * granted;

@@ -61,6 +61,7 @@ class TestContact : public QObject
 private slots:
     void cutsAsColumnByColumn();
     void kernelsAgreeToTheBit();
+    void roomIsThatOfEveryColumn();
     void clearanceIsTheSlowObviousMaximum();
     void anchorStandsOnPlanes_data();
     void anchorStandsOnPlanes();
@@ -207,6 +208,69 @@ void TestContact::kernelsAgreeToTheBit()
             QCOMPARE(heightOver(peak.i, peak.j), peak.value);
             QVERIFY(heightOver(rng.below(150), rng.below(150)) <= peak.value);
         }
+    }
+}
+
+/// Whatever has been cut since, and whatever was looked at before: what blocks and the last look spare changes nothing.
+void TestContact::roomIsThatOfEveryColumn()
+{
+    Rng rng(5);
+    const auto anatomy = support::syntheticMolar(150);
+    const terrain::Grid& grid = anatomy->grid;
+    terrain::Tooth begun(anatomy);
+    for (std::size_t k = 0; k < begun.top.size(); ++k)  // a roof to be under, with holes in it
+        if (begun.isSolid(k) && rng.below(30) != 0)
+            begun.bottom[k] = std::max(begun.bottom[k], begun.top[k] - static_cast<float>(rng.uniform(0.3, 2.0)));
+    contact::LiveTooth tooth(begun);
+    for (int n = 0; n < 4000; ++n) {
+        if (n % 4 == 0) {
+            const int i = 20 + static_cast<int>(rng.below(110));
+            const int j = 20 + static_cast<int>(rng.below(110));
+            const float top = tooth.tooth().top[grid.index(i, j)];
+            tooth.lower(i, j, top - static_cast<float>(rng.uniform(0.0, 1.0)));
+            if (n % 8 == 0)
+                tooth.refreshBlocks(i, j, i, j);
+        }
+        if (n % 100 == 0)
+            tooth.selectBur(rng.below(static_cast<std::uint32_t>(drilling::burs().size())));
+        const glm::dvec2 p(rng.uniform(-5.5, 5.5), rng.uniform(-5.5, 5.5));
+        const double z = rng.uniform(-6.0, 0.0);
+        const glm::dvec2 lattice = grid.latticeOf(p);
+        const contact::Head head = contact::headAt(tooth.mask(), grid.cellMm, lattice.x, lattice.y);
+        float floor = terrain::kEmptyTop;
+        float roof = terrain::kEmptyBottom;
+        float lowest = drilling::BurMask::kAbsent;
+        for (int j = 0; j < grid.side; ++j) {
+            for (int i = 0; i < grid.side; ++i) {
+                const std::size_t k = grid.index(i, j);
+                const float dy2 = contact::dy2Of(j, head);
+                const float beneath =
+                    -contact::valueOver<contact::Side::Beneath>(tooth.tooth().bottom[k], i, dy2, head);
+                lowest = std::min(lowest, beneath);
+                const float above = contact::valueOver<contact::Side::Above>(tooth.tooth().top[k], i, dy2, head);
+                if (!tooth.tooth().isSolid(k) || above <= beneath)
+                    continue;
+                if (2.0F * static_cast<float>(z) >= above + beneath)
+                    floor = std::max(floor, above);
+                else
+                    roof = std::min(roof, beneath);
+            }
+        }
+        const contact::Room room = tooth.roomAt(p, z);
+        if (floor <= roof) {
+            QCOMPARE(room.floorMm, static_cast<double>(floor));
+            QCOMPARE(room.roofMm, static_cast<double>(roof));
+        } else {
+            QVERIFY(room.floorMm > room.roofMm);
+        }
+        const contact::Room least{z + 0.1, z - 0.1};
+        const contact::Room enough = tooth.roomAt(p, z, least);
+        const bool fits =
+            floor <= roof && static_cast<double>(floor) <= least.floorMm && static_cast<double>(roof) >= least.roofMm;
+        QCOMPARE(enough.floorMm <= enough.roofMm && enough.floorMm <= least.floorMm && enough.roofMm >= least.roofMm,
+                 fits);
+        if (std::abs(lowest) < drilling::BurMask::kAbsent / 2.0F)
+            QCOMPARE(tooth.undersideAt(p), static_cast<double>(lowest));
     }
 }
 
