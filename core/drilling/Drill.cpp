@@ -176,7 +176,8 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         else
             tried = std::min(gap, tried * std::min(kFarther, needed > 0.0 ? aim / needed : kFarther));
     }
-    m_lastMmPerS = spent > 0.0 ? near / spent : far > 0.0 ? far / farNeeded : 0.0;
+    // One that met next to nothing says little of what comes.
+    m_lastMmPerS = spent > 0.0 ? near / std::max(spent, 0.5 * granted) : far > 0.0 ? far / farNeeded : 0.0;
     done.tipMm = anchor + towards * near;
     if (spent > 0.0)
         advance.removeTo(done.tipMm, 1.0F, done);

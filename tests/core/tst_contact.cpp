@@ -232,7 +232,7 @@ void TestContact::roomIsThatOfEveryColumn()
                 tooth.refreshBlocks(i, j, i, j);
         }
         if (n % 100 == 0)
-            tooth.selectBur(rng.below(static_cast<std::uint32_t>(drilling::burs().size())));
+            tooth.selectBur(static_cast<std::size_t>(n / 100) % drilling::burs().size());
         const glm::dvec2 p(rng.uniform(-5.5, 5.5), rng.uniform(-5.5, 5.5));
         const double z = rng.uniform(-6.0, 0.0);
         const glm::dvec2 lattice = grid.latticeOf(p);
