@@ -118,7 +118,7 @@ bool isRoundCorner(const drilling::BurMask& mask, const glm::dvec3& from, const 
 }
 
 /// True if a tip that is below what carries it is free beneath.
-bool isFreeBeneath(const LiveTooth& tooth, const Touch& touch, const glm::dvec3& tip) noexcept
+bool isFreeBeneath(LiveTooth& tooth, const Touch& touch, const glm::dvec3& tip) noexcept
 {
     return !(touch.isSide() && touch.roofMm < tip.z) && tooth.undersideAt(glm::dvec2(tip), tip.z) >= tip.z;
 }

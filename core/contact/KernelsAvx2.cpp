@@ -6,7 +6,8 @@
 namespace core::contact {
 
 extern const Kernels kAvx2Kernels;
-const Kernels kAvx2Kernels{"avx2", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>, undersides};
+const Kernels kAvx2Kernels{
+    "avx2", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>, roomAt, columnsUnder, secondsToRemove, remove};
 
 }  // namespace core::contact
 #endif

@@ -5,7 +5,8 @@
 
 namespace core::contact {
 
-const Kernels kPlainKernels{"plain", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>, undersides};
+const Kernels kPlainKernels{
+    "plain", mostInTheWay<Side::Above>, mostInTheWay<Side::Beneath>, roomAt, columnsUnder, secondsToRemove, remove};
 
 #ifdef CUSP_HAVE_AVX2
 extern const Kernels kAvx2Kernels;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,6 +24,8 @@ constexpr int kFootRounds = 12;
 /// A node's second-order ground reaches this far: a little into its neighbours' cells, or a foot on the border would
 /// belong to neither.
 constexpr double kOwnCells = 0.6;
+/// Below this, ground and bur bend so much alike that there is no telling where they touch.
+constexpr double kLeastDeterminant = 0.05;
 constexpr double kFootMm = 3.0e-4;  ///< a foot that moves by less has been found: the height there is a maximum
 
 const Peak& highestOf(const Peaks& peaks)
@@ -36,6 +39,33 @@ glm::dvec2 footOn(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 {
     const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
+}
+
+/// From a place on ground that has `slope` there and bends, towards where the ground has the slope that the bur has:
+/// Newton's step, or, where that leads to no maximum, to where ground with this slope would carry the bur.
+glm::dvec2 stepToFoot(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm::dvec2 slope, glm::dvec2 bend,
+                      double twist)
+{
+    const glm::dvec2 error = footOn(mask, p, slope) - at;
+    const double steep2 = slope.x * slope.x + slope.y * slope.y;
+    if (!(steep2 > 0.0))
+        return error;
+    // The foot is p + slope * share; how it moves with the slope, times how the slope moves with the place.
+    const double steep = std::sqrt(steep2);
+    const double root = std::sqrt(1.0 + steep2);
+    const double share = mask.flatMm / steep + mask.cornerMm / root;
+    const double along = (mask.cornerMm / (root * root * root) - share) / steep2;
+    const double xx = share + along * slope.x * slope.x;
+    const double xy = along * slope.x * slope.y;
+    const double yy = share + along * slope.y * slope.y;
+    const double a = 1.0 - (xx * bend.x + xy * twist);
+    const double b = -(xx * twist + xy * bend.y);
+    const double c = -(xy * bend.x + yy * twist);
+    const double d = 1.0 - (xy * twist + yy * bend.y);
+    const double determinant = a * d - b * c;
+    if (!(determinant > kLeastDeterminant) || !(a + d > 0.0))
+        return error;
+    return glm::dvec2(d * error.x - b * error.y, a * error.y - c * error.x) / determinant;
 }
 
 /// The whole number nearest to a place on the lattice, or a negative one before its edge.
@@ -63,19 +93,19 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     for (const drilling::BurMask& mask : m_masks)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
     widest += 2;  // and those that a cell's advance adds
-    m_columnsRoom.most = widest * widest;
-    const std::size_t room = wholeBlocks(m_columnsRoom.most + static_cast<std::size_t>(grid().side) + kBlock);
-    m_columnsRoom.i.resize(room);
-    m_columnsRoom.j.resize(room);
-    m_columnsRoom.index.resize(room);
-    m_columnsRoom.under.resize(room);
-    m_blockSide = (grid().side + kBlock - 1) / kBlock;
-    m_blocks.assign(static_cast<std::size_t>(m_blockSide) * static_cast<std::size_t>(m_blockSide), terrain::kEmptyTop);
-    for (int j = 0; j < grid().side; ++j) {
-        for (int i = 0; i < grid().side; ++i) {
-            float& highest = m_blocks[static_cast<std::size_t>(j / kBlock * m_blockSide + i / kBlock)];
-            highest = std::max(highest, m_tooth.top[grid().index(i, j)]);
-        }
+    m_columnsRoom.resize(widest * (widest / kBlock + 1));
+    m_blocks.side = blocksFor(grid().side);
+    const std::size_t blocks = static_cast<std::size_t>(m_blocks.side) * static_cast<std::size_t>(m_blocks.side);
+    m_blocks.tops.assign(blocks + kBlock, terrain::kEmptyTop);
+    m_blocks.bottoms.assign(blocks + kBlock, terrain::kEmptyBottom);
+    refreshBlocks(0, 0, grid().side - 1, grid().side - 1);
+    m_dej.reserve(grid().count());
+    m_sound.reserve(grid().count());
+    for (const terrain::ColumnLayers& column : m_tooth.anatomy->layers) {
+        m_dej.push_back(column.dej);
+        const float lesion = column.cariesRoof > column.cariesFloor ? column.cariesRoof : terrain::kEmptyTop;
+        const float pulp = column.pulpRoof > column.pulpFloor ? column.pulpRoof : terrain::kEmptyTop;
+        m_sound.push_back(std::max(lesion, pulp));
     }
     m_bends.assign(grid().count(), 0);
     for (int j = 1; j < grid().side - 1; ++j)
@@ -176,8 +206,7 @@ Touch LiveTooth::touchColumnsAt(glm::dvec2 pointMm, double enough) noexcept
         if (last.value > wanted.enough)  // the bur has moved by a fraction of a cell: mostly it is the highest still
             return {static_cast<double>(last.value), {0.0, 0.0}, {pointMm, static_cast<double>(last.value)}};
     }
-    const Peaks peaks = m_kernels.highestAtPoint({m_tooth.top.data(), grid().side, m_blocks.data(), m_blockSide},
-                                                 mask(), grid().cellMm, lattice.x, lattice.y, wanted);
+    const Peaks peaks = m_kernels.highestAtPoint(tops(), mask(), grid().cellMm, lattice.x, lattice.y, wanted);
     if (const Peak& highest = highestOf(peaks); highest.i >= 0)
         m_peak = highest;
     Touch best{static_cast<double>(terrain::kEmptyTop), {0.0, 0.0}, {pointMm, static_cast<double>(terrain::kEmptyTop)}};
@@ -274,8 +303,8 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
     glm::dvec2 slope = bowl.slope;
     glm::dvec2 foot(bowl.nodeMm);
     for (int round = 0; round < kFootRounds; ++round) {
-        const glm::dvec2 before = foot;
-        foot = footOn(mask(), pointMm, slope);
+        const glm::dvec2 moved = stepToFoot(mask(), pointMm, foot, slope, bowl.bend, bowl.twist);
+        foot += moved;
         const glm::dvec2 lattice = grid().latticeOf(foot);
         const bool isElsewhere = std::abs(lattice.x - i) > kOwnCells || std::abs(lattice.y - j) > kOwnCells;
         if (isElsewhere) {
@@ -289,7 +318,6 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
         }
         const glm::dvec2 out = foot - glm::dvec2(bowl.nodeMm);
         slope = bowl.slope + bowl.bend * out + glm::dvec2(out.y, out.x) * bowl.twist;
-        const glm::dvec2 moved = foot - before;
         const bool isPlane = bowl.twist == 0.0 && bowl.bend.x == 0.0 && bowl.bend.y == 0.0;
         if (isElsewhere || (!isPlane && glm::dot(moved, moved) > kFootMm * kFootMm))
             continue;
@@ -303,49 +331,33 @@ bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, 
     return false;
 }
 
-double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) const noexcept
+double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
-    const Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
-    if (m_peak.i >= 0) {  // what stops the bur from above mostly reaches down beside it
-        const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-        const float value = valueOver<Side::Beneath>(m_tooth.bottom[grid().index(m_peak.i, m_peak.j)], m_peak.i,
-                                                     dy2Of(m_peak.j, head), head);
+    Search wanted{-drilling::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
+    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
+    // What hung lowest a tick ago mostly does still, and what stops the bur from above mostly reaches down beside it.
+    for (const Peak& last : {m_lowest, m_peak}) {
+        if (last.i < 0)
+            continue;
+        const float bottom = m_tooth.bottom[grid().index(last.i, last.j)];
+        const float value = valueOver<Side::Beneath>(bottom, last.i, dy2Of(last.j, head), head);
         if (value > wanted.enough)
             return -static_cast<double>(value);
+        wanted.atLeast = std::max(wanted.atLeast, value);
     }
-    const Peaks peaks = m_kernels.lowestAtPoint({m_tooth.bottom.data(), grid().side, nullptr, 0}, mask(), grid().cellMm,
-                                                lattice.x, lattice.y, wanted);
-    return -static_cast<double>(highestOf(peaks).value);
+    const Peaks peaks = m_kernels.lowestAtPoint(bottoms(), mask(), grid().cellMm, lattice.x, lattice.y, wanted);
+    const Peak& lowest = highestOf(peaks);
+    if (lowest.i >= 0)
+        m_lowest = lowest;
+    return -static_cast<double>(lowest.value);
 }
 
-Room LiveTooth::roomAt(glm::dvec2 pointMm, double z) const noexcept
+Room LiveTooth::roomAt(glm::dvec2 pointMm, double z, const Room& enough) const noexcept
 {
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
-    const Head head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    const int span = mask().span;
-    const int midI = static_cast<int>(std::floor(lattice.x));
-    const int midJ = static_cast<int>(std::floor(lattice.y));
-    const auto tip = static_cast<float>(z);
-    float floor = terrain::kEmptyTop;
-    float roof = terrain::kEmptyBottom;
-    for (int j = std::max(0, midJ - span); j <= std::min(grid().side - 1, midJ + 1 + span); ++j) {
-        const float dy2 = dy2Of(j, head);
-        for (int i = std::max(0, midI - span); i <= std::min(grid().side - 1, midI + 1 + span); ++i) {
-            const std::size_t k = grid().index(i, j);
-            if (!m_tooth.isSolid(k))
-                continue;
-            const float above = valueOver<Side::Above>(m_tooth.top[k], i, dy2, head);
-            const float beneath = -valueOver<Side::Beneath>(m_tooth.bottom[k], i, dy2, head);
-            if (above <= beneath)  // not under the head
-                continue;
-            if (2.0F * tip >= above + beneath)
-                floor = std::max(floor, above);
-            else
-                roof = std::min(roof, beneath);
-        }
-    }
-    return {static_cast<double>(floor), static_cast<double>(roof)};
+    return m_kernels.roomAt(tops(), bottoms(), headAt(mask(), grid().cellMm, lattice.x, lattice.y),
+                            static_cast<float>(z), enough);
 }
 
 void LiveTooth::lower(int i, int j, float heightMm) noexcept
@@ -360,6 +372,62 @@ void LiveTooth::lower(int i, int j, float heightMm) noexcept
     }
     m_tooth.top[index] = terrain::kEmptyTop;
     m_tooth.bottom[index] = terrain::kEmptyBottom;
+}
+
+bool LiveTooth::bendsAround(int i, int j) const noexcept
+{
+    const int left = std::max(i - 1, 0);
+    const int right = std::min(i + 1, grid().side - kBlock);
+    std::uint64_t any = 0;
+    for (int atJ = std::max(0, j - 1); atJ <= std::min(grid().side - 1, j + 1); ++atJ) {
+        for (const int atI : {left, right}) {
+            std::uint64_t eight = 0;
+            static_assert(sizeof eight == kBlock);
+            std::memcpy(&eight, m_bends.data() + grid().index(atI, atJ), sizeof eight);
+            any |= eight;
+        }
+    }
+    return any != 0;
+}
+
+void LiveTooth::take(const Columns& columns) noexcept
+{
+    if (columns.lowered == 0)
+        return;
+    ++m_revision;
+    if (columns.emptied != 0 || bendsAround(columns.i, columns.j)) {
+        for (int n = 0; n < kBlock; ++n)
+            if ((columns.lowered >> n & 1) != 0)
+                lower(columns.i + n, columns.j, columns.top[static_cast<std::size_t>(n)]);
+        return;
+    }
+    std::copy(columns.top.begin(), columns.top.end(), m_tooth.top.data() + grid().index(columns.i, columns.j));
+}
+
+void LiveTooth::refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept
+{
+    for (int blockJ = firstJ / kBlock; blockJ <= lastJ / kBlock; ++blockJ) {
+        const int rowEnd = std::min(grid().side, (blockJ + 1) * kBlock);
+        for (int blockI = firstI / kBlock; blockI <= lastI / kBlock; ++blockI) {
+            // The last block of a row looks at some columns of the one before: it says no less than it should.
+            const int from = std::min(blockI * kBlock, grid().side - kBlock);
+            std::array<float, kBlock> highest;
+            std::array<float, kBlock> lowest;
+            highest.fill(terrain::kEmptyTop);
+            lowest.fill(terrain::kEmptyBottom);
+            for (int j = blockJ * kBlock; j < rowEnd; ++j) {
+                const float* top = m_tooth.top.data() + grid().index(from, j);
+                const float* bottom = m_tooth.bottom.data() + grid().index(from, j);
+                for (std::size_t n = 0; n < highest.size(); ++n) {
+                    highest[n] = std::max(highest[n], top[n]);
+                    lowest[n] = std::min(lowest[n], bottom[n]);
+                }
+            }
+            const auto block = static_cast<std::size_t>(blockJ * m_blocks.side + blockI);
+            m_blocks.tops[block] = *std::max_element(highest.begin(), highest.end());
+            m_blocks.bottoms[block] = *std::min_element(lowest.begin(), lowest.end());
+        }
+    }
 }
 
 }  // namespace core::contact

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -18,26 +19,9 @@
 
 namespace core::contact {
 
-/// Heights of the tip between which a bur is free, mm: above the columns beneath it, beneath those above it.
-struct Room
-{
-    double floorMm;
-    double roofMm;
-};
-
 /// How the edges of uncut ground are felt: as the columns they are sampled by, or as the upright sides that the samples
 /// stand for.
 enum class Edges { Columns, Sides };
-
-/// A list of columns, as the kernels read it: behind the `most` of them there is room for a row of the lattice.
-struct ColumnsRoom
-{
-    std::size_t most = 0;
-    std::vector<float> i;  ///< whole numbers
-    std::vector<float> j;
-    std::vector<std::uint32_t> index;
-    std::vector<float> under;  ///< of the head, where it is just looked at
-};
 
 /// The tooth the servo works on: the height maps, felt by the bur in hand. The bur becomes a point and the tooth its
 /// dilation,
@@ -94,18 +78,35 @@ public:
     }
     /// D: greatest height at which the tip is free beneath everything, over the columns.
     /// @param enough  any answer below this may be given as any other below it
-    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) const noexcept;
+    [[nodiscard]] double undersideAt(glm::dvec2 pointMm, double enough = -1.0e9) noexcept;
 
     /// The room around height `z` at a point, column by column: a column whose middle the bur is above is floor, any
     /// other roof. There is none if the floor is above the roof. For the notch that a bur makes in from the side, where
     /// it has both; clearanceAt() and undersideAt() are quicker and know only one.
-    [[nodiscard]] Room roomAt(glm::dvec2 pointMm, double z) const noexcept;
+    /// @param enough  a room with a floor above this one's or a roof below may be given as any other such, and one that
+    ///                is none as any other
+    [[nodiscard]] Room roomAt(glm::dvec2 pointMm, double z, const Room& enough = {1.0e9, -1.0e9}) const noexcept;
 
     /// Lowers one column to `heightMm`; a column lowered to its bottom or below becomes empty in both maps.
     void lower(int i, int j, float heightMm) noexcept;
 
-    /// Room for every column that any bur covers, for whoever cuts to make a list in. Not part of the tooth's state.
-    [[nodiscard]] ColumnsRoom& columnsRoom() noexcept { return m_columnsRoom; }
+    /// Lowers columns to what removal has left of a copy of them.
+    void take(const Columns& columns) noexcept;
+    /// To be told, after cutting, of the columns that were lowered, or looks take longer than they need to.
+    void refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noexcept;
+
+    /// Room for every column that any bur covers, for whoever cuts to make a copy in. Not part of the tooth's state.
+    [[nodiscard]] std::span<Columns> columnsRoom() noexcept { return m_columnsRoom; }
+    [[nodiscard]] ToothView view() const noexcept
+    {
+        return {m_tooth.top.data(),
+                m_tooth.bottom.data(),
+                m_tooth.anatomy->areaMm2.data(),
+                m_tooth.anatomy->layers.data(),
+                m_dej.data(),
+                m_sound.data(),
+                grid().side};
+    }
     [[nodiscard]] const Kernels& kernels() const noexcept { return m_kernels; }
 
 private:
@@ -128,11 +129,18 @@ private:
         glm::dvec2 bend;  ///< of slope.x along x and of slope.y along y, 1 / mm
         double twist;     ///< of slope.x along y, 1 / mm
     };
+    [[nodiscard]] HeightView tops() const noexcept { return {m_tooth.top.data(), grid().side, m_blocks.tops.data()}; }
+    [[nodiscard]] HeightView bottoms() const noexcept
+    {
+        return {m_tooth.bottom.data(), grid().side, m_blocks.bottoms.data()};
+    }
     [[nodiscard]] static bool bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexcept;
     /// Of the uncut ground around a node inside the map.
     [[nodiscard]] static Bowl bowlAt(const terrain::Grid& grid, const std::vector<float>& top, int i, int j) noexcept;
     [[nodiscard]] bool isWhole(std::size_t k) const noexcept;
     void noteCut(int i, int j) noexcept;
+    /// Whether noteCut() of kBlock columns from (i, j) on would have anything to note.
+    [[nodiscard]] bool bendsAround(int i, int j) const noexcept;
 
     terrain::Tooth m_tooth;
     UprightSides m_sides;
@@ -140,11 +148,14 @@ private:
     double m_floorMm = 0.0;
     std::size_t m_bur = 0;
     std::uint64_t m_revision = 0;
-    ColumnsRoom m_columnsRoom;
-    std::vector<float> m_blocks;  ///< highest top of kBlock x kBlock columns as they began
-    int m_blockSide = 0;
+    std::vector<Columns> m_columnsRoom;
+    Blocks m_blocks;
+    std::vector<float> m_dej;  ///< see ToothView
+    std::vector<float> m_sound;
     std::vector<std::uint8_t> m_bends;  ///< nodes whose ground is uncut and bends without an edge, 1 each
-    Peak m_peak;  ///< highest column of the last look: saves time in the next and changes no answer
+    /// Highest column of the last look, and the one that hung lowest: they save time in the next and change no answer.
+    Peak m_peak;
+    Peak m_lowest;
     const Kernels& m_kernels;
 };
 

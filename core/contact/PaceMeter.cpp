@@ -9,6 +9,13 @@ namespace {
 /// A count of the Falcon, 0.048 mm sideways and 0.028 along its axis (haptics.md section 5): no less, or a device that
 /// rests on the edge of one would seem to move at 30 mm/s.
 constexpr double kCountMm = 0.05;
+/// 1 / n: of the distance to the n-th place back, for a tick.
+constexpr auto kShares = [] {
+    std::array<double, 16> shares{};
+    for (std::size_t n = 1; n < shares.size(); ++n)
+        shares[n] = 1.0 / static_cast<double>(n);
+    return shares;
+}();
 constexpr double kCornerRadPerS = 2.0 * 3.14159265358979 * 240.0;
 
 }  // namespace
@@ -22,12 +29,13 @@ void PaceMeter::restart(const glm::dvec3& placeMm) noexcept
 glm::dvec3 PaceMeter::perTick() const noexcept
 {
     const glm::dvec3& now = ago(0);
+    static_assert(kShares.size() == kWindow);
     glm::dvec3 known = now - ago(1);
     // Between which a line through the newest place must rise to pass every place so far within a count.
     glm::dvec3 least = known - kCountMm;
     glm::dvec3 most = known + kCountMm;
     for (std::size_t n = 2; n < kWindow; ++n) {
-        const double share = 1.0 / static_cast<double>(n);
+        const double share = kShares[n];
         const glm::dvec3 line = (now - ago(n)) * share;
         if (line.x < least.x || line.y < least.y || line.z < least.z || line.x > most.x || line.y > most.y ||
             line.z > most.z)

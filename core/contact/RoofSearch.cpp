@@ -48,8 +48,9 @@ bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexc
 {
     const double reach = step.fromZ + step.climb;
     if (step.inNotch) {
-        const Room room = tooth.roomAt(at, step.fromZ);
-        if (room.floorMm > room.roofMm || room.floorMm > reach || room.roofMm < step.fromZ - step.climb)
+        const Room least{reach, step.fromZ - step.climb};
+        const Room room = tooth.roomAt(at, step.fromZ, least);
+        if (room.floorMm > room.roofMm || room.floorMm > least.floorMm || room.roofMm < least.roofMm)
             return false;
         z = std::clamp(step.deviceZ, room.floorMm, room.roofMm);
         return true;

@@ -66,16 +66,16 @@ public:
     void rest() noexcept
     {
         m_leftS = 0.0;
-        m_lastAdvance = 0.0;
+        m_lastMmPerS = 0.0;
         m_pressedNS = 0.0;
     }
 
 private:
     settings::HardnessPreset m_preset;
     settings::Handpiece m_handpiece;
-    double m_leftS = 0.0;  ///< time granted and not used, at most one tick's
-    double m_lastAdvance = 0.0;
-    double m_pressedNS = 0.0;  ///< impulse of this touch, as far as it counts
+    double m_leftS = 0.0;       ///< time granted and not used, at most one tick's
+    double m_lastMmPerS = 0.0;  ///< advance that the last tick's time was spent on
+    double m_pressedNS = 0.0;   ///< impulse of this touch, as far as it counts
 };
 
 }  // namespace core::drilling

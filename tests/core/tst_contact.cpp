@@ -11,6 +11,7 @@
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -59,8 +60,9 @@ class TestContact : public QObject
 {
     Q_OBJECT
 private slots:
-    void undersidesAreThoseOfTheHead();
+    void cutsAsColumnByColumn();
     void kernelsAgreeToTheBit();
+    void roomIsThatOfEveryColumn();
     void clearanceIsTheSlowObviousMaximum();
     void anchorStandsOnPlanes_data();
     void anchorStandsOnPlanes();
@@ -84,36 +86,75 @@ private slots:
     void unknownMethodIsRefused();
 };
 
-void TestContact::undersidesAreThoseOfTheHead()
+/// What cutting does eight columns at a time, on every processor, is what it would do one by one.
+void TestContact::cutsAsColumnByColumn()
 {
-    // What cutting asks in blocks is what contact asks column by column, on every processor.
     Rng rng(11);
-    const auto tooth = live({});
-    constexpr std::size_t kCount = 64;
-    std::array<float, kCount> i{};
-    std::array<float, kCount> j{};
-    std::array<float, kCount> under{};
-    for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
-        tooth->selectBur(bur);
-        for (int n = 0; n < 500; ++n) {
-            const contact::Head head =
-                contact::headAt(tooth->mask(), 0.07, rng.uniform(20.0, 40.0), rng.uniform(20.0, 40.0));
-            for (std::size_t k = 0; k < kCount; ++k) {
-                i[k] = static_cast<float>(rng.below(60));
-                j[k] = std::floor(head.v) + static_cast<float>(rng.below(16) - 8);
-            }
-            for (const contact::Kernels* kernels : {&contact::kernels(), &contact::kPlainKernels}) {
-                kernels->undersides(i.data(), j.data(), kCount, head, 0.0F, under.data());
-                for (std::size_t k = 0; k < kCount; ++k) {
-                    const float dy2 = contact::dy2Of(static_cast<int>(j[k]), head);
-                    QCOMPARE(under[k], contact::underAt(contact::r2Of(static_cast<int>(i[k]), dy2, head), head));
+    const auto anatomy = support::syntheticMolar(150);
+    terrain::Tooth thin(anatomy);
+    for (std::size_t k = 0; k < thin.top.size(); k += 7)  // bottoms and holes are met too
+        if (thin.isSolid(k))
+            thin.bottom[k] = thin.top[k] - 0.2F;
+    const double cell = anatomy->grid.cellMm;
+    const int side = anatomy->grid.side;
+    for (int n = 0; n < 400; ++n) {
+        contact::LiveTooth tooth(thin);
+        tooth.selectBur(static_cast<std::size_t>(n) % drilling::burs().size());
+        const drilling::BurMask& mask = tooth.mask();
+        const contact::Head head = contact::headAt(mask, cell, rng.uniform(-5.0, 155.0), rng.uniform(-5.0, 155.0));
+        const contact::Descent descent{static_cast<float>(rng.uniform(-6.0, 0.0)), 0.5F};
+        const float share = n % 3 == 0 ? 0.4F : 1.0F;
+        const terrain::PerMaterial seconds{2.0, 7.0, 3.0, 1.0};
+        std::vector<float> tops = thin.top;
+        terrain::PerMaterial removed{};
+        double spent = 0.0;
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                const std::size_t k = anatomy->grid.index(i, j);
+                const float r2 = contact::r2Of(i, contact::dy2Of(j, head), head);
+                const float limit = descent.tipMm + contact::underAt(r2, head);
+                if (!(thin.top[k] > limit) || !(descent.highestMm + contact::upperAt(r2, head) > thin.bottom[k]))
+                    continue;
+                const float low = std::max(limit, thin.bottom[k]);
+                const float to = share < 1.0F ? thin.top[k] - share * (thin.top[k] - low) : limit;
+                tops[k] = to > thin.bottom[k] ? to : terrain::kEmptyTop;
+                const auto all = terrain::lengthsBetween(anatomy->layers[k], low, thin.top[k]);
+                const auto part =
+                    terrain::lengthsBetween(anatomy->layers[k], std::max(to, thin.bottom[k]), thin.top[k]);
+                for (std::size_t m = 0; m < all.size(); ++m) {
+                    spent += all[m] * static_cast<double>(anatomy->areaMm2[k]) * seconds[m];
+                    removed[m] += part[m] * static_cast<double>(anatomy->areaMm2[k]);
                 }
             }
-            // Nearer than it is, the underside is nowhere higher.
-            std::array<float, kCount> nearer{};
-            contact::kernels().undersides(i.data(), j.data(), kCount, head, 0.05F, nearer.data());
-            for (std::size_t k = 0; k < kCount; ++k)
-                QVERIFY(nearer[k] <= under[k]);
+        }
+        const contact::Reach reach{static_cast<double>(mask.radiusMm) / cell + 0.01, 1.0e-5F, descent.tipMm - 1.0e-5F};
+        double firstSpent = 0.0;
+        terrain::PerMaterial firstRemoved{};
+        for (const contact::Kernels* kernels : {&contact::kernels(), &contact::kPlainKernels}) {
+            std::vector<contact::Columns> room(1000);
+            const std::size_t count = kernels->columnsUnder(tooth.view(), head, reach, room);
+            QVERIFY(count <= room.size());
+            if (count > 0)
+                QCOMPARE(kernels->columnsUnder(tooth.view(), head, reach, std::span(room).first(count - 1)), count);
+            const std::span<contact::Columns> columns = std::span(room).first(count);
+            const double took = kernels->secondsToRemove(columns, head, descent, seconds);
+            QVERIFY2(std::abs(took - spent) <= 1.0e-6 * spent, qPrintable(QString::number(took - spent)));
+            terrain::PerMaterial mm3{};
+            kernels->remove(columns, head, descent, share, mm3);
+            for (std::size_t m = 0; m < mm3.size(); ++m)
+                QVERIFY(std::abs(mm3[m] - removed[m]) <= 1.0e-6 * spent);
+            if (kernels == &contact::kPlainKernels) {
+                QCOMPARE(took, firstSpent);
+                QCOMPARE(mm3, firstRemoved);
+            }
+            firstSpent = took;
+            firstRemoved = mm3;
+            if (kernels != &contact::kPlainKernels)
+                continue;
+            for (const contact::Columns& eight : columns)
+                tooth.take(eight);
+            for (std::size_t k = 0; k < tops.size(); ++k)
+                QVERIFY2(tooth.tooth().top[k] == tops[k], qPrintable(QString::number(k)));
         }
     }
 }
@@ -126,16 +167,19 @@ void TestContact::kernelsAgreeToTheBit()
     support::Block block;
     block.topMm = [&rng](double, double) { return rng.uniform(-2.0, 0.0); };
     const auto tooth = live(block);
-    std::vector<float> blocks(19 * 19, terrain::kEmptyTop);
+    std::vector<float> blocks(19 * 19 + contact::kBlock, terrain::kEmptyTop);
+    std::vector<float> lowest(blocks.size(), terrain::kEmptyBottom);
     for (int j = 0; j < 150; ++j)
         for (int i = 0; i < 150; ++i) {
             float& highest = blocks[static_cast<std::size_t>(j / 8 * 19 + i / 8)];
             highest = std::max(highest, tooth->tooth().top[tooth->grid().index(i, j)]);
+            float& low = lowest[static_cast<std::size_t>(j / 8 * 19 + i / 8)];
+            low = std::min(low, tooth->tooth().bottom[tooth->grid().index(i, j)]);
         }
     const std::vector<float> unknown(blocks.size(), 0.0F);
-    const contact::HeightView top{tooth->tooth().top.data(), 150, blocks.data(), 19};
-    const contact::HeightView topAlone{tooth->tooth().top.data(), 150, unknown.data(), 19};
-    const contact::HeightView bottom{tooth->tooth().bottom.data(), 150, nullptr, 0};
+    const contact::HeightView top{tooth->tooth().top.data(), 150, blocks.data()};
+    const contact::HeightView topAlone{tooth->tooth().top.data(), 150, unknown.data()};
+    const contact::HeightView bottom{tooth->tooth().bottom.data(), 150, lowest.data()};
     const auto highestOf = [](const contact::Peaks& peaks) {
         return *std::max_element(peaks.begin(), peaks.end(),
                                  [](const auto& a, const auto& b) { return a.value < b.value; });
@@ -167,6 +211,69 @@ void TestContact::kernelsAgreeToTheBit()
             QCOMPARE(heightOver(peak.i, peak.j), peak.value);
             QVERIFY(heightOver(rng.below(150), rng.below(150)) <= peak.value);
         }
+    }
+}
+
+/// Whatever has been cut since, and whatever was looked at before: what blocks and the last look spare changes nothing.
+void TestContact::roomIsThatOfEveryColumn()
+{
+    Rng rng(5);
+    const auto anatomy = support::syntheticMolar(150);
+    const terrain::Grid& grid = anatomy->grid;
+    terrain::Tooth begun(anatomy);
+    for (std::size_t k = 0; k < begun.top.size(); ++k)  // a roof to be under, with holes in it
+        if (begun.isSolid(k) && rng.below(30) != 0)
+            begun.bottom[k] = std::max(begun.bottom[k], begun.top[k] - static_cast<float>(rng.uniform(0.3, 2.0)));
+    contact::LiveTooth tooth(begun);
+    for (int n = 0; n < 4000; ++n) {
+        if (n % 4 == 0) {
+            const int i = 20 + static_cast<int>(rng.below(110));
+            const int j = 20 + static_cast<int>(rng.below(110));
+            const float top = tooth.tooth().top[grid.index(i, j)];
+            tooth.lower(i, j, top - static_cast<float>(rng.uniform(0.0, 1.0)));
+            if (n % 8 == 0)
+                tooth.refreshBlocks(i, j, i, j);
+        }
+        if (n % 100 == 0)
+            tooth.selectBur(static_cast<std::size_t>(n / 100) % drilling::burs().size());
+        const glm::dvec2 p(rng.uniform(-5.5, 5.5), rng.uniform(-5.5, 5.5));
+        const double z = rng.uniform(-6.0, 0.0);
+        const glm::dvec2 lattice = grid.latticeOf(p);
+        const contact::Head head = contact::headAt(tooth.mask(), grid.cellMm, lattice.x, lattice.y);
+        float floor = terrain::kEmptyTop;
+        float roof = terrain::kEmptyBottom;
+        float lowest = drilling::BurMask::kAbsent;
+        for (int j = 0; j < grid.side; ++j) {
+            for (int i = 0; i < grid.side; ++i) {
+                const std::size_t k = grid.index(i, j);
+                const float dy2 = contact::dy2Of(j, head);
+                const float beneath =
+                    -contact::valueOver<contact::Side::Beneath>(tooth.tooth().bottom[k], i, dy2, head);
+                lowest = std::min(lowest, beneath);
+                const float above = contact::valueOver<contact::Side::Above>(tooth.tooth().top[k], i, dy2, head);
+                if (!tooth.tooth().isSolid(k) || above <= beneath)
+                    continue;
+                if (2.0F * static_cast<float>(z) >= above + beneath)
+                    floor = std::max(floor, above);
+                else
+                    roof = std::min(roof, beneath);
+            }
+        }
+        const contact::Room room = tooth.roomAt(p, z);
+        if (floor <= roof) {
+            QCOMPARE(room.floorMm, static_cast<double>(floor));
+            QCOMPARE(room.roofMm, static_cast<double>(roof));
+        } else {
+            QVERIFY(room.floorMm > room.roofMm);
+        }
+        const contact::Room least{z + 0.1, z - 0.1};
+        const contact::Room enough = tooth.roomAt(p, z, least);
+        const bool fits =
+            floor <= roof && static_cast<double>(floor) <= least.floorMm && static_cast<double>(roof) >= least.roofMm;
+        QCOMPARE(enough.floorMm <= enough.roofMm && enough.floorMm <= least.floorMm && enough.roofMm >= least.roofMm,
+                 fits);
+        if (std::abs(lowest) < drilling::BurMask::kAbsent / 2.0F)
+            QCOMPARE(tooth.undersideAt(p), static_cast<double>(lowest));
     }
 }
 
