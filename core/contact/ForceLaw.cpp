@@ -18,11 +18,11 @@ constexpr double kGoneS =
     0.006;  ///< and from far away it comes as by a first-order lag: no hand is dragged through air
 constexpr double kBrakeNSPerMm = 0.03;
 
-/// Up to this stiffness dry friction and the damper hold the spring, with every hand and up to 2 ms of delay. What a
-/// stiffer one feeds by sampling and delay grows beyond them in proportion, and so does the damper it gets; but not so
-/// far that it would stop the Falcon's 0.25 kg faster than the force arrives, in 1.7 ms.
-constexpr double kGentleNPerMm = 2.5;
-constexpr double kMostPrompt = 5.0;
+/// Up to this stiffness, as much as makers of the Falcon's drivers allow, the damper above does with the device's dry
+/// friction. What a stiffer spring feeds by sampling and delay grows beyond them in proportion, and so does the damper
+/// it gets; but not so far that it would stop the Falcon's 0.25 kg faster than any force arrives, in 1.4 ms.
+constexpr double kGentleNPerMm = 3.0;
+constexpr double kMostPrompt = 6.0;
 
 double lengthOf(const glm::dvec3& v)
 {

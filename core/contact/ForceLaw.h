@@ -17,7 +17,7 @@ struct ForceSettings
     /// sampling and delay feed, and where every count of the encoders would be felt through more.
     double dampingNSPerM = 3.0;
     /// What the damper has more for motion much faster than ForceLaw::kFastMmPerS, which dry friction does not hold
-    /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large). For a spring stiffer than 2.5 N/mm
+    /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large). For a spring stiffer than 3 N/mm
     /// so much more, as often as it is stiffer, on a pace that is known sooner.
     double fastDampingNSPerM = 30.0;
     double brakeN = 0.5;        ///< most that passivity control takes out of fast motion; 0 is none
@@ -29,7 +29,7 @@ struct ForceSettings
     /// (WorkArea).
     double workAreaMm = 0.0;
     double vibrationN = 0.0;  ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
-    /// Fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3). A spring stiffer than 2.5
+    /// Fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3). A spring stiffer than 3
     /// N/mm may change its force faster in proportion: it is the pace of the hand that is limited.
     double slewNPerS = 2000.0;
     bool operator==(const ForceSettings&) const = default;
