@@ -17,11 +17,12 @@ constexpr double kSlipShare = 2.0;
 constexpr double kGoneS =
     0.006;  ///< and from far away it comes as by a first-order lag: no hand is dragged through air
 constexpr double kBrakeNSPerMm = 0.03;
+constexpr double kPaceGrowth = 1.5;  ///< most in a tick; even an impact is known by its second one
 
-/// Up to this stiffness, as much as makers of the Falcon's drivers allow, the damper above does with the device's dry
-/// friction. What a stiffer spring feeds by sampling and delay grows beyond them in proportion, and so does the damper
-/// it gets; but not so far that it would stop the Falcon's 0.25 kg faster than any force arrives, in 1.4 ms.
-constexpr double kGentleNPerMm = 3.0;
+/// Up to this stiffness the damper above does with the device's dry friction. What a stiffer spring feeds by sampling
+/// and delay grows beyond them in proportion, and so does the damper it gets; but not so far that it would stop the
+/// Falcon's 0.25 kg faster than any force arrives, in 1.4 ms.
+constexpr double kGentleNPerMm = 2.5;
 constexpr double kMostPrompt = 6.0;
 
 double lengthOf(const glm::dvec3& v)
@@ -86,6 +87,15 @@ glm::dvec3 ForceLaw::handsPace() const noexcept
     if (!(glm::dot(stretching, moving) < 0.0))
         return glm::dvec3(0.0);
     return shortened(stretching, lengthOf(moving));
+}
+
+/// What of handsPace() is more than the start of something: an anchor that hangs on an edge for a tick, while the hand
+/// goes on, would be damped as hard as a wall is.
+glm::dvec3 ForceLaw::lastingPace() noexcept
+{
+    const double most = kPaceGrowth * lengthOf(m_pace);
+    m_pace = handsPace();
+    return shortened(m_pace, most);
 }
 
 /// The damper's force, N.
@@ -163,7 +173,7 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
 
     glm::dvec3 wanted{0.0};
     if (touches) {
-        const glm::dvec3 pace = handsPace();
+        const glm::dvec3 pace = lastingPace();
         const glm::dvec3 normal = (m_held - device) / depth;
         wanted = stretch * stiffness + damper(pace) + promptDamper(normal, seconds);
         const glm::dvec3 gain =
@@ -175,6 +185,7 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
         wanted *= gain;
     } else {
         m_takenMj = 0.0;
+        m_pace = glm::dvec3(0.0);
     }
     m_begins = false;
     m_touched = touches;
@@ -194,6 +205,7 @@ void ForceLaw::restart() noexcept
 {
     m_forceN = glm::dvec3(0.0);
     m_takenMj = 0.0;
+    m_pace = glm::dvec3(0.0);
     m_return = 1.0;
     m_begins = true;
     m_touched = false;

@@ -29,7 +29,7 @@ struct ForceSettings
     /// (WorkArea).
     double workAreaMm = 0.0;
     double vibrationN = 0.0;  ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
-    /// Fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3). A spring stiffer than 3
+    /// Fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3). A spring stiffer than 2.5
     /// N/mm may change its force faster in proportion: it is the pace of the hand that is limited.
     double slewNPerS = 2000.0;
     bool operator==(const ForceSettings&) const = default;
@@ -69,6 +69,7 @@ public:
 private:
     void follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept;
     [[nodiscard]] glm::dvec3 handsPace() const noexcept;
+    [[nodiscard]] glm::dvec3 lastingPace() noexcept;
     [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace) const noexcept;
     [[nodiscard]] glm::dvec3 promptDamper(const glm::dvec3& normal, double seconds) const noexcept;
     [[nodiscard]] double timesStiff() const noexcept;
@@ -84,6 +85,7 @@ private:
     glm::dvec3 m_device{0.0};
     PaceMeter m_stretching;
     PaceMeter m_moving;      ///< of the device
+    glm::dvec3 m_pace{0.0};  ///< handsPace() of the last tick
     double m_takenMj = 0.0;  ///< what the hand has put into the spring and not yet got back
     double m_share = 1.0;
     double m_return = 1.0;  ///< 0 after drop(), rising to 1

@@ -64,6 +64,7 @@ private slots:
     void stiffSpringIsDampedStraightIn();
     void groundThatVanishesIsFeltOverMilliseconds();
     void anAnchorThatSlipsIsNoMotionToBeDamped();
+    void anAnchorThatHangsForATickIsNoWall();
     void airAfterALossDoesNotEndTheRamp();
 
     void paceOfCountsIsSteady();
@@ -148,10 +149,10 @@ void TestForce::fastHandIsDampedMoreThanASlowOne()
 
 void TestForce::stiffSpringIsDampedStraightIn()
 {
-    // Of 9 N/mm, 0.4 mm inside: what a hand of 100 mm/s is pushed back with beyond spring and friction, N.
+    // Of 7.5 N/mm, 0.4 mm inside: what a hand of 100 mm/s is pushed back with beyond spring and friction, N.
     const auto beyond = [](const glm::dvec3& mmPerS) {
         contact::ForceSettings settings;
-        settings.stiffnessNPerMm = 9.0;
+        settings.stiffnessNPerMm = 7.5;
         settings.dampingNSPerM = 0.0;
         settings.brakeN = 0.0;
         settings.friction = 0.0;
@@ -162,16 +163,16 @@ void TestForce::stiffSpringIsDampedStraightIn()
             const glm::dvec3 at = glm::dvec3(0.0, 0.0, -0.4) + mmPerS * (kTickS * n);
             force = law.update(at, {at.x, at.y, std::max(0.0, at.z)}, kTickS);
         }
-        return force.z - 9.0 * 0.4;
+        return force.z - 7.5 * 0.4;
     };
-    // Three times as stiff as 3 N/mm: twice 30 N s/m more, and a third of it on the pace that is known late.
+    // Three times as stiff as 2.5 N/mm: twice 30 N s/m more, and a third of it on the pace that is known late.
     const double in = beyond({0.0, 0.0, -100.0});
     QVERIFY2(in > 6.0 && in < 7.5, qPrintable(QString::number(in)));
     const double along = beyond({100.0, 0.0, 0.0});
     QVERIFY2(std::abs(along) < 1.0e-6, qPrintable(QString::number(along)));
     // What leaves is not held back: the damper takes from the spring, and no more than there is.
     const double out = beyond({0.0, 0.0, 40.0});
-    QVERIFY2(out < 0.0 && out >= -3.6, qPrintable(QString::number(out)));
+    QVERIFY2(out < 0.0 && out >= -3.0, qPrintable(QString::number(out)));
 }
 
 void TestForce::groundThatVanishesIsFeltOverMilliseconds()
@@ -203,6 +204,21 @@ void TestForce::anAnchorThatSlipsIsNoMotionToBeDamped()
     for (double x = -0.22; x < 0.0; x += 0.08) {
         const glm::dvec3 now = law.update(hand, {x, 0.0, 0.05}, kTickS);
         QVERIFY2(length(now - force) < 0.3, qPrintable(QString::number(length(now - force))));
+        force = now;
+    }
+}
+
+void TestForce::anAnchorThatHangsForATickIsNoWall()
+{
+    // Brushed at 120 mm/s over ground with an edge on which the anchor hangs for a tick: no click.
+    contact::ForceLaw law({});
+    glm::dvec3 force(0.0);
+    for (int n = 0; n < 200; ++n) {
+        const double x = 0.12 * n;
+        const double hangs = n == 150 ? 0.12 : 0.02;
+        const glm::dvec3 now = law.update({x, 0.0, -0.25}, {x - hangs, 0.0, 0.0}, kTickS);
+        if (n > 100)
+            QVERIFY2(length(now - force) < 0.4, qPrintable(QString("%1: %2 N").arg(n).arg(length(now - force))));
         force = now;
     }
 }
