@@ -16,9 +16,9 @@ namespace lab {
 /// that holds a light hand (stiffnessLimit(), 0 / 1 / 2 / 4 ms of delay, N/mm), and what trembles in the hand when a
 /// spring of 2 N/mm is leaned on slowly (rms from 20 to 300 Hz in scene "push", medium hand, 1 ms, N):
 ///
-///     c, N s/m     0                5                      10                     20
-///     stiffest     3.9 1.7 1.0 0.6  9.8 8.8 2.9 1.6        12 8.1 7.5 2.7         18 10 7.1 5.0
-///     tremble      0.025            0.053                  0.090                  0.185
+///     c, N s/m     0                5                      10                     20                 30
+///     stiffest     3.9 1.7 1.0 0.6  9.8 8.8 2.9 1.6        12 8.1 7.5 2.7         18 10 7.1 5.0      20 12 8.7 5.2
+///     tremble      0.025            0.053                  0.090                  0.185              0.285
 ///
 /// for a backward difference makes a pulse of every encoder count. 4 N s/m is the most that stays below what is felt,
 /// 0.05 N; clamped at 0.5 or at 2 N makes no difference then. A filter of 500 N/s takes up to half of the stiffness at

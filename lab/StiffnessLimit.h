@@ -18,7 +18,7 @@ struct ClosedLoop
 };
 
 inline constexpr double kSoftestNPerMm = 0.1;
-inline constexpr double kStiffestNPerMm = 20.0;
+inline constexpr double kStiffestNPerMm = 40.0;
 
 /// K_max: up to which stiffness of the force law, N/mm, whatever the settings say, the loop comes to rest on a flat
 /// tooth; to 2 %, by steps of a fifth and then by bisection. kStiffestNPerMm if even that holds, 0 if kSoftestNPerMm

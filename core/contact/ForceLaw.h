@@ -17,7 +17,8 @@ struct ForceSettings
     /// sampling and delay feed, and where every count of the encoders would be felt through more.
     double dampingNSPerM = 3.0;
     /// What the damper has more for motion much faster than ForceLaw::kFastMmPerS, which dry friction does not hold
-    /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large).
+    /// (haptics.md 2.1, Diolaiti 2006: stable in the small, diverging in the large). For a spring stiffer than 3 N/mm
+    /// so much more, as often as it is stiffer, on a pace that is known sooner.
     double fastDampingNSPerM = 30.0;
     double brakeN = 0.5;    ///< most that passivity control takes out of fast motion; 0 is none
     double friction = 0.1;  ///< Coulomb coefficient of the bur sliding on the tooth
@@ -31,8 +32,10 @@ struct ForceSettings
     /// Radius of the ball about the tooth's origin that the device moves in, mm; 0: it has no end, as a mouse has none
     /// (WorkArea).
     double workAreaMm = 0.0;
-    double vibrationN = 0.0;    ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
-    double slewNPerS = 2000.0;  ///< fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3)
+    double vibrationN = 0.0;  ///< rms of what a bur that runs free is felt by (BurVibration); 0: nothing
+    /// Fastest change of force; below 1000 the filter itself destabilises (haptics.md 2.3). A spring stiffer than 2.5
+    /// N/mm may change its force faster in proportion: it is the pace of the hand that is limited.
+    double slewNPerS = 2000.0;
     bool operator==(const ForceSettings&) const = default;
 };
 
@@ -70,7 +73,10 @@ public:
 private:
     void follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept;
     [[nodiscard]] glm::dvec3 handsPace() const noexcept;
+    [[nodiscard]] glm::dvec3 lastingPace() noexcept;
     [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace) const noexcept;
+    [[nodiscard]] glm::dvec3 promptDamper(const glm::dvec3& normal, double seconds) const noexcept;
+    [[nodiscard]] double timesStiff() const noexcept;
     [[nodiscard]] glm::dvec3 brake(const glm::dvec3& pace, double springMj, double seconds) noexcept;
 
     ForceSettings m_settings;
@@ -83,6 +89,7 @@ private:
     glm::dvec3 m_device{0.0};
     PaceMeter m_stretching;
     PaceMeter m_moving;      ///< of the device
+    glm::dvec3 m_pace{0.0};  ///< handsPace() of the last tick
     double m_takenMj = 0.0;  ///< what the hand has put into the spring and not yet got back
     double m_share = 1.0;
     double m_return = 1.0;  ///< 0 after drop(), rising to 1

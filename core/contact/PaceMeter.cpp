@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/PaceMeter.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <glm/common.hpp>
 
 namespace core::contact {
@@ -16,6 +19,9 @@ constexpr auto kShares = [] {
         shares[n] = 1.0 / static_cast<double>(n);
     return shares;
 }();
+/// By which the reading moves at most along an axis if one arm goes on by one count, up to 20 mm from the middle.
+constexpr double kArmCountMm = 0.045;
+constexpr double kProvenS = 0.003;
 constexpr double kCornerRadPerS = 2.0 * 3.14159265358979 * 240.0;
 
 }  // namespace
@@ -55,6 +61,26 @@ void PaceMeter::add(const glm::dvec3& placeMm, double seconds) noexcept
         return;
     const double share = kCornerRadPerS * seconds / (1.0 + kCornerRadPerS * seconds);
     m_mmPerS += (perTick() / seconds - m_mmPerS) * share;
+}
+
+glm::dvec3 PaceMeter::provenMmPerS(double seconds) const noexcept
+{
+    glm::dvec3 proven(0.0);
+    if (!(seconds > 0.0))
+        return proven;
+    const auto longest = static_cast<std::size_t>(std::clamp(kProvenS / seconds + 0.5, 1.0, kWindow - 1.0));
+    for (std::size_t n = 1; n <= longest; ++n) {
+        const glm::dvec3 way = ago(0) - ago(n);
+        for (int axis = 0; axis < 3; ++axis) {
+            // All of a long way counts, and none of one that is a count (a garrote).
+            const double length = std::abs(way[axis]);
+            const double sure = length > kArmCountMm ? length - kArmCountMm * kArmCountMm / length : 0.0;
+            const double mmPerS = sure / (static_cast<double>(n) * seconds);
+            if (mmPerS > std::abs(proven[axis]))
+                proven[axis] = std::copysign(mmPerS, way[axis]);
+        }
+    }
+    return proven;
 }
 
 }  // namespace core::contact

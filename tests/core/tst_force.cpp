@@ -62,14 +62,18 @@ private slots:
     void settingsHaveLimits();
     void restingHandFeelsTheSpringAlone();
     void fastHandIsDampedMoreThanASlowOne();
+    void stiffSpringIsDampedStraightIn();
     void groundThatVanishesIsFeltOverMilliseconds();
     void anAnchorThatSlipsIsNoMotionToBeDamped();
     void armsAreWeakerSideways();
     void unequalGainsMakeEnergyOnASlope();
+    void anAnchorThatHangsForATickIsNoWall();
     void airAfterALossDoesNotEndTheRamp();
 
     void paceOfCountsIsSteady();
     void paceOfAFastHandIsKnownAtOnce();
+    void provenPaceIsKnownSooner();
+    void restAndCreepProveNoPace();
 
     void wallGrowsBeyondTheWorkArea();
     void mouseHasNoWall();
@@ -145,6 +149,34 @@ void TestForce::fastHandIsDampedMoreThanASlowOne()
     const double fast = damping(300.0);
     QVERIFY2(slow > 2.9 && slow < 4.0, qPrintable(QString::number(slow)));
     QVERIFY2(fast > 28.0 && fast < 34.0, qPrintable(QString::number(fast)));
+}
+
+void TestForce::stiffSpringIsDampedStraightIn()
+{
+    // Of 7.5 N/mm, 0.4 mm inside: what a hand of 100 mm/s is pushed back with beyond spring and friction, N.
+    const auto beyond = [](const glm::dvec3& mmPerS) {
+        contact::ForceSettings settings;
+        settings.stiffnessNPerMm = 7.5;
+        settings.dampingNSPerM = 0.0;
+        settings.brakeN = 0.0;
+        settings.friction = 0.0;
+        settings.clampN = 20.0;
+        contact::ForceLaw law(settings);
+        glm::dvec3 force(0.0);
+        for (int n = -100; n <= 0; ++n) {
+            const glm::dvec3 at = glm::dvec3(0.0, 0.0, -0.4) + mmPerS * (kTickS * n);
+            force = law.update(at, {at.x, at.y, std::max(0.0, at.z)}, kTickS);
+        }
+        return force.z - 7.5 * 0.4;
+    };
+    // Three times as stiff as 2.5 N/mm: twice 30 N s/m more, and a third of it on the pace that is known late.
+    const double in = beyond({0.0, 0.0, -100.0});
+    QVERIFY2(in > 6.0 && in < 7.5, qPrintable(QString::number(in)));
+    const double along = beyond({100.0, 0.0, 0.0});
+    QVERIFY2(std::abs(along) < 1.0e-6, qPrintable(QString::number(along)));
+    // What leaves is not held back: the damper takes from the spring, and no more than there is.
+    const double out = beyond({0.0, 0.0, 40.0});
+    QVERIFY2(out < 0.0 && out >= -3.0, qPrintable(QString::number(out)));
 }
 
 void TestForce::groundThatVanishesIsFeltOverMilliseconds()
@@ -227,6 +259,21 @@ void TestForce::unequalGainsMakeEnergyOnASlope()
     QVERIFY2(given(0.5, 1.0) > 0.05, qPrintable(QString::number(given(0.5, 1.0))));
 }
 
+void TestForce::anAnchorThatHangsForATickIsNoWall()
+{
+    // Brushed at 120 mm/s over ground with an edge on which the anchor hangs for a tick: no click.
+    contact::ForceLaw law({});
+    glm::dvec3 force(0.0);
+    for (int n = 0; n < 200; ++n) {
+        const double x = 0.12 * n;
+        const double hangs = n == 150 ? 0.12 : 0.02;
+        const glm::dvec3 now = law.update({x, 0.0, -0.25}, {x - hangs, 0.0, 0.0}, kTickS);
+        if (n > 100)
+            QVERIFY2(length(now - force) < 0.4, qPrintable(QString("%1: %2 N").arg(n).arg(length(now - force))));
+        force = now;
+    }
+}
+
 void TestForce::airAfterALossDoesNotEndTheRamp()
 {
     contact::ForceLaw law({});
@@ -270,6 +317,36 @@ void TestForce::paceOfAFastHandIsKnownAtOnce()
     for (int n = 1; n <= 5; ++n)
         meter.add({0.0, 0.0, counted(-0.3 * n)}, kTickS);
     QVERIFY2(std::abs(meter.mmPerS().z + 300.0) < 30.0, qPrintable(QString::number(meter.mmPerS().z)));
+}
+
+void TestForce::provenPaceIsKnownSooner()
+{
+    // A swing of 0.15 mm with 20 Hz, as a stiff wall makes it: by how much is either pace late?
+    constexpr double kRadPerS = 2.0 * 3.14159265358979 * 20.0;
+    contact::PaceMeter meter;
+    meter.restart(glm::dvec3(0.0));
+    glm::dvec2 late(0.0);  // in phase with the pace and a quarter behind
+    glm::dvec2 proven(0.0);
+    for (int n = 1; n <= 1000; ++n) {
+        const double turn = kRadPerS * kTickS * n;
+        meter.add({0.0, 0.0, counted(0.15 * std::sin(turn))}, kTickS);
+        late += meter.mmPerS().z * glm::dvec2(std::cos(turn), std::sin(turn));
+        proven += meter.provenMmPerS(kTickS).z * glm::dvec2(std::cos(turn), std::sin(turn));
+    }
+    const auto lateMs = [](const glm::dvec2& pace) { return 1000.0 * std::atan2(pace.y, pace.x) / kRadPerS; };
+    QVERIFY2(lateMs(late) > 4.0, qPrintable(QString::number(lateMs(late))));
+    QVERIFY2(lateMs(proven) < 2.0, qPrintable(QString::number(lateMs(proven))));
+}
+
+void TestForce::restAndCreepProveNoPace()
+{
+    // On the edge of a count of one arm, and at 5 mm/s: a backward difference says 45 mm/s.
+    contact::PaceMeter meter;
+    meter.restart(glm::dvec3(0.0));
+    for (int n = 0; n < 100; ++n) {
+        meter.add({0.045 * (n % 2), 0.0, 0.045 * std::floor(0.005 * n / 0.045)}, kTickS);
+        QVERIFY2(length(meter.provenMmPerS(kTickS)) < 1.0e-9, qPrintable(QString::number(n)));
+    }
 }
 
 void TestForce::wallGrowsBeyondTheWorkArea()
