@@ -28,7 +28,7 @@ struct Suite
 constexpr Suite kSuites[] = {
     {"volume", "volume of solids at grid 150 against closed form", bench::volumeSuite, 1.0},
     {"load", "time from a number or a mesh to a tooth that can be drilled", bench::loadSuite, 1.0},
-    {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite, 60.0},
+    {"tick", "thread CPU time of a servo tick, by method and grid", bench::tickSuite, 40.0},
     {"contact", "error of each contact method against exact positions", bench::contactSuite, 30.0},
     {"rate", "error and lag of each contact method against the rate of the servo", bench::rateSuite, 20.0},
     {"stiffness", "largest stable stiffness, by method, hand and delay", bench::stiffnessSuite, 20.0},
