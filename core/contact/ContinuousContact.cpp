@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/contact/HalfSpaces.h"
-#include "core/contact/RoofSearch.h"
+#include "core/contact/PatternSearch.h"
 
 namespace core::contact {
 namespace {
@@ -147,8 +147,7 @@ bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm:
 /// @param left    how far it may get in this tick, mm
 /// @param ground  touchAt() the anchor, and so again in the end
 /// @return false if it got nowhere because every place that it looked at was taken: on rugged ground the half-spaces
-/// may
-///         leave no way where there is one
+/// may leave no way where there is one
 bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, Touch& ground,
            glm::dvec3& anchor) noexcept
 {
@@ -314,7 +313,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_askedFrom = device;
     if (underRoof || inNotch) {
         const glm::dvec3 before = m_anchor;
-        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {inNotch, isStuck}, m_anchor);
+        searchAround(tooth, device, std::sqrt(glm::dot(moved, moved)), {inNotch, isStuck}, m_anchor);
         const bool isBehind = distance2(m_anchor, device) > kBehindMm * kBehindMm;
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
@@ -325,7 +324,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         isBlocked = !slide(tooth, edges, device, reach, ground, m_anchor);
     m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
     if (isBlocked && isStuck)
-        searchUnderRoof(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);
+        searchAround(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);
     else if (edges == Edges::Sides)
         m_known = {&tooth, tooth.revision(), glm::dvec2(m_anchor), ground};
     return m_anchor;

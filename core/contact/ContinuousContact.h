@@ -10,7 +10,7 @@ namespace core::contact {
 ///
 /// Above the tooth it slides on the tangent planes of what it meets, as a god-object does. No move is longer than half
 /// the bur's radius, and all that the tooth forbids the tip is wider than the radius to either side: it neither hops
-/// onto a wall nor through a ridge. Beneath an overhang and in a notch searchUnderRoof() takes over. So it does for
+/// onto a wall nor through a ridge. Beneath an overhang and in a notch searchAround() takes over. So it does for
 /// a bur that finds no way while the hand goes on. An anchor that is
 /// free stays where it is reached from: it is put on top of the tooth only if the tooth or the bur has changed.
 class ContinuousContact final : public ContactMethod

@@ -22,7 +22,7 @@ struct SearchLimits
 /// last move down to 1/32 cell; a step that would climb or sink more steeply than allowed is refused. Servo thread; no
 /// allocation.
 /// @param movedMm  how far the device moved in this tick
-void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const SearchLimits& limits,
-                     glm::dvec3& anchor) noexcept;
+void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const SearchLimits& limits,
+                  glm::dvec3& anchor) noexcept;
 
 }  // namespace core::contact

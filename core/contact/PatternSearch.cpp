@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/RoofSearch.h"
+#include "core/contact/PatternSearch.h"
 
 #include <algorithm>
 #include <array>
@@ -71,8 +71,8 @@ bool standAt(LiveTooth& tooth, glm::dvec2 at, const Step& step, double& z) noexc
 
 }  // namespace
 
-void searchUnderRoof(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const SearchLimits& limits,
-                     glm::dvec3& anchor) noexcept
+void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, const SearchLimits& limits,
+                  glm::dvec3& anchor) noexcept
 {
     const double cell = tooth.grid().cellMm;
     // Begin with a step of about what the hand did, so that an anchor at rest costs only the finest levels. One that is
