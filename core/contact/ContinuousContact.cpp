@@ -35,7 +35,6 @@ constexpr int kHalvings = 10;           ///< in looking for the place where the 
 constexpr double kGrazedMm = 0.005;     ///< depth in an upright side that is put right and no more
 constexpr double kStrayedCells = 1.0;   ///< the same where nothing is cut: so far behind a side its columns may stand
 constexpr double kShorterShare = 0.25;  ///< of a way that led nowhere, so far is looked next
-constexpr double kLeastShare = 0.05;    ///< of a tick's way, and no nearer
 constexpr int kCornerLooks = 4;         ///< at nearer and nearer places, for what stops the bur at a corner
 constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
 constexpr double kCornerMm = 0.002;     ///< what stands behind a side by less stands before it
@@ -318,10 +317,10 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
     }
-    bool isBlocked = true;
-    // Far inside the tooth nothing is learnt of the way along it.
-    for (double reach = left; isBlocked && reach > kLeastShare * left; reach *= kShorterShare)
-        isBlocked = !slide(tooth, edges, device, reach, ground, m_anchor);
+    // Far inside the tooth nothing is learnt of the way along it, and too near one does not see over an edge: by turns.
+    if (m_blockedTicks % 2 == 1)
+        left *= kShorterShare;
+    const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);
     m_blockedTicks = isBlocked ? m_blockedTicks + 1 : 0;
     if (isBlocked && isStuck)
         searchAround(tooth, device, std::sqrt(glm::dot(moved, moved)), {false, true, kStuckClimb}, m_anchor);
