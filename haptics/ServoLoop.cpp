@@ -19,8 +19,9 @@ constexpr std::size_t kMostEventsPerCommand = 4;
 /// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does (haptics.md 2.2: the
 /// limit falls as one over the delay).
 constexpr float kHeldDelayS = 0.002F;
-/// How fast a delay is forgotten, seconds a tick: in two seconds the two milliseconds of a spike.
-constexpr float kForgottenS = 1.0e-6F;
+/// A device later than this has been lost; it says nothing of the spring that holds once it is back.
+constexpr float kLongestDelayS = 0.02F;
+constexpr double kForgottenS = 1.0;  ///< over which a delay is forgotten
 constexpr std::uint64_t kSpringStepPercent = 5;
 
 }  // namespace
@@ -93,10 +94,14 @@ void ServoLoop::apply(const BringHome&) noexcept
     record({ServoEvent::Kind::Home, 0, glm::vec3(0.0F), 0});
 }
 
-/// Softens the spring at once when the device answers late, and stiffens it by and by when it answers in time again.
-void ServoLoop::watchDelay(float delayS) noexcept
+/// Softens the spring within ticks when the device answers late, and stiffens it by and by when it answers in time
+/// again. One late answer among good ones is no slower loop: what counts is what the last few all were.
+void ServoLoop::watchDelay(float delayS, double seconds) noexcept
 {
-    m_delayS = std::max(delayS, m_delayS - kForgottenS);
+    m_lateS[m_nextLate++ % m_lateS.size()] = delayS >= 0.0F ? std::min(delayS, kLongestDelayS) : 0.0F;
+    const float now = *std::min_element(m_lateS.begin(), m_lateS.end());
+    const auto forgotten = static_cast<float>(std::min(1.0, seconds / kForgottenS));
+    m_delayS = std::max(now, m_delayS + (now - m_delayS) * forgotten);
     const float share = m_delayS > kHeldDelayS ? kHeldDelayS / m_delayS : 1.0F;
     const auto steps = static_cast<std::uint64_t>(share * 100.0F) / kSpringStepPercent;
     const std::uint64_t percent = std::max<std::uint64_t>(1, steps) * kSpringStepPercent;
@@ -119,7 +124,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
     const DeviceSample sample = m_device.exchange(m_tick->state().forceN);
     if (m_tick->tooth() != nullptr) {
-        watchDelay(sample.delayS);
+        watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/rt/Loop.h"
@@ -36,7 +37,7 @@ private:
     void apply(const core::session::SetBur& bur) noexcept;
     void apply(const core::session::SetDrill& drill) noexcept;
     void apply(const core::session::BringHome& home) noexcept;
-    void watchDelay(float delayS) noexcept;
+    void watchDelay(float delayS, double seconds) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
     void markDirty(const core::drilling::CutRect& rect) noexcept;
     void sendPatches() noexcept;
@@ -51,6 +52,8 @@ private:
     std::uint64_t m_serial = 0;
     std::uint64_t m_missedPeriods = 0;
     std::uint32_t m_health = 0;
+    std::array<float, 4> m_lateS{};  ///< what the device told last
+    std::size_t m_nextLate = 0;
     float m_delayS = 0.0F;  ///< longest of late
     std::uint64_t m_springPercent = 100;
 

@@ -107,11 +107,16 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
         const terrain::Grid& grid = tooth.grid();
         const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(anchor));
         const double fromZ = anchor.z;
-        for (int dj = -kNodesAround; dj <= kNodesAround; ++dj)
-            for (int di = -kNodesAround; di <= kNodesAround; ++di)
-                static_cast<void>(goTo(grid.nodeMm(static_cast<int>(std::floor(lattice.x + 0.5)) + di,
-                                                   static_cast<int>(std::floor(lattice.y + 0.5)) + dj),
-                                       fromZ, limits.steepest * cell));
+        const glm::dvec2 from(anchor);
+        const double farthest = 0.5 * static_cast<double>(tooth.mask().radiusMm);  // or it might hop through a wall
+        for (int dj = -kNodesAround; dj <= kNodesAround; ++dj) {
+            for (int di = -kNodesAround; di <= kNodesAround; ++di) {
+                const glm::dvec2 node = grid.nodeMm(static_cast<int>(std::floor(lattice.x + 0.5)) + di,
+                                                    static_cast<int>(std::floor(lattice.y + 0.5)) + dj);
+                if (glm::dot(node - from, node - from) <= farthest * farthest)
+                    static_cast<void>(goTo(node, fromZ, limits.steepest * cell));
+            }
+        }
         looks = 0;
     }
     std::size_t heading = 0;  // the direction that helped last is tried first

@@ -19,6 +19,8 @@ constexpr double kArrivedMm = 0.5;
 /// holds back.
 constexpr double kHeldBackShare = 0.95;
 
+constexpr double kSlewNPerS = 1000.0;  ///< fastest change of its force: a reading that leaps is no blow
+
 double lengthOf(const glm::dvec3& v)
 {
     return std::sqrt(glm::dot(v, v));
@@ -34,6 +36,7 @@ void WorkArea::drop() noexcept
     m_asked = false;
     m_leading = false;
     m_strength = 0.0;
+    m_forceN = glm::dvec3(0.0);
 }
 
 /// Moves the anchor on its way home; no farther ahead of the hand than the spring may pull.
@@ -96,7 +99,11 @@ glm::dvec3 WorkArea::update(const glm::dvec3& device, double seconds) noexcept
             pull *= kLeadN / newtons;
         force += (pull + m_gaining * kDamperNSPerMm) * m_strength;
     }
-    return force;
+    const glm::dvec3 change = force - m_forceN;
+    const double most = kSlewNPerS * seconds;
+    const double newtons = lengthOf(change);
+    m_forceN = newtons > most ? m_forceN + change * (most / newtons) : force;
+    return m_forceN;
 }
 
 }  // namespace core::contact

@@ -45,6 +45,7 @@ private:
     PaceMeter m_pace;
     glm::dvec3 m_anchor{0.0};
     glm::dvec3 m_gaining{0.0};  ///< its pace against the hand's, mm/s
+    glm::dvec3 m_forceN{0.0};
     double m_heldBackS = 0.0;
     double m_strength = 0.0;  ///< of the centring spring, 1 while it leads, then falling to 0
     double m_return = 0.0;    ///< of the wall, 0 after drop(), rising to 1

@@ -63,6 +63,35 @@ void lower(contact::LiveTooth& live, int i, int j, double base, terrain::PerMate
     live.lower(i, j, to);
 }
 
+/// Marks the cut columns of row j, from i0 on, beside which any stands higher by more than `rise`: only there may
+/// something be thin. For most columns of a cut this is all that is asked, so it is asked of many at a time.
+void markEdges(const terrain::Tooth& tooth, int j, int i0, int i1, float rise,
+               std::array<std::uint8_t, terrain::kMaxGridSide>& marks) noexcept
+{
+    const terrain::Grid& grid = tooth.grid();
+    const float* own = tooth.top.data() + grid.index(0, j);
+    const float* before = tooth.top.data() + grid.index(0, std::max(0, j - 1));
+    const float* behind = tooth.top.data() + grid.index(0, std::min(grid.side - 1, j + 1));
+    const float* uncut = tooth.anatomy->top.data() + grid.index(0, j);
+    const auto markFrom = [&](int from, int end, int left, int right) {
+        for (int i = from; i < end; ++i) {
+            const float rows[] = {before[i - left], before[i],        before[i + right], own[i - left],
+                                  own[i + right],   behind[i - left], behind[i],         behind[i + right]};
+            float highest = rows[0];
+            for (const float top : rows)
+                highest = top > highest ? top : highest;
+            marks[static_cast<std::size_t>(i)] =
+                static_cast<std::uint8_t>((own[i] < uncut[i] ? 1 : 0) & (highest - own[i] > rise ? 1 : 0));
+        }
+    };
+    const int last = grid.side - 1;
+    if (i0 == 0)
+        markFrom(0, 1, 0, 1);
+    markFrom(std::max(1, i0), std::min(last, i1 + 1), 1, 1);
+    if (i1 == last)
+        markFrom(last, last + 1, 1, 0);
+}
+
 }  // namespace
 
 terrain::PerMaterial breakOff(contact::LiveTooth& live, double slenderness, CutRect& changed) noexcept
@@ -70,10 +99,12 @@ terrain::PerMaterial breakOff(contact::LiveTooth& live, double slenderness, CutR
     const terrain::Tooth& tooth = live.tooth();
     terrain::PerMaterial broken{};
     const CutRect cut = changed;
+    const auto rise = static_cast<float>(slenderness * tooth.grid().cellMm);
+    std::array<std::uint8_t, terrain::kMaxGridSide> marks;
     for (int j = cut.j0; j <= cut.j1; ++j) {
+        markEdges(tooth, j, cut.i0, cut.i1, rise, marks);
         for (int i = cut.i0; i <= cut.i1; ++i) {
-            const std::size_t k = tooth.grid().index(i, j);
-            if (!(tooth.top[k] < tooth.anatomy->top[k]))
+            if (marks[static_cast<std::size_t>(i)] == 0)
                 continue;
             for (const Direction& towards : kDirections) {
                 double base = 0.0;
@@ -85,6 +116,8 @@ terrain::PerMaterial breakOff(contact::LiveTooth& live, double slenderness, CutR
                     changed = {std::min(changed.i0, atI), std::min(changed.j0, atJ), std::max(changed.i1, atI),
                                std::max(changed.j1, atJ)};
                 }
+                if (count > 0)  // it may have made another edge
+                    markEdges(tooth, j, i, cut.i1, rise, marks);
             }
         }
     }

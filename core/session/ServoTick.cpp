@@ -47,6 +47,12 @@ bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
     return false;
 }
 
+/// No hand moves faster, and none leaps so far in a tick: a reading that does is a bad one (a packet spoilt on its
+/// way). A few are passed over, as if the hand rested; if they go on, the device was lost and is back elsewhere.
+constexpr double kFastestMmPerS = 10'000.0;
+constexpr double kLeastLeapMm = 10.0;
+constexpr double kLeapsS = 0.01;
+
 bool isPlausible(const glm::vec3& device)
 {
     // False for NaN as well.
@@ -84,6 +90,9 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
     m_tooth->selectBur(m_state.burIndex);
     m_method->toothChanged();
     m_drill.rest();
+    // Ground that comes back under a bur comes back softly, and not at all while the bur is deep in it.
+    m_force.drop();
+    m_wasLost = true;
     if (anew) {
         const ServoState before = m_state;
         m_state = ServoState{};
@@ -115,15 +124,20 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.burRpm = m_state.drillOn ? m_drill.rpmUnder(0.0, 0.0) : 0.0;
     m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside | kLedHome);
     if (device == nullptr || !isPlausible(*device)) {
-        letGo();
-        m_drill.rest();
-        m_state.handpieceOnCrown = false;
-        m_state.health |= kDeviceLost;
-        m_wasLost = true;
+        lose();
         return;
     }
-    m_state.deviceMm = glm::dvec3(*device);
     const double seconds = static_cast<double>(dt.count()) * 1.0e-6;
+    if (leapt(glm::dvec3(*device), seconds)) {
+        m_leapsS += seconds;
+        if (m_leapsS > kLeapsS) {
+            lose();
+            return;
+        }
+    } else {
+        m_leapsS = 0.0;
+        m_state.deviceMm = glm::dvec3(*device);
+    }
     if (m_restart) {
         m_method->restart(m_state.deviceMm);
         m_restart = false;
@@ -187,6 +201,25 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     if (m_force.clamped())
         m_state.health |= kForceClamped;
     describe();
+}
+
+/// True if the hand cannot have come to a place from where it was last.
+bool ServoTick::leapt(const glm::dvec3& device, double seconds) const noexcept
+{
+    const glm::dvec3 way = device - m_state.deviceMm;
+    const double farthest = std::max(kLeastLeapMm, kFastestMmPerS * seconds);
+    return !m_restart && !m_wasLost && glm::dot(way, way) > farthest * farthest;
+}
+
+/// There is no device.
+void ServoTick::lose() noexcept
+{
+    letGo();
+    m_drill.rest();
+    m_state.handpieceOnCrown = false;
+    m_state.health |= kDeviceLost;
+    m_wasLost = true;
+    m_leapsS = 0.0;
 }
 
 /// No force at all, and nothing remembered that could make one.

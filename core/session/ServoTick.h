@@ -49,7 +49,8 @@ public:
 
     /// One tick. A tooth must be there.
     /// @param device  null: no reading this tick, the force is zero at once and nothing moves; a position that is not
-    ///                finite or more than a metre away counts as none
+    ///                finite or more than a metre away counts as none, and one that the hand cannot have come to is
+    ///                passed over for 10 ms
     void step(const glm::vec3* device, std::chrono::microseconds dt) noexcept;
 
     /// As of the last step. `tick` counts steps since the tooth was taken anew; links' fields are not filled here.
@@ -59,6 +60,8 @@ public:
     [[nodiscard]] const contact::LiveTooth* tooth() const noexcept { return m_tooth; }
 
 private:
+    void lose() noexcept;
+    [[nodiscard]] bool leapt(const glm::dvec3& device, double seconds) const noexcept;
     void letGo() noexcept;
     [[nodiscard]] glm::dvec3 around(const glm::dvec3& contactN, double seconds) noexcept;
     void describe() noexcept;
@@ -72,6 +75,7 @@ private:
     contact::LiveTooth* m_tooth = nullptr;
     ServoState m_state;
     drilling::CutRect m_changed;
+    double m_leapsS = 0.0;  ///< for so long every reading has leapt
     bool m_restart = true;
     bool m_wasLost = false;
     bool m_mayAct = false;  ///< the bur has been free since the tooth was taken anew

@@ -638,7 +638,7 @@ void TestContact::theFlanksOfAToothDoNotClick()
     const QString found = QStringLiteral("%1 of %2 ticks, %3 N").arg(clicks).arg(ticks).arg(worstN);
     // Where steep ground goes over into the upright rim a step of its columns is left, 1 tick in 100.
     QVERIFY2(clicks < ticks / 100, qPrintable(found));
-    QVERIFY2(worstN < 0.7, qPrintable(found));
+    QVERIFY2(worstN < 1.0, qPrintable(found));
 }
 
 void TestContact::theShoulderStopsBeneathAnOverhang()

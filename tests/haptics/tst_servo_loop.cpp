@@ -98,9 +98,14 @@ private slots:
     void tickNeitherAllocatesNorLocks();
     void lostDeviceMeansNoForceAtOnce_data();
     void lostDeviceMeansNoForceAtOnce();
+    void aReadingThatLeapsIsPassedOver();
+    void readingsThatStayElsewhereAreADeviceThatWasLost();
     void forceComesBackWithoutAJump();
     void aHandThatSankInWhileTheDeviceWasLostIsNotThrownOut();
     void aLateDeviceSoftensTheSpring();
+    void oneLateAnswerSoftensNothing();
+    void groundThatComesBackUnderABurComesSoftly_data();
+    void groundThatComesBackUnderABurComesSoftly();
     void handIsLedHomeOnRequest();
     void forceNeverPassesTheClamp();
     void forceChangesNoFasterThanAllowed();
@@ -223,6 +228,59 @@ void TestServoLoop::lostDeviceMeansNoForceAtOnce()
     QVERIFY((bare.state.latest().health & kDeviceLost) == 0);
 }
 
+void TestServoLoop::aReadingThatLeapsIsPassedOver()
+{
+    ServoSettings falcon;
+    haptics::falcon::addFalconFeel(falcon.force);
+    falcon.force.vibrationN = 0.0;
+    for (const float aside : {20.0F, 60.0F, 900.0F}) {
+        for (const double deep : {0.2, 0.0}) {  // in the tooth, and in the air
+            Bare bare(falcon);
+            bare.give(block(), 1);
+            bare.device.tipMm = {0.0F, 0.0F, 3.0F};
+            bare.servo.tick(1ms);
+            for (int n = 0; n < 300; ++n) {
+                if (deep > 0.0)
+                    bare.lean(0.0, 0.0, deep);
+                else
+                    bare.servo.tick(1ms);
+            }
+            const glm::dvec3 before = bare.servo.state().forceN;
+            for (int n = 0; n < 100; ++n) {
+                bare.device.tipMm.x = n == 0 || n == 5 ? aside : 0.0F;
+                bare.servo.tick(1ms);
+                const glm::dvec3 change = bare.servo.state().forceN - before;
+                QVERIFY2(length(change) < 0.05, qPrintable(QString("%1 mm, %6 deep, tick %2: %3 N, before %4 now %5")
+                                                               .arg(aside)
+                                                               .arg(n)
+                                                               .arg(length(change))
+                                                               .arg(before.z)
+                                                               .arg(bare.servo.state().forceN.z)
+                                                               .arg(deep)));
+                QCOMPARE(bare.state.latest().health & (kDeviceLost | kLedHome), 0U);
+            }
+        }
+    }
+}
+
+void TestServoLoop::readingsThatStayElsewhereAreADeviceThatWasLost()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    bare.servo.tick(1ms);
+    for (int n = 0; n < 200; ++n)
+        bare.lean(0.0, 0.0, 0.5);
+    bare.device.tipMm.x += 15.0F;
+    bool wasLost = false;
+    for (int n = 0; n < 20; ++n) {
+        bare.servo.tick(1ms);
+        wasLost = wasLost || (bare.servo.state().health & kDeviceLost) != 0;
+    }
+    QVERIFY(wasLost);
+    QCOMPARE(bare.servo.state().deviceMm.x, static_cast<double>(bare.device.tipMm.x));
+    QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
+}
+
 void TestServoLoop::forceComesBackWithoutAJump()
 {
     Bare bare;
@@ -306,6 +364,78 @@ void TestServoLoop::aLateDeviceSoftensTheSpring()
     }
     QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
     QVERIFY(std::abs(restForce() / prompt - 1.0) < 0.01);
+}
+
+void TestServoLoop::oneLateAnswerSoftensNothing()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    bare.servo.tick(1ms);
+    for (int n = 0; n < 400; ++n)
+        bare.lean(0.0, 0.0, 0.5);
+    const double prompt = length(bare.servo.state().forceN);
+    for (const float delayS : {0.003F, 0.02F, 0.1F, INFINITY, std::nanf("")}) {
+        bare.device.delayS = delayS;
+        bare.lean(0.0, 0.0, 0.5);
+        bare.device.delayS = 0.0F;
+        for (int n = 0; n < 10; ++n) {
+            bare.lean(0.0, 0.0, 0.5);
+            QVERIFY(std::abs(length(bare.servo.state().forceN) / prompt - 1.0) < 0.01);
+        }
+    }
+    // Ten in a row are a loop that has stalled. Two seconds later that is over.
+    bare.device.delayS = 0.1F;
+    for (int n = 0; n < 10; ++n)
+        bare.lean(0.0, 0.0, 0.5);
+    QVERIFY((bare.state.latest().health & kLoopIsSlow) != 0);
+    bare.device.delayS = 0.0F;
+    for (int n = 0; n < 3000; ++n) {
+        bare.drainEvents();
+        bare.lean(0.0, 0.0, 0.5);
+    }
+    QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
+}
+
+void TestServoLoop::groundThatComesBackUnderABurComesSoftly_data()
+{
+    QTest::addColumn<double>("deepMm");
+    QTest::newRow("0.5 mm") << 0.5;
+    QTest::newRow("3 mm") << 3.0;
+}
+
+void TestServoLoop::groundThatComesBackUnderABurComesSoftly()
+{
+    QFETCH(double, deepMm);
+    Bare bare;
+    const auto anatomy = block();
+    contact::LiveTooth* hole = new contact::LiveTooth(terrain::Tooth(anatomy));
+    for (int j = 0; j < anatomy->grid.side; ++j)
+        for (int i = 0; i < anatomy->grid.side; ++i)
+            if (glm::length(anatomy->grid.nodeMm(i, j)) < 1.0)
+                hole->lower(i, j, anatomy->top[anatomy->grid.index(i, j)] - static_cast<float>(deepMm));
+    const double top = contact::LiveTooth(terrain::Tooth(anatomy)).clearanceAt({0.0, 0.0});
+    QVERIFY(bare.links->commands.tryPush(SwapTooth{hole, 1, 1, true, 0}));
+    bare.device.tipMm = {0.0F, 0.0F, static_cast<float>(top) + 1.0F};
+    bare.servo.tick(1ms);
+    bare.device.tipMm.z = static_cast<float>(top - deepMm + 0.05);
+    for (int n = 0; n < 300; ++n)
+        bare.servo.tick(1ms);
+    QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
+    QVERIFY(bare.links->commands.tryPush(
+        SwapTooth{new contact::LiveTooth(terrain::Tooth(anatomy)), 1, 2, false, 0}));  // as Undo does
+    for (int n = 0; n < 20; ++n) {
+        bare.servo.tick(1ms);
+        QVERIFY2(length(bare.servo.state().forceN) < 0.2,
+                 qPrintable(QString("tick %1: %2 N").arg(n).arg(length(bare.servo.state().forceN))));
+    }
+    for (int n = 0; n < 300; ++n)
+        bare.servo.tick(1ms);
+    if (deepMm > 1.0) {
+        QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
+        QVERIFY((bare.servo.state().health & kBegunInside) != 0);
+    } else {
+        QVERIFY(length(bare.servo.state().forceN) > 0.8);
+    }
 }
 
 void TestServoLoop::handIsLedHomeOnRequest()
