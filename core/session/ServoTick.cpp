@@ -17,6 +17,9 @@ constexpr double kTouchMm = 1.0e-6;
 /// A device that comes back deeper in the tooth than this must be lifted out before it feels a force again.
 constexpr double kSunkMm = 1.0;
 
+/// Ground that another tooth puts higher under the bur by more than this has come back.
+constexpr double kComesBackMm = 0.05;
+
 /// No hand is farther from the tooth: such a reading is as bad as none.
 constexpr float kFarthestMm = 1000.0F;
 
@@ -90,9 +93,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
     m_tooth->selectBur(m_state.burIndex);
     m_method->toothChanged();
     m_drill.rest();
-    // Ground that comes back under a bur comes back softly, and not at all while the bur is deep in it.
-    m_force.drop();
-    m_wasLost = true;
+    m_wasSwapped = true;
     if (anew) {
         const ServoState before = m_state;
         m_state = ServoState{};
@@ -147,11 +148,17 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     glm::dvec3 reached = m_state.deviceMm;
     m_state.handpieceOnCrown = reached.z < m_tooth->floorMm();
     reached.z = std::max(reached.z, m_tooth->floorMm());
+    const double before = glm::length(m_state.anchorMm - reached);
     m_state.anchorMm = m_method->update(*m_tooth, reached);
+    const double stretchMm = glm::length(m_state.anchorMm - reached);
+    const bool hasComeBack = m_wasSwapped && stretchMm > before + kComesBackMm;
+    if (hasComeBack)  // ground that comes back under a bur, as by Undo, comes softly
+        m_force.drop();
     // A hand that has sunk in while nothing held it is not thrown out.
-    if (m_wasLost && glm::dot(m_state.anchorMm - reached, m_state.anchorMm - reached) > kSunkMm * kSunkMm)
+    if ((m_wasLost || hasComeBack) && stretchMm > kSunkMm)
         m_mayAct = false;
     m_wasLost = false;
+    m_wasSwapped = false;
     // A bur that begins inside a tooth neither pushes nor cuts until it has been out.
     if (!m_mayAct) {
         const glm::dvec2 over(reached);

@@ -458,6 +458,7 @@ void TestServoLoop::handIsLedHomeOnRequest()
         QCOMPARE(told, 1);  // a replay must know
         if (settings.force.workAreaMm > 0.0) {
             QVERIFY(bare.servo.state().forceN.x < -0.1);
+            QVERIFY((bare.state.latest().health & kLedHome) != 0);
             bare.device.present = false;
             bare.servo.tick(1ms);
             bare.device.present = true;
