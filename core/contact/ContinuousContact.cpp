@@ -158,7 +158,9 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
     double best = distance2(anchor, device);
     bool metSide = false;
     bool hasMoved = false;
-    int most = kMaxSlides;
+    // A hand that goes far in a tick, at a slow rate, is followed by more moves.
+    const int more = static_cast<int>(left / (kSlipShare * longest));
+    int most = kMaxSlides + more;
     for (int looks = 0; looks < most; ++looks) {
         glm::dvec3 next{0.0};
         if (!planes.nearest(device, next))
@@ -197,7 +199,7 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
             planes.add(planeBetween(tooth.mask(), anchor, next, touch));
             if (touch.isSide()) {
                 metSide = true;
-                most = kMaxSideSlides;
+                most = kMaxSideSlides + more;
             }
             continue;
         }
