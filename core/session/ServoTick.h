@@ -79,7 +79,7 @@ private:
     bool m_restart = true;
     bool m_wasLost = false;
     bool m_wasSwapped = false;  ///< another tooth since the last step
-    bool m_mayAct = false;  ///< the bur has been free since the tooth was taken anew
+    bool m_mayAct = false;      ///< the bur has been free since the tooth was taken anew
 };
 
 /// Checks the settings, then builds. The error names the first thing wrong.
