@@ -255,6 +255,22 @@ Touch UprightSides::touchOf(glm::dvec2 pointMm, const drilling::BurMask& mask, c
             foot.bottom - mask.upperAt(apart)};
 }
 
+/// Shows `take` every post and then, of the posts that `mayCount`, the foot on every chord.
+template <class Take, class MayCount>
+void UprightSides::eachFoot(glm::dvec2 pointMm, const Reach& reach, std::span<const Node> nodes, Take&& take,
+                            MayCount&& mayCount) noexcept
+{
+    for (const Node& node : nodes)
+        take({node.place, node.top, node.bottom, {0.0, 0.0}});
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        if (!mayCount(nodes[a]))
+            continue;
+        for (std::size_t b = 0; b < nodes.size(); ++b)
+            if (Foot foot{}; b != a && footBetween(pointMm, nodes[a], nodes[b], reach.chord, foot))
+                take(foot);
+    }
+}
+
 Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, const drilling::BurMask& mask,
                             const Touch& below) const noexcept
 {
@@ -273,19 +289,12 @@ Touch UprightSides::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, con
             best = foot;
         }
     };
-    for (std::size_t a = 0; a < count; ++a)
-        take({nodes[a].place, nodes[a].top, nodes[a].bottom, {0.0, 0.0}});
     // A chord's foot is at most half a chord from its nearer end.
     const double half = 0.5 * reach.chord;
-    for (std::size_t a = 0; a < count; ++a) {
-        const Node& one = nodes[a];
-        const double nearest = std::sqrt(std::max(0.0, one.apart * one.apart - half * half));
-        if (nearest > reach.radius || one.top + kTopSlope * half - mask.heightAt(nearest) <= highest)
-            continue;
-        for (std::size_t b = 0; b < count; ++b)
-            if (Foot foot{}; b != a && footBetween(pointMm, one, nodes[b], reach.chord, foot))
-                take(foot);
-    }
+    eachFoot(pointMm, reach, std::span(nodes).first(count), take, [&](const Node& end) {
+        const double nearest = std::sqrt(std::max(0.0, end.apart * end.apart - half * half));
+        return nearest <= reach.radius && end.top + kTopSlope * half - mask.heightAt(nearest) > highest;
+    });
     return highest > below.heightMm ? touchOf(pointMm, mask, best) : below;
 }
 
@@ -306,17 +315,9 @@ Touch UprightSides::besideAt(glm::dvec2 pointMm, double tipMm, const terrain::To
         best = foot;
         isThere = true;
     };
-    for (std::size_t a = 0; a < count; ++a)
-        take({nodes[a].place, nodes[a].top, nodes[a].bottom, {0.0, 0.0}});
     const double half = 0.5 * reach.chord;
-    for (std::size_t a = 0; a < count; ++a) {
-        const Node& one = nodes[a];
-        if (one.apart * one.apart - half * half > least * least)
-            continue;
-        for (std::size_t b = 0; b < count; ++b)
-            if (Foot foot{}; b != a && footBetween(pointMm, one, nodes[b], reach.chord, foot))
-                take(foot);
-    }
+    eachFoot(pointMm, reach, std::span(nodes).first(count), take,
+             [&](const Node& end) { return end.apart * end.apart - half * half <= least * least; });
     constexpr auto kNothing = static_cast<double>(terrain::kEmptyTop);
     return isThere ? touchOf(pointMm, mask, best) : Touch{kNothing, {0.0, 0.0}, {pointMm, kNothing}};
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/ext/vector_int2.hpp>
@@ -66,6 +67,9 @@ private:
                                         double aboveMm, Nodes& nodes) const noexcept;
     [[nodiscard]] static bool footBetween(glm::dvec2 pointMm, const Node& one, const Node& other, double longest,
                                           Foot& foot) noexcept;
+    template <class Take, class MayCount>
+    static void eachFoot(glm::dvec2 pointMm, const Reach& reach, std::span<const Node> nodes, Take&& take,
+                         MayCount&& mayCount) noexcept;
     [[nodiscard]] static Touch touchOf(glm::dvec2 pointMm, const drilling::BurMask& mask, const Foot& foot) noexcept;
 
     /// A point of a side.

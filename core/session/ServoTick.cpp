@@ -93,7 +93,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
     m_tooth->selectBur(m_state.burIndex);
     m_method->toothChanged();
     m_drill.rest();
-    m_wasSwapped = true;
+    m_wasSwapped = !anew;
     if (anew) {
         const ServoState before = m_state;
         m_state = ServoState{};

@@ -78,7 +78,7 @@ private:
     double m_leapsS = 0.0;  ///< for so long every reading has leapt
     bool m_restart = true;
     bool m_wasLost = false;
-    bool m_wasSwapped = false;  ///< another tooth since the last step
+    bool m_wasSwapped = false;  ///< the tooth is another state of itself since the last step
     bool m_mayAct = false;      ///< the bur has been free since the tooth was taken anew
 };
 
