@@ -97,6 +97,11 @@ int benchCommand(const QStringList& arguments)
     context.meshes = parser.values(QStringLiteral("mesh"));
     if (!context.meshes.isEmpty() && !wanted.isEmpty() && wanted != QLatin1String("load"))
         return wrongUsage(QStringLiteral("--mesh belongs to the suite \"load\""));
+    for (const QString& mesh : context.meshes)
+        if (!QFileInfo::exists(mesh))
+            return failed({core::ErrorCode::FileMissing, mesh.toStdString() + " does not exist; check the name"});
+    if (parser.isSet(QStringLiteral("minutes")) && !wanted.isEmpty() && wanted != QLatin1String("drilling"))
+        return wrongUsage(QStringLiteral("--minutes belongs to the suite \"drilling\""));
     const QString out = parser.value(QStringLiteral("out"));
     if (parser.isSet(QStringLiteral("out")) && out.isEmpty())
         return wrongUsage(QStringLiteral("--out wants a folder"));

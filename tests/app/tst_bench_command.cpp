@@ -88,6 +88,7 @@ void TestBenchCommand::badMeshesAndSuitesAreRefused()
     QVERIFY2(missing.error.contains("cusp: /nowhere/a.obj does not exist"), missing.error);
     QCOMPARE(runCusp({"bench", "everything"}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--minutes", "soon"}).exitCode, 2);
+    QCOMPARE(runCusp({"bench", "volume", "--minutes", "3"}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--mesh", "/nowhere/a.obj"}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--out", ""}).exitCode, 2);
 }
