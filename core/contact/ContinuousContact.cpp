@@ -175,15 +175,16 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         if (distance2(next, device) >= best)
             return true;
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
+        Touch met = touch;
         if (edges == Edges::Sides && touch.heightMm > next.z + kRounding) {
             // Far in, the columns behind a side and its other parts stand higher: the nearest part is met first.
             const Touch side = tooth.sideAt(glm::dvec2(next), std::max(anchor.z, next.z));
             if (side.isSide())
-                touch = side;
+                met = side;
         }
-        for (int k = 0; k < kCornerLooks && isRoundCorner(tooth.mask(), anchor, next, touch); ++k) {
+        for (int k = 0; k < kCornerLooks && isRoundCorner(tooth.mask(), anchor, next, met); ++k) {
             next = anchor + (next - anchor) * kCornerShare;
-            touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
+            met = touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
         }
         const glm::dvec2 at(next);
         // A move cut short ends a little inside ground that bends: up onto it, if that is still nearer.
@@ -196,8 +197,8 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
                 ground = touch;
                 return true;
             }
-            planes.add(planeBetween(tooth.mask(), anchor, next, touch));
-            if (touch.isSide()) {
+            planes.add(planeBetween(tooth.mask(), anchor, next, met));
+            if (met.isSide()) {
                 metSide = true;
                 most = kMaxSideSlides + more;
             }

@@ -81,6 +81,8 @@ private slots:
     void theRimOfAToothIsRound();
     void theFlanksOfAToothDoNotClick_data();
     void theFlanksOfAToothDoNotClick();
+    void noWalkLeadsIntoATooth_data();
+    void noWalkLeadsIntoATooth();
     void theShoulderStopsBeneathAnOverhang();
     void aPerforationLetsTheBurThroughAndHoldsIt();
     void unknownMethodIsRefused();
@@ -577,7 +579,6 @@ void TestContact::theRimOfAToothIsRound()
     QVERIFY2(jump < (isFast ? 0.2 : 0.1), qPrintable(told));
 }
 
-/// The head of bur 330 pulled up under the edge of a plate: its shoulder meets the plate's bottom, column by column.
 void TestContact::theFlanksOfAToothDoNotClick_data()
 {
     QTest::addColumn<int>("fdi");
@@ -641,6 +642,62 @@ void TestContact::theFlanksOfAToothDoNotClick()
     QVERIFY2(worstN < 1.0, qPrintable(found));
 }
 
+void TestContact::noWalkLeadsIntoATooth_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int fdi : {31, 36, 21, 24})
+        QTest::addRow("tooth %d", fdi) << fdi;
+}
+
+/// A hand that wanders about and through a tooth, at 5 to 300 mm/s, and leaves the bur at most 1 mm behind: the anchor
+/// stands clear of every column, over the tooth or under it.
+void TestContact::noWalkLeadsIntoATooth()
+{
+    QFETCH(int, fdi);
+    constexpr int kWalks = 6;
+    constexpr int kTicks = 1500;
+    constexpr double kBeyondMm = 1.0;
+    const auto built = teeth::buildTooth({fdi}, {}).value();
+    for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
+        contact::LiveTooth tooth{terrain::Tooth(built.anatomy)};
+        tooth.selectBur(bur);
+        for (int walk = 0; walk < kWalks; ++walk) {
+            core::Rng rng(100 * bur + static_cast<std::uint64_t>(walk));
+            const auto between = [&](double low, double high) { return low + (high - low) * rng.uniform(); };
+            const auto contact = contact::makeContactMethod("continuous").value();
+            const double from = between(0.0, 360.0) * kDegree;
+            glm::dvec3 hand(7.0 * std::cos(from), 7.0 * std::sin(from), between(-6.0, 4.0));
+            contact->restart(hand);
+            glm::dvec3 anchor = contact->update(tooth, hand);
+            glm::dvec3 goal(0.0);
+            glm::dvec3 pace(0.0);
+            double fastest = 0.05;
+            for (int tick = 0; tick < kTicks; ++tick) {
+                if (tick % 100 == 0) {
+                    goal = {between(-5.0, 5.0), between(-5.0, 5.0), between(-6.0, 1.0)};
+                    fastest = between(0.005, 0.3);
+                }
+                pace += 0.05 * (glm::normalize(goal - hand) * fastest - pace);
+                hand += pace;
+                const double beyond = glm::length(hand - anchor);
+                if (beyond > kBeyondMm)
+                    hand = anchor + (hand - anchor) * (kBeyondMm / beyond);
+                hand.z = std::max(hand.z, tooth.floorMm());
+                anchor = contact->update(tooth, hand);
+                const glm::dvec2 over(anchor);
+                const double inside = std::min(tooth.clearanceAt(over) - anchor.z, anchor.z - tooth.undersideAt(over));
+                const contact::Room room = tooth.roomAt(over, anchor.z);
+                const bool hasRoom = room.floorMm <= anchor.z + 1.0e-4 && room.roofMm >= anchor.z - 1.0e-4;
+                QVERIFY2(
+                    inside < 1.0e-4 || hasRoom,
+                    qPrintable(
+                        QStringLiteral("bur %1, walk %2, tick %3: %4 mm").arg(bur).arg(walk).arg(tick).arg(inside)));
+            }
+        }
+    }
+}
+
+/// The head of bur 330 pulled up under the edge of a plate: its shoulder meets the plate's bottom, column by column.
 void TestContact::theShoulderStopsBeneathAnOverhang()
 {
     support::Block block;
