@@ -86,20 +86,24 @@ int benchCommand(const QStringList& arguments)
     if (parser.positionalArguments().size() > 1)
         return wrongUsage(QStringLiteral("one suite at a time; usage: ") + usage);
     const QString wanted = parser.positionalArguments().value(0);
+    if (!parser.positionalArguments().isEmpty() && wanted.isEmpty())
+        return wrongUsage(QStringLiteral("an empty name is no suite; leave it out for all of them"));
     const auto isWanted = [&](const Suite& suite) { return wanted.isEmpty() || wanted == QLatin1String(suite.name); };
     if (std::none_of(std::begin(kSuites), std::end(kSuites), isWanted))
         return wrongUsage(QStringLiteral("there is no suite \"%1\"; \"cusp bench --help\" lists them").arg(wanted));
     bool isNumber = false;
     bench::Context context;
     context.minutes = parser.value(QStringLiteral("minutes")).toDouble(&isNumber);
-    if (!isNumber || !(context.minutes > 0.0 && context.minutes <= 240.0))
-        return wrongUsage(QStringLiteral("--minutes wants a number above 0, up to 240"));
+    if (!isNumber || !(context.minutes >= 0.01 && context.minutes <= 240.0))
+        return wrongUsage(QStringLiteral("--minutes wants a number from 0.01 to 240"));
     context.meshes = parser.values(QStringLiteral("mesh"));
     if (!context.meshes.isEmpty() && !wanted.isEmpty() && wanted != QLatin1String("load"))
         return wrongUsage(QStringLiteral("--mesh belongs to the suite \"load\""));
     for (const QString& mesh : context.meshes)
-        if (!QFileInfo::exists(mesh))
-            return failed({core::ErrorCode::FileMissing, mesh.toStdString() + " does not exist; check the name"});
+        if (!QFileInfo(mesh).isFile())
+            return failed({core::ErrorCode::FileMissing,
+                           mesh.toStdString() + (QFileInfo::exists(mesh) ? " is not a file; name the mesh itself"
+                                                                         : " does not exist; check the name")});
     if (parser.isSet(QStringLiteral("minutes")) && !wanted.isEmpty() && wanted != QLatin1String("drilling"))
         return wrongUsage(QStringLiteral("--minutes belongs to the suite \"drilling\""));
     const QString out = parser.value(QStringLiteral("out"));

@@ -266,25 +266,38 @@ int simulateCommand(const QStringList& arguments)
     if (const auto warning = tooDeep(*path, tooth->report.highMm.z))
         warnings.push_back(*warning);
 
+    const QString record = parser.value(QStringLiteral("record"));
+    if (!record.isEmpty() && !QFileInfo(QFileInfo(record).absolutePath()).isWritable())
+        return failed({core::ErrorCode::FileUnwritable, record.toStdString() + " cannot be written: its folder is not "
+                                                                               "there or not writable"});
     TraceWriter trace(parser.value(QStringLiteral("out")));
     if (const core::Status opened = trace.open(); !opened)
         return failed(opened.error());
     const double startS = path->points.front().timeS;
     haptics::PathDevice device(*path, options->rateHz);
     core::recording::PathCursor drillCursor(*path);
+    core::recording::PathCursor handCursor(*path);
+    std::uint64_t passedOver = 0;
     const auto outcome = haptics::simulate(
         tooth->anatomy, device, ticks, *options,
         [&](std::uint64_t tick, const core::session::ServoState&, const core::terrain::Tooth&) {
             return drillCursor.at(static_cast<double>(tick) / options->rateHz).drill || drillAlways;
         },
         [&](std::uint64_t tick, const core::session::ServoState& state) {
-            trace.row(startS + static_cast<double>(tick) / options->rateHz, state);
+            const double timeS = static_cast<double>(tick) / options->rateHz;
+            if (glm::vec3(handCursor.at(timeS).tipMm) != glm::vec3(state.deviceMm))
+                ++passedOver;
+            trace.row(startS + timeS, state);
         });
     if (!outcome)
         return failed(outcome.error());
     if (const core::Status written = trace.finish(); !written)
         return failed(written.error());
-    if (const QString record = parser.value(QStringLiteral("record")); !record.isEmpty())
+    if (passedOver > 0)
+        warnings.push_back("The path leaps: " + std::to_string(passedOver) +
+                           " ticks of it, to places where no hand can have come in their time, were passed over as bad "
+                           "readings");
+    if (!record.isEmpty())
         if (const core::Status written = core::recording::writeRecording(record.toStdString(), *outcome->recording);
             !written)
             return failed(written.error());

@@ -86,7 +86,11 @@ void TestBenchCommand::badMeshesAndSuitesAreRefused()
     const Ending missing = runCusp({"bench", "load", "--mesh", "/nowhere/a.obj"});
     QCOMPARE(missing.exitCode, 1);
     QVERIFY2(missing.error.contains("cusp: /nowhere/a.obj does not exist"), missing.error);
+    const Ending folder = runCusp({"bench", "load", "--mesh", "/"});
+    QCOMPARE(folder.exitCode, 1);
+    QVERIFY2(folder.error.contains("/ is not a file"), folder.error);
     QCOMPARE(runCusp({"bench", "everything"}).exitCode, 2);
+    QCOMPARE(runCusp({"bench", ""}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--minutes", "soon"}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--minutes", "3"}).exitCode, 2);
     QCOMPARE(runCusp({"bench", "volume", "--mesh", "/nowhere/a.obj"}).exitCode, 2);

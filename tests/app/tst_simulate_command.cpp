@@ -44,6 +44,8 @@ private slots:
     void aFailureLeavesTheOlderTrace();
     void theTraceGoesIntoStreams();
     void aPathThatBeginsTooDeepIsWarnedAbout();
+    void aPathThatLeapsIsWarnedAbout();
+    void aRecordingThatCannotBeWrittenIsRefusedAtOnce();
     void namesThatAreNotUtf8AreRefused();
     void wordsOutOfAFileSteerNoTerminal();
     void badInputIsOneSentence_data();
@@ -286,6 +288,29 @@ void TestSimulateCommand::aPathThatBeginsTooDeepIsWarnedAbout()
     };
     QVERIFY2(warning("-12.5").contains("begins at z -12.50 mm"), qPrintable(warning("-12.5")));
     QCOMPARE(warning("-7.9"), QString());
+}
+
+void TestSimulateCommand::aPathThatLeapsIsWarnedAbout()
+{
+    // 30 mm within one tick, and back five ticks later.
+    const QString path = write("leap.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,0,0,3,0\n0.1,0,0,3,0\n0.101,30,0,3,0\n"
+                                           "0.105,30,0,3,0\n0.106,0,0,3,0\n0.2,0,0,3,0\n");
+    const QStringList arguments{
+        "simulate", "--tooth", "36", "--path", path, "--out", m_folder.filePath("leap.out.csv")};
+    const Ending leaping = runCusp(arguments);
+    QCOMPARE(leaping.exitCode, 0);
+    QVERIFY2(leaping.error.contains("The path leaps: 5 ticks of it"), leaping.error);
+    QCOMPARE(runCusp(arguments + QStringList{"--json"}).json()["warnings"].toArray().size(), 1);
+}
+
+void TestSimulateCommand::aRecordingThatCannotBeWrittenIsRefusedAtOnce()
+{
+    const QString trace = m_folder.filePath("never.csv");
+    const Ending ending = runCusp({"simulate", "--tooth", "36", "--path", m_path, "--out", trace, "--record",
+                                   m_folder.filePath("nowhere/a.cusprec")});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.error.contains("nowhere/a.cusprec cannot be written"), ending.error);
+    QVERIFY(!QFile::exists(trace));
 }
 
 void TestSimulateCommand::namesThatAreNotUtf8AreRefused()
