@@ -9,7 +9,7 @@ namespace haptics {
 struct DeviceSample
 {
     glm::vec3 tipInToothMm{0.0F};
-    bool present = true;  ///< false: no reading this tick, or none newer than 20 ms: the device is gone or silent
+    bool present = true;  ///< false: no reading this tick, or none newer than 10 ms; the servo waits 10 ms more for one
     float delayS = 0.0F;  ///< measured, from a reading until the force that answers it acts; 0 if there is none
 };
 

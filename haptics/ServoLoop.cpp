@@ -95,10 +95,13 @@ void ServoLoop::apply(const BringHome&) noexcept
 }
 
 /// Softens the spring within ticks when the device answers late, and stiffens it by and by when it answers in time
-/// again. One late answer among good ones is no slower loop: what counts is what the last few all were.
+/// again. One late answer among good ones is no slower loop: what counts is what the last few all were. A tick without
+/// a measurement says nothing.
 void ServoLoop::watchDelay(float delayS, double seconds) noexcept
 {
-    m_lateS[m_nextLate++ % m_lateS.size()] = delayS >= 0.0F ? std::min(delayS, kLongestDelayS) : 0.0F;
+    if (!(delayS > 0.0F))
+        return;
+    m_lateS[m_nextLate++ % m_lateS.size()] = std::min(delayS, kLongestDelayS);
     const float now = *std::min_element(m_lateS.begin(), m_lateS.end());
     const auto forgotten = static_cast<float>(std::min(1.0, seconds / kForgottenS));
     m_delayS = std::max(now, m_delayS + (now - m_delayS) * forgotten);
@@ -124,7 +127,8 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
     const DeviceSample sample = m_device.exchange(m_tick->state().forceN);
     if (m_tick->tooth() != nullptr) {
-        watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
+        if (sample.present)
+            watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});

@@ -22,7 +22,8 @@ constexpr double kTickS = 0.001;
 constexpr double kWatchedS = 0.5;  ///< of the time that the hand is still
 constexpr double kSettledMm = 0.05;
 constexpr double kEndS = 0.1;      ///< over which it is averaged where the grip ends
-constexpr double kStaleS = 0.020;  ///< a device with nothing new for this long is gone (HapticDevice.h)
+constexpr double kStaleS = 0.010;  ///< a device with nothing new for this long has no reading (HapticDevice.h)
+constexpr double kLetGoS = 0.020;  ///< after which the servo must have let go
 constexpr double kPressingMm = 0.05;
 
 /// The device of a trial, silent for a while where the scene wants it.
@@ -183,7 +184,7 @@ public:
         m_beenOut = m_beenOut || grip.z > 0.0;
         m_crossed = m_crossed || (m_scene.mustStayLeft && state.anchorMm.x > 0.0) ||
                     (m_scene.beginsInside && !m_beenOut && force > 0.0);
-        m_pushedLate = m_pushedLate || (t >= m_scene.silentFromS + kStaleS + kTickS &&
+        m_pushedLate = m_pushedLate || (t >= m_scene.silentFromS + kLetGoS + kTickS &&
                                         t < m_scene.silentFromS + m_scene.silentForS && force > 0.0);
         if (!steady)
             return;

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/contact/Lengths.h"
+
 namespace core::contact {
 namespace {
 
@@ -24,17 +26,6 @@ constexpr double kPaceGrowth = 1.5;  ///< most in a tick; even an impact is know
 /// Falcon's 0.25 kg faster than any force arrives, in 1.4 ms.
 constexpr double kGentleNPerMm = 2.5;
 constexpr double kMostPrompt = 6.0;
-
-double lengthOf(const glm::dvec3& v)
-{
-    return std::sqrt(glm::dot(v, v));
-}
-
-glm::dvec3 shortened(const glm::dvec3& v, double longest)
-{
-    const double length = lengthOf(v);
-    return length > longest ? v * (longest / length) : v;
-}
 
 bool within(double value, double low, double high)
 {
@@ -120,6 +111,17 @@ glm::dvec3 ForceLaw::promptDamper(const glm::dvec3& normal, double seconds) cons
     return normal * (-0.001 * nSPerM * glm::dot(m_moving.provenMmPerS(seconds), normal));
 }
 
+/// What of a force the hand is given, along x, y and z.
+glm::dvec3 ForceLaw::gain() const noexcept
+{
+    return glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
+}
+
+double ForceLaw::springN(const glm::dvec3& stretchMm) const noexcept
+{
+    return std::min(lengthOf(stretchMm * gain()) * stiffnessNPerMm(), m_settings.clampN);
+}
+
 /// How many times as stiff as the stiffest gentle spring; 1 for those.
 double ForceLaw::timesStiff() const noexcept
 {
@@ -176,13 +178,11 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
         const glm::dvec3 pace = lastingPace();
         const glm::dvec3 normal = (m_held - device) / depth;
         wanted = stretch * stiffness + damper(pace) + promptDamper(normal, seconds);
-        const glm::dvec3 gain =
-            glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
-        wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch * gain, stretch), seconds);
+        wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch * gain(), stretch), seconds);
         const double pull = glm::dot(wanted, normal);
         if (pull < 0.0)
             wanted -= normal * pull;  // what would pull the hand into the tooth lets go
-        wanted *= gain;
+        wanted *= gain();
     } else {
         m_takenMj = 0.0;
         m_pace = glm::dvec3(0.0);

@@ -60,8 +60,9 @@ public:
 
     /// The spring from now on as this share of the settings, 0 to 1: the loop has become slower.
     void setShare(double share) noexcept { m_share = share; }
-    /// Of the spring as it is now, N/mm.
-    [[nodiscard]] double stiffnessNPerMm() const noexcept { return m_share * m_settings.stiffnessNPerMm; }
+    /// What the spring alone gives to the hand when it is stretched so far, N: what a bur presses with that cuts. As
+    /// the force rises after drop(), so does this: nothing is cut by a force that is not felt.
+    [[nodiscard]] double springN(const glm::dvec3& stretchMm) const noexcept;
 
     /// True if the last force was cut down to the clamp.
     [[nodiscard]] bool clamped() const noexcept { return m_clamped; }
@@ -76,6 +77,9 @@ private:
     [[nodiscard]] glm::dvec3 lastingPace() noexcept;
     [[nodiscard]] glm::dvec3 damper(const glm::dvec3& pace) const noexcept;
     [[nodiscard]] glm::dvec3 promptDamper(const glm::dvec3& normal, double seconds) const noexcept;
+    /// Of the spring as it is now, N/mm.
+    [[nodiscard]] double stiffnessNPerMm() const noexcept { return m_share * m_settings.stiffnessNPerMm; }
+    [[nodiscard]] glm::dvec3 gain() const noexcept;
     [[nodiscard]] double timesStiff() const noexcept;
     [[nodiscard]] glm::dvec3 brake(const glm::dvec3& pace, double springMj, double seconds) noexcept;
 

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/contact/Lengths.h"
+
 namespace core::contact {
 namespace {
 
@@ -15,16 +17,12 @@ constexpr double kSpringNPerMm = 0.2;
 constexpr double kDamperNSPerMm = 0.012;
 constexpr double kStrideS = 0.02;  ///< of the damper's low-pass: no turn of the way and no count is felt through it
 constexpr double kArrivedMm = 0.5;
+constexpr double kMostLeadN = 1.8;  ///< spring and damper together: under the 2 N of haptics.md 4, scene 13
 /// A hand that lets itself be led takes little more than the device's friction, 0.25 N; from this share of kLeadN on it
 /// holds back.
 constexpr double kHeldBackShare = 0.95;
 
 constexpr double kSlewNPerS = 1000.0;  ///< fastest change of its force: a reading that leaps is no blow
-
-double lengthOf(const glm::dvec3& v)
-{
-    return std::sqrt(glm::dot(v, v));
-}
 
 }  // namespace
 
@@ -94,15 +92,10 @@ glm::dvec3 WorkArea::update(const glm::dvec3& device, double seconds) noexcept
         m_gaining += ((m_anchor - before) / seconds - m_pace.mmPerS() - m_gaining) * std::min(1.0, seconds / kStrideS);
     m_strength = m_leading ? std::min(1.0, m_strength + fade) : std::max(0.0, m_strength - fade);
     if (m_strength > 0.0) {
-        glm::dvec3 pull = (m_anchor - device) * kSpringNPerMm;
-        if (const double newtons = lengthOf(pull); newtons > kLeadN)
-            pull *= kLeadN / newtons;
-        force += (pull + m_gaining * kDamperNSPerMm) * m_strength;
+        const glm::dvec3 pull = shortened((m_anchor - device) * kSpringNPerMm, kLeadN);
+        force += shortened(pull + m_gaining * kDamperNSPerMm, kMostLeadN) * m_strength;
     }
-    const glm::dvec3 change = force - m_forceN;
-    const double most = kSlewNPerS * seconds;
-    const double newtons = lengthOf(change);
-    m_forceN = newtons > most ? m_forceN + change * (most / newtons) : force;
+    m_forceN += shortened(force - m_forceN, kSlewNPerS * seconds);
     return m_forceN;
 }
 

@@ -32,7 +32,7 @@ public:
 
     static constexpr double kHomeMm = 10.0;      ///< height of home over the tooth's origin
     static constexpr double kWalkMmPerS = 60.0;  ///< of the anchor
-    static constexpr double kLeadN = 1.0;        ///< most that the hand is pulled with
+    static constexpr double kLeadN = 1.0;        ///< most that the spring pulls the hand with
     static constexpr double kPulledS = 0.15;
     static constexpr double kFadeS = 0.2;
     static constexpr double kWallNPerMm = 0.8;

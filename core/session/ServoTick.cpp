@@ -17,7 +17,7 @@ constexpr double kTouchMm = 1.0e-6;
 /// A device that comes back deeper in the tooth than this must be lifted out before it feels a force again.
 constexpr double kSunkMm = 1.0;
 
-/// Ground that another tooth puts higher under the bur by more than this has come back.
+/// Ground that another state of the tooth, or another bur, puts higher under the tip by more than this has come back.
 constexpr double kComesBackMm = 0.05;
 
 /// No hand is farther from the tooth: such a reading is as bad as none.
@@ -51,10 +51,11 @@ bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
 }
 
 /// No hand moves faster, and none leaps so far in a tick: a reading that does is a bad one (a packet spoilt on its
-/// way). A few are passed over, as if the hand rested; if they go on, the device was lost and is back elsewhere.
+/// way), as one that is missing. A few are passed over, as if the hand rested: to let go for a millisecond would throw
+/// a hand that leans on the tooth into it. If they go on, the device is lost.
 constexpr double kFastestMmPerS = 10'000.0;
 constexpr double kLeastLeapMm = 10.0;
-constexpr double kLeapsS = 0.01;
+constexpr std::chrono::milliseconds kPassedOver{10};
 
 bool isPlausible(const glm::vec3& device)
 {
@@ -93,7 +94,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
     m_tooth->selectBur(m_state.burIndex);
     m_method->toothChanged();
     m_drill.rest();
-    m_wasSwapped = !anew;
+    m_groundIsNew = !anew;
     if (anew) {
         const ServoState before = m_state;
         m_state = ServoState{};
@@ -113,6 +114,7 @@ void ServoTick::setBur(std::size_t index) noexcept
     m_state.burIndex = static_cast<std::uint8_t>(index);
     m_method->toothChanged();
     m_drill.rest();
+    m_groundIsNew = true;
     if (m_tooth != nullptr)
         m_tooth->selectBur(index);
 }
@@ -124,20 +126,16 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.cutting = false;
     m_state.burRpm = m_state.drillOn ? m_drill.rpmUnder(0.0, 0.0) : 0.0;
     m_state.health &= ~(kDeviceLost | kForceClamped | kBegunInside | kLedHome);
-    if (device == nullptr || !isPlausible(*device)) {
-        lose();
-        return;
-    }
     const double seconds = static_cast<double>(dt.count()) * 1.0e-6;
-    if (leapt(glm::dvec3(*device), seconds)) {
-        m_leapsS += seconds;
-        if (m_leapsS > kLeapsS) {
+    if (device != nullptr && isPlausible(*device) && !leapt(glm::dvec3(*device), seconds)) {
+        m_unread = {};
+        m_state.deviceMm = glm::dvec3(*device);
+    } else {
+        m_unread += dt;
+        if (m_restart || m_wasLost || m_unread >= kPassedOver) {
             lose();
             return;
         }
-    } else {
-        m_leapsS = 0.0;
-        m_state.deviceMm = glm::dvec3(*device);
     }
     if (m_restart) {
         m_method->restart(m_state.deviceMm);
@@ -151,14 +149,14 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     const double before = glm::length(m_state.anchorMm - reached);
     m_state.anchorMm = m_method->update(*m_tooth, reached);
     const double stretchMm = glm::length(m_state.anchorMm - reached);
-    const bool hasComeBack = m_wasSwapped && stretchMm > before + kComesBackMm;
-    if (hasComeBack)  // ground that comes back under a bur, as by Undo, comes softly
+    const bool hasComeBack = m_groundIsNew && stretchMm > before + kComesBackMm;
+    if (hasComeBack)  // ground that comes back under a bur, as by Undo, or meets a wider bur, comes softly
         m_force.drop();
     // A hand that has sunk in while nothing held it is not thrown out.
     if ((m_wasLost || hasComeBack) && stretchMm > kSunkMm)
         m_mayAct = false;
     m_wasLost = false;
-    m_wasSwapped = false;
+    m_groundIsNew = false;
     // A bur that begins inside a tooth neither pushes nor cuts until it has been out.
     if (!m_mayAct) {
         const glm::dvec2 over(reached);
@@ -177,7 +175,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.touching = depth > kTouchMm;
 
     if (m_state.drillOn && m_state.touching) {
-        const double pull = std::min(depth * m_force.stiffnessNPerMm(), m_force.settings().clampN);
+        const double pull = m_force.springN(stretch);
         const drilling::Cut cut = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), pull, seconds);
         m_changed = cut.changed;
         m_state.burRpm = m_drill.rpmUnder(pull, static_cast<double>(m_tooth->mask().radiusMm));
@@ -226,7 +224,7 @@ void ServoTick::lose() noexcept
     m_state.handpieceOnCrown = false;
     m_state.health |= kDeviceLost;
     m_wasLost = true;
-    m_leapsS = 0.0;
+    m_unread = {};
 }
 
 /// No force at all, and nothing remembered that could make one.

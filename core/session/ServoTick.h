@@ -48,9 +48,9 @@ public:
     void bringHome() noexcept { m_workArea.bringHome(); }
 
     /// One tick. A tooth must be there.
-    /// @param device  null: no reading this tick, the force is zero at once and nothing moves; a position that is not
-    ///                finite or more than a metre away counts as none, and one that the hand cannot have come to is
-    ///                passed over for 10 ms
+    /// @param device  null: no reading this tick. So counts a position that is not finite, is more than a metre away or
+    ///                cannot have been come to by a hand. For less than 10 ms the hand is taken to rest where it was;
+    ///                after that, or when there was none before, the device is lost: no force, and nothing moves
     void step(const glm::vec3* device, std::chrono::microseconds dt) noexcept;
 
     /// As of the last step. `tick` counts steps since the tooth was taken anew; links' fields are not filled here.
@@ -75,11 +75,11 @@ private:
     contact::LiveTooth* m_tooth = nullptr;
     ServoState m_state;
     drilling::CutRect m_changed;
-    double m_leapsS = 0.0;  ///< for so long every reading has leapt
+    std::chrono::microseconds m_unread{0};  ///< for so long no reading could be used
     bool m_restart = true;
     bool m_wasLost = false;
-    bool m_wasSwapped = false;  ///< the tooth is another state of itself since the last step
-    bool m_mayAct = false;      ///< the bur has been free since the tooth was taken anew
+    bool m_groundIsNew = false;  ///< another state of the tooth or another bur since the last step
+    bool m_mayAct = false;       ///< the bur has been free since the tooth was taken anew
 };
 
 /// Checks the settings, then builds. The error names the first thing wrong.

@@ -79,6 +79,7 @@ private slots:
     void mouseHasNoWall();
     void handThatLeftIsLedHome();
     void handThatHoldsBackIsLetGo();
+    void handThatPullsAwayFeelsLessThanTwoNewtons();
     void centringEndsWithTheDevice();
 
     void vibrationHasNoMean_data();
@@ -407,6 +408,23 @@ void TestForce::handThatHoldsBackIsLetGo()
     QCOMPARE(hand.forceN, glm::dvec3(0.0));
     QVERIFY2(hand.mostN < 2.0, qPrintable(QString::number(hand.mostN)));
     QVERIFY2(hand.jumpN < 0.2, qPrintable(QString::number(hand.jumpN)));
+}
+
+void TestForce::handThatPullsAwayFeelsLessThanTwoNewtons()
+{
+    for (const double mmPerS : {100.0, 200.0, 500.0}) {
+        contact::WorkArea area(150.0);
+        glm::dvec3 at(20.0, 0.0, 12.0);
+        area.bringHome();
+        for (int n = 0; n < 100; ++n)
+            static_cast<void>(area.update(at, kTickS));
+        double mostN = 0.0;
+        for (int n = 0; n < 200; ++n) {
+            at.x += mmPerS * kTickS;
+            mostN = std::max(mostN, length(area.update(at, kTickS)));
+        }
+        QVERIFY2(mostN > 1.0 && mostN < 2.0, qPrintable(QStringLiteral("%1 mm/s: %2 N").arg(mmPerS).arg(mostN)));
+    }
 }
 
 void TestForce::centringEndsWithTheDevice()

@@ -19,7 +19,7 @@ const QString kGolden = QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cu
 
 /// What the golden attempt leaves, with every compiler, build type and processor. If a change of the engine is meant to
 /// change it: tests/golden/README.md.
-constexpr std::uint64_t kStateHash = 0x98E76129E5DF87F9;
+constexpr std::uint64_t kStateHash = 0xA79B286FBE6EF67F;
 constexpr std::uint64_t kTicks = 8571;
 
 /// The attempt that the golden file holds: all burs, all layers, a wall cut from the side, the rim bored through,
