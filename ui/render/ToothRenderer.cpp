@@ -18,7 +18,7 @@ namespace {
 /// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
 constexpr double kShankHidesTheWork = 0.82;
 
-enum Unit : int { kHeights, kNormals, kLight, kUpperLayers, kLowerLayers };
+enum Unit : int { kPlaces, kHeights, kNormals, kLight, kUpperLayers, kLowerLayers };
 
 void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, const char* name, const glm::mat4& matrix)
 {
@@ -46,7 +46,6 @@ bool ToothRenderer::initialize(QString& reason)
         return false;
     m_nothing.create();
     m_toothLayout.create();
-    m_places.create();
     m_triangles.create();
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
         m_burs.push_back(std::make_unique<Part>());
@@ -105,8 +104,9 @@ void ToothRenderer::setSurface(const ToothSurface& surface)
             map.texture->setWrapMode(QOpenGLTexture::ClampToEdge);
             map.bytesPerNode = bytesPerNode;
         };
-        make(m_tops, QOpenGLTexture::RG32F, 8);
-        make(m_bottoms, QOpenGLTexture::RG32F, 8);
+        make(m_places, QOpenGLTexture::RG32F, 8);
+        make(m_tops, QOpenGLTexture::R32F, 4);
+        make(m_bottoms, QOpenGLTexture::R32F, 4);
         make(m_topNormals, QOpenGLTexture::RG16_SNorm, 4);
         make(m_bottomNormals, QOpenGLTexture::RG16_SNorm, 4);
         make(m_light, QOpenGLTexture::RGBA8_UNorm, 4);
@@ -121,15 +121,12 @@ void ToothRenderer::setSurface(const ToothSurface& surface)
     write(m_upperLayers, surface.upperLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
     write(m_lowerLayers, surface.lowerLayers().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, all);
     const QOpenGLVertexArrayObject::Binder bound(&m_toothLayout);
-    m_places.bind();
-    m_places.allocate(surface.places().data(), static_cast<int>(surface.places().size() * sizeof(glm::vec2)));
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     m_triangles.bind();
     m_triangles.allocate(surface.indices().data(), static_cast<int>(surface.indices().size() * sizeof(std::uint32_t)));
-    m_uploadedBytes += surface.places().size() * sizeof(glm::vec2) + surface.indices().size() * sizeof(std::uint32_t);
+    m_uploadedBytes += surface.indices().size() * sizeof(std::uint32_t);
     writeHeights(surface, all);
-    writeShading(surface, all);
+    writeNormals(surface, all);
+    writeLight(surface, all);
     writeTriangles(surface, {});
 }
 
@@ -142,13 +139,10 @@ void ToothRenderer::update(const ToothSurface& surface, const ToothSurface::Chan
         const QOpenGLVertexArrayObject::Binder bound(&m_toothLayout);
         writeTriangles(surface, changes.heights);
     }
-    if (!changes.shading.isEmpty())
-        writeShading(surface, changes.shading);
-    if (changes.outline) {
-        m_places.bind();
-        m_places.write(0, surface.places().data(), static_cast<int>(surface.places().size() * sizeof(glm::vec2)));
-        m_uploadedBytes += surface.places().size() * sizeof(glm::vec2);
-    }
+    if (!changes.normals.isEmpty())
+        writeNormals(surface, changes.normals);
+    if (!changes.light.isEmpty())
+        writeLight(surface, changes.light);
 }
 
 void ToothRenderer::write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format,
@@ -167,14 +161,19 @@ void ToothRenderer::write(Map& map, const void* nodes, QOpenGLTexture::PixelForm
 
 void ToothRenderer::writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect)
 {
-    write(m_tops, surface.tops().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, rect);
-    write(m_bottoms, surface.bottoms().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, rect);
+    write(m_places, surface.places().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, rect);
+    write(m_tops, surface.tops().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
+    write(m_bottoms, surface.bottoms().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
 }
 
-void ToothRenderer::writeShading(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+void ToothRenderer::writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect)
 {
     write(m_topNormals, surface.topNormals().data(), QOpenGLTexture::RG, QOpenGLTexture::Int16, rect);
     write(m_bottomNormals, surface.bottomNormals().data(), QOpenGLTexture::RG, QOpenGLTexture::Int16, rect);
+}
+
+void ToothRenderer::writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+{
     write(m_light, surface.light().data(), QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, rect);
 }
 
@@ -256,11 +255,15 @@ void ToothRenderer::drawTooth(const Scene& scene)
     const bool shadow = scene.instrumentShown && scene.burIndex < m_burs.size();
     const double radius = shadow ? core::drilling::burs()[scene.burIndex].headRadiusMm : 0.0;
     m_toothProgram.setUniformValue("burShadowMm", static_cast<float>(1.3 * radius));
+    m_toothProgram.setUniformValue("places", int{kPlaces});
     m_toothProgram.setUniformValue("heights", int{kHeights});
     m_toothProgram.setUniformValue("normals", int{kNormals});
     m_toothProgram.setUniformValue("light", int{kLight});
     m_toothProgram.setUniformValue("upperLayers", int{kUpperLayers});
     m_toothProgram.setUniformValue("lowerLayers", int{kLowerLayers});
+    setVector(m_toothProgram, "lattice",
+              glm::vec3(glm::vec2(m_lattice->originMm), static_cast<float>(1.0 / m_lattice->cellMm)));
+    m_places.texture->bind(kPlaces);
     m_light.texture->bind(kLight);
     m_upperLayers.texture->bind(kUpperLayers);
     m_lowerLayers.texture->bind(kLowerLayers);

@@ -82,7 +82,8 @@ private:
     void write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format, QOpenGLTexture::PixelType type,
                const core::terrain::NodeRect& rect);
     void writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect);
-    void writeShading(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeTriangles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void drawBackdrop(const Scene& scene);
     void drawTooth(const Scene& scene);
@@ -95,8 +96,8 @@ private:
     QOpenGLShaderProgram m_lineProgram;
     QOpenGLVertexArrayObject m_nothing;  ///< for pictures without vertices
     QOpenGLVertexArrayObject m_toothLayout;
-    QOpenGLBuffer m_places{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
+    Map m_places;
     Map m_tops;
     Map m_bottoms;
     Map m_topNormals;

@@ -33,9 +33,12 @@ constexpr float kPenumbra = 0.5F;
 /// Depth below the whole surface at which a spot counts as cut, mm.
 constexpr float kCutFromMm = 0.01F;
 constexpr float kCutFullMm = 0.06F;
-constexpr double kCrownMm = 8.0;        ///< tallest part of a tooth that is taken for its crown
-constexpr int kDecayReach = 3;          ///< nodes over which the outline of a lesion is smoothed
-constexpr float kAboveOpenMm = 0.3F;    ///< where the roof of an open lesion is drawn: clear of the surface
+constexpr double kCrownMm = 8.0;      ///< tallest part of a tooth that is taken for its crown
+constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
+constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
+constexpr int kLightBlur = 2;         ///< nodes around one that its light is averaged over
+constexpr float kEnamelAloneMm = 0.5F;
+constexpr int kRimRings = 3;            ///< beyond the last solid node, in which layers are known
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
 constexpr int kFlankReach = 5;          ///< how far, nodes
@@ -97,12 +100,18 @@ void ToothSurface::takeAnatomy()
     m_nodes.assign(count, Node::Empty);
     m_solidTop.assign(count, kEmptyTop);
     m_solidBottom.assign(count, kEmptyBottom);
-    m_tops.assign(count, Height{});
-    m_bottoms.assign(count, Height{});
+    m_steep.emplace(m_lattice);
+    m_drawnTop.assign(count, 0.0F);
+    m_shifts.assign(count, glm::vec2(0.0F));
+    m_drawnBottom.assign(count, 0.0F);
+    m_risen.assign(count, kEmptyTop);
+    m_tops.assign(count, 0.0F);
+    m_bottoms.assign(count, 0.0F);
     m_places.resize(count);
     for (auto& normals : m_rawNormals)
         normals.assign(count, glm::vec3(0.0F));
-    m_calmNormals.assign(count, glm::vec3(0.0F));
+    for (auto& normals : m_calmNormals)
+        normals.assign(count, glm::vec3(0.0F));
     m_topNormals.assign(count, PackedNormal{});
     m_bottomNormals.assign(count, PackedNormal{});
     m_rawLight.assign(count, glm::vec4(1.0F, 1.0F, 0.0F, 0.5F));
@@ -167,7 +176,10 @@ void ToothSurface::smoothFlanks()
     const int side = m_lattice.side;
     m_flankDej.resize(m_lattice.count());
     const auto dejOf = [this](int i, int j) {
-        return m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)].dej;
+        // In enamel alone it may lie anywhere below; clear of the surface as it is drawn no speck of dentin shows.
+        const float dej = m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)].dej;
+        const float bottom = m_wholeBottom[m_lattice.index(i, j)];
+        return dej > bottom ? dej : bottom - kEnamelAloneMm;
     };
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
@@ -209,10 +221,16 @@ void ToothSurface::smoothFlanks()
                 }
             }
             m_flankTop[k] = tops / weights;
-            m_flankDej[k] = m_wholeTop[k] - enamel / weights;
+            m_flankDej[k] = m_flankTop[k] - enamel / weights;
             m_flankBottom[k] = std::min(bottoms / weights, m_flankTop[k]);
         }
     }
+    // Where the junction is as steep as the neck it meets, it is drawn as that is.
+    std::vector<float> junction(m_lattice.count(), kEmptyTop);
+    for (std::size_t k = 0; k < junction.size(); ++k)
+        if (m_wholeTop[k] > m_wholeBottom[k])
+            junction[k] = m_flankDej[k];
+    m_steep->draw(junction, wholeOf(m_lattice), m_flankDej, m_shifts);
 }
 
 /// Mean of a value over the nodes among the eight around one (and itself) that are marked. False when none is.
@@ -261,24 +279,39 @@ void ToothSurface::spreadLayers()
         }
     }
     softenDecay(caries);
+    // The rim, and what a texture mixes in beyond it, are read as the solid nodes beside them, like their heights.
+    for (int ring = 0; ring < kRimRings; ++ring) {
+        const std::vector<glm::vec4> own = m_upperLayers;
+        std::vector<std::uint8_t> reached = known;
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                const std::size_t k = m_lattice.index(i, j);
+                if (known[k] != 0)
+                    continue;
+                float lowestDej = 1.0e9F;
+                const auto layersOf = [&](std::size_t n) {
+                    lowestDej = std::min(lowestDej, own[n].z);
+                    return own[n];
+                };
+                if (!meanAround(i, j, known, layersOf, m_upperLayers[k]))
+                    continue;
+                m_upperLayers[k].z = lowestDej;  // no speck of dentin where enamel ends on the rim
+                reached[k] = 1;
+            }
+        }
+        known = std::move(reached);
+    }
     const std::vector<glm::vec4> own = m_upperLayers;
     const std::vector<glm::vec2> ownLower = m_lowerLayers;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const std::size_t k = m_lattice.index(i, j);
-            if (known[k] == 0) {
-                // The rim: read as its solid neighbours, like its height.
-                glm::vec4 layers;
-                if (meanAround(
-                        i, j, known, [&](std::size_t n) { return own[n]; }, layers))
-                    m_upperLayers[k] = layers;
-            }
-            if (pulp[k] == 0) {
-                glm::vec4 middle{0.0F};
-                const auto middleOf = [&](std::size_t n) { return glm::vec4(0.5F * (own[n].w + ownLower[n].x)); };
-                meanAround(i, j, pulp, middleOf, middle);
-                m_upperLayers[k].w = m_lowerLayers[k].x = middle.x;
-            }
+            if (pulp[k] != 0)
+                continue;
+            glm::vec4 middle{0.0F};
+            const auto middleOf = [&](std::size_t n) { return glm::vec4(0.5F * (own[n].w + ownLower[n].x)); };
+            meanAround(i, j, pulp, middleOf, middle);
+            m_upperLayers[k].w = m_lowerLayers[k].x = middle.x;
         }
     }
 }
@@ -363,26 +396,27 @@ ToothSurface::Changes ToothSurface::refresh()
 {
     Changes changes;
     if (!m_written.isEmpty()) {
-        changes.outline = sew(m_written);
-        changes.heights = grown(m_written, 1 + kRimReach, m_lattice);
+        sew(m_written);
+        changes.heights = grown(m_written, SteepGround::kReach, m_lattice);
+        m_steep->draw(m_risen, changes.heights, m_drawnBottom, m_shifts);
+        m_steep->draw(m_solidTop, changes.heights, m_drawnTop, m_shifts);
         smoothRim(changes.heights);
-        if (changes.outline)
-            smoothOutline();
+        smoothOutline(changes.heights);
         buildTriangles(changes.heights);
+        changes.normals = bendNormals(grown(changes.heights, core::terrain::kCalmReach + 1, m_lattice));
         const int reach = static_cast<int>(std::ceil(kShadowReachMm / static_cast<float>(m_lattice.cellMm)));
-        changes.shading = grown(changes.heights, std::max(reach, core::terrain::kCalmReach) + 2, m_lattice);
-        bendNormals(grown(changes.heights, core::terrain::kCalmReach + 1, m_lattice));
+        changes.light = grown(changes.heights, reach + 2, m_lattice);
     }
     if (m_relit)
-        changes.shading = wholeOf(m_lattice);
-    shineLight(changes.shading);
+        changes.light = wholeOf(m_lattice);
+    changes.light = shineLight(changes.light);
     m_written = {};
     m_relit = false;
     return changes;
 }
 
-/// Solid where there is height left, rim where an empty node is sewn to solid ones. True when a node changed kind.
-bool ToothSurface::sew(const NodeRect& written)
+/// Solid where there is height left, rim where an empty node is sewn to solid ones.
+void ToothSurface::sew(const NodeRect& written)
 {
     for (int j = written.beginJ; j < written.endJ; ++j) {
         for (int i = written.beginI; i < written.endI; ++i) {
@@ -391,20 +425,17 @@ bool ToothSurface::sew(const NodeRect& written)
             const float drawn = m_top[k] < m_wholeTop[k] ? std::min(m_top[k], m_flankTop[k]) : m_flankTop[k];
             m_solidTop[k] = solid ? drawn : kEmptyTop;
             m_solidBottom[k] = solid ? std::min(m_flankBottom[k], drawn - kThinnestMm) : kEmptyBottom;
+            m_risen[k] = solid ? -m_solidBottom[k] : kEmptyTop;
         }
     }
     core::terrain::sewRim(m_lattice, m_solidTop, m_solidBottom, written, m_sewn);
-    bool changed = false;
     const NodeRect rect = grown(written, 1, m_lattice);
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
         for (int i = rect.beginI; i < rect.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
-            const Node kind = m_solidTop[k] > kEmptyTop ? Node::Solid : m_sewn[k] > kEmptyTop ? Node::Rim : Node::Empty;
-            changed = changed || m_nodes[k] != kind;
-            m_nodes[k] = kind;
+            m_nodes[k] = m_solidTop[k] > kEmptyTop ? Node::Solid : m_sewn[k] > kEmptyTop ? Node::Rim : Node::Empty;
         }
     }
-    return changed;
 }
 
 /// Calls use(node, weight) for the rim nodes around (and at) a place, the near ones with more weight.
@@ -432,8 +463,8 @@ void ToothSurface::smoothRim(const NodeRect& rect)
         for (int i = rect.beginI; i < rect.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
             if (m_nodes[k] == Node::Solid) {
-                m_tops[k] = {m_solidTop[k], m_top[k]};
-                m_bottoms[k] = {m_solidBottom[k], m_wholeBottom[k]};
+                m_tops[k] = m_drawnTop[k];
+                m_bottoms[k] = std::min(-m_drawnBottom[k], m_drawnTop[k] - kThinnestMm);
             } else if (m_nodes[k] == Node::Rim) {
                 float height = 0.0F;
                 float weights = 0.0F;
@@ -441,32 +472,20 @@ void ToothSurface::smoothRim(const NodeRect& rect)
                     height += weight * m_sewn[n];
                     weights += weight;
                 });
-                glm::vec2 map{0.0F};
-                float found = 0.0F;
-                for (int dj = -1; dj <= 1; ++dj) {
-                    for (int di = -1; di <= 1; ++di) {
-                        if (!m_lattice.contains(i + di, j + dj) || !isSolid(i + di, j + dj))
-                            continue;
-                        const std::size_t n = m_lattice.index(i + di, j + dj);
-                        map += glm::vec2(m_top[n], m_wholeBottom[n]);
-                        found += 1.0F;
-                    }
-                }
-                m_tops[k] = {height / weights, map.x / found};
-                m_bottoms[k] = {height / weights, map.y / found};
+                m_tops[k] = m_bottoms[k] = height / weights;
             }
         }
     }
 }
 
 /// Rim nodes move to the average of the rim nodes around them: the steps of the lattice become an outline.
-void ToothSurface::smoothOutline()
+void ToothSurface::smoothOutline(const NodeRect& rect)
 {
-    for (int j = 0; j < m_lattice.side; ++j) {
-        for (int i = 0; i < m_lattice.side; ++i) {
+    for (int j = rect.beginJ; j < rect.endJ; ++j) {
+        for (int i = rect.beginI; i < rect.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
             const glm::vec2 home(m_lattice.nodeMm(i, j));
-            m_places[k] = home;
+            m_places[k] = home + (m_nodes[k] == Node::Solid ? m_shifts[k] : glm::vec2(0.0F));
             if (m_nodes[k] != Node::Rim)
                 continue;
             glm::vec2 sum{0.0F};
@@ -484,13 +503,13 @@ void ToothSurface::smoothOutline()
 }
 
 /// Slope of a height map by a 3 x 3 Sobel operator over the nodes that are shown; a missing one is mirrored.
-glm::vec2 ToothSurface::slope(const std::vector<Height>& heights, int i, int j) const
+glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) const
 {
-    const float here = heights[m_lattice.index(i, j)].shownMm;
+    const float here = heights[m_lattice.index(i, j)];
     const auto at = [&](int di, int dj) {
         if (isShown(i + di, j + dj))
-            return heights[m_lattice.index(i + di, j + dj)].shownMm;
-        return isShown(i - di, j - dj) ? 2.0F * here - heights[m_lattice.index(i - di, j - dj)].shownMm : here;
+            return heights[m_lattice.index(i + di, j + dj)];
+        return isShown(i - di, j - dj) ? 2.0F * here - heights[m_lattice.index(i - di, j - dj)] : here;
     };
     const float cell = 8.0F * static_cast<float>(m_lattice.cellMm);
     const float e = at(1, -1) + 2.0F * at(1, 0) + at(1, 1);
@@ -500,7 +519,7 @@ glm::vec2 ToothSurface::slope(const std::vector<Height>& heights, int i, int j) 
     return {(e - w) / cell, (n - s) / cell};
 }
 
-void ToothSurface::bendNormals(const NodeRect& rect)
+NodeRect ToothSurface::bendNormals(const NodeRect& rect)
 {
     // Solid nodes from the slopes, then the rim from its solid neighbours: it looks straight outwards, for both maps.
     const NodeRect raw = grown(rect, core::terrain::kCalmReach, m_lattice);
@@ -533,16 +552,29 @@ void ToothSurface::bendNormals(const NodeRect& rect)
             m_rawNormals[1][k] = normal;
         }
     }
-    for (int map = 0; map < 2; ++map) {
-        core::terrain::calmSteepNormals(m_lattice, m_rawNormals[map], rect, m_calmNormals);
-        std::vector<PackedNormal>& to = map == 0 ? m_topNormals : m_bottomNormals;
-        for (int j = rect.beginJ; j < rect.endJ; ++j)
-            for (int i = rect.beginI; i < rect.endI; ++i)
-                to[m_lattice.index(i, j)] = pack(m_calmNormals[m_lattice.index(i, j)]);
+    for (int map = 0; map < 2; ++map)
+        core::terrain::calmSteepNormals(m_lattice, m_rawNormals[map], rect, m_calmNormals[map]);
+    NodeRect changed;
+    for (int j = rect.beginJ; j < rect.endJ; ++j) {
+        for (int i = rect.beginI; i < rect.endI; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            glm::vec3 top = m_calmNormals[0][k];
+            glm::vec3 bottom = m_calmNormals[1][k];
+            // Where the surfaces meet nothing shall show of it.
+            if (m_nodes[k] == Node::Rim)
+                if (const glm::vec3 both = top + bottom; glm::dot(both, both) > 0.0F)
+                    top = bottom = glm::normalize(both);
+            const PackedNormal before[] = {m_topNormals[k], m_bottomNormals[k]};
+            m_topNormals[k] = pack(top);
+            m_bottomNormals[k] = pack(bottom);
+            if (m_topNormals[k] != before[0] || m_bottomNormals[k] != before[1])
+                changed = united(changed, {i, j, i + 1, j + 1});
+        }
     }
+    return changed;
 }
 
-void ToothSurface::shineLight(const NodeRect& rect)
+NodeRect ToothSurface::shineLight(const NodeRect& rect)
 {
     const int side = m_lattice.side;
     const auto cell = static_cast<float>(m_lattice.cellMm);
@@ -566,28 +598,25 @@ void ToothSurface::shineLight(const NodeRect& rect)
     const glm::vec2 across{m_towardsLight.x, m_towardsLight.y};
     const float run = glm::length(across);
     const float rise = run > 1.0e-4F ? m_towardsLight.z / run : 1.0e4F;
-    std::vector<Sample> lightPath;
-    for (float t = 1.5F * cell; t < kShadowReachMm && run > 1.0e-4F; t *= 1.12F) {
-        const int di = static_cast<int>(std::lround(across.x / run * t / cell));
-        const int dj = static_cast<int>(std::lround(across.y / run * t / cell));
-        lightPath.push_back({di, dj, cell * std::sqrt(static_cast<float>(di * di + dj * dj))});
-    }
-    const auto climb = [&](int i, int j, float here, const Sample& sample) {
+    std::vector<float> lightPath;  // mm
+    for (float t = 1.5F * cell; t < kShadowReachMm && run > 1.0e-4F; t *= 1.12F)
+        lightPath.push_back(t);
+    const auto climb = [&](const std::vector<float>& tops, int i, int j, float here, const Sample& sample) {
         const int x = i + sample.di;
         const int y = j + sample.dj;
         if (sample.distanceMm <= 0.0F || x < 0 || y < 0 || x >= side || y >= side)
             return -1.0e3F;
         const std::size_t n = m_lattice.index(x, y);
-        return m_nodes[n] == Node::Solid ? (m_solidTop[n] - here) / sample.distanceMm : -1.0e3F;
+        return m_nodes[n] == Node::Solid ? (tops[n] - here) / sample.distanceMm : -1.0e3F;
     };
     // Raw values on solid nodes; then each node takes the average of the solid ones around it, the rim as well.
-    const NodeRect raw = grown(rect, 1, m_lattice);
+    const NodeRect raw = grown(rect, kLightBlur, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j) {
         for (int i = raw.beginI; i < raw.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
             if (m_nodes[k] != Node::Solid)
                 continue;
-            const float here = m_solidTop[k];
+            const float here = m_drawnTop[k];
             const glm::vec3& normal = m_rawNormals[0][k];
             const glm::vec2 slope = -glm::vec2(normal) / std::max(normal.z, 0.12F);
             // Towards each side the sky begins at the slope of the surface itself; what stands above that takes away
@@ -599,12 +628,13 @@ void ToothSurface::shineLight(const NodeRect& rect)
                 const float own = glm::dot(slope, directions[d]);
                 float horizon = own;
                 for (std::size_t s = 0; s < sky[d].size(); ++s) {
-                    const float rises = climb(i, j, here, sky[d][s]);
-                    horizon = std::max(horizon, rises);
-                    if (rises > -1.0e3F && s == kNearSample)
-                        near += rises - own;
-                    if (rises > -1.0e3F && s == kFarSample)
-                        far += rises - own;
+                    horizon = std::max(horizon, climb(m_drawnTop, i, j, here, sky[d][s]));
+                    if (s != kNearSample && s != kFarSample)
+                        continue;
+                    // A fissure may be so narrow that little of it is drawn.
+                    const float rises = climb(m_solidTop, i, j, m_solidTop[k], sky[d][s]);
+                    if (rises > -1.0e3F)
+                        (s == kNearSample ? near : far) += rises - own;
                 }
                 const float along = 1.0F + horizon * own;
                 const float above = along > 0.0F ? (horizon - own) / along : 1.0e3F;
@@ -614,31 +644,52 @@ void ToothSurface::shineLight(const NodeRect& rect)
             const float crevice = normal.z * normal.z * (near - kBowlShare * std::max(far, 0.0F)) / kSkyDirections;
             const float facing = run > 1.0e-4F ? glm::dot(slope, across) / run : -1.0e3F;
             float blocked = -1.0e3F;
-            for (const Sample& sample : lightPath)
-                blocked = std::max(blocked, climb(i, j, here, sample));
+            for (const float t : lightPath) {
+                // Between nodes, or the edge of a shadow would have their steps.
+                const glm::vec2 at = glm::vec2(i, j) + across * (t / (run * cell));
+                const int x = static_cast<int>(at.x);
+                const int y = static_cast<int>(at.y);
+                if (at.x < 0.0F || at.y < 0.0F || x + 1 >= side || y + 1 >= side)
+                    break;
+                if (!isSolid(x, y) || !isSolid(x + 1, y) || !isSolid(x, y + 1) || !isSolid(x + 1, y + 1))
+                    continue;
+                const float u = at.x - static_cast<float>(x);
+                const float v = at.y - static_cast<float>(y);
+                const float* row = m_drawnTop.data() + m_lattice.index(x, y);
+                const float height = glm::mix(glm::mix(row[0], row[1], u), glm::mix(row[side], row[side + 1], u), v);
+                blocked = std::max(blocked, (height - here) / t);
+            }
             // A slope that turns away is not in shadow by this measure: its normal says enough.
             const float lit = (std::max(rise, facing) + kPenumbra - blocked) / (2.0F * kPenumbra);
-            const float cut = (m_wholeTop[k] - m_top[k] - kCutFromMm) / (kCutFullMm - kCutFromMm);
+            const float cut =
+                (m_wholeTop[k] - std::max(m_top[k], m_drawnTop[k]) - kCutFromMm) / (kCutFullMm - kCutFromMm);
             m_rawLight[k] = glm::clamp(glm::vec4(open / kSkyDirections, lit, cut, 0.5F + 0.5F * crevice), 0.0F, 1.0F);
         }
     }
+    NodeRect changed;
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
         for (int i = rect.beginI; i < rect.endI; ++i) {
             glm::vec4 sum{0.0F};
             float weights = 0.0F;
-            for (int dj = -1; dj <= 1; ++dj) {
-                for (int di = -1; di <= 1; ++di) {
+            for (int dj = -kLightBlur; dj <= kLightBlur; ++dj) {
+                for (int di = -kLightBlur; di <= kLightBlur; ++di) {
                     if (!m_lattice.contains(i + di, j + dj) || !isSolid(i + di, j + dj))
                         continue;
-                    const auto weight = static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
+                    const auto weight =
+                        static_cast<float>((kLightBlur + 1 - std::abs(di)) * (kLightBlur + 1 - std::abs(dj)));
                     sum += weight * m_rawLight[m_lattice.index(i + di, j + dj)];
                     weights += weight;
                 }
             }
             const glm::vec4 mean = weights > 0.0F ? sum / weights : glm::vec4(1.0F, 1.0F, 0.0F, 0.5F);
-            m_light[m_lattice.index(i, j)] = {toByte(mean.r), toByte(mean.g), toByte(mean.b), toByte(mean.a)};
+            const Light now{toByte(mean.r), toByte(mean.g), toByte(mean.b), toByte(mean.a)};
+            if (Light& before = m_light[m_lattice.index(i, j)]; before != now) {
+                before = now;
+                changed = united(changed, {i, j, i + 1, j + 1});
+            }
         }
     }
+    return changed;
 }
 
 void ToothSurface::buildTriangles(const NodeRect& rect)
@@ -668,8 +719,7 @@ void ToothSurface::buildTriangles(const NodeRect& rect)
                     const std::size_t c = m_lattice.index(i + 1, j + 1);
                     const std::size_t d = m_lattice.index(i, j + 1);
                     // The flatter diagonal follows a wall instead of crossing it.
-                    if (std::abs(m_tops[a].shownMm - m_tops[c].shownMm) <=
-                        std::abs(m_tops[b].shownMm - m_tops[d].shownMm)) {
+                    if (std::abs(m_tops[a] - m_tops[c]) <= std::abs(m_tops[b] - m_tops[d])) {
                         triangle(a, b, c);
                         triangle(a, c, d);
                     } else {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -13,6 +14,7 @@
 #include "core/session/Links.h"
 #include "core/terrain/NodeRect.h"
 #include "core/terrain/Tooth.h"
+#include "ui/render/SteepGround.h"
 
 namespace ui::render {
 
@@ -39,9 +41,9 @@ public:
     /// What the last refresh() changed.
     struct Changes
     {
-        core::terrain::NodeRect heights;  ///< heights and triangles
-        core::terrain::NodeRect shading;  ///< normals and light, a wider rectangle
-        bool outline = false;             ///< columns appeared or went: places of the rim moved
+        core::terrain::NodeRect heights;  ///< heights, places and triangles
+        core::terrain::NodeRect normals;
+        core::terrain::NodeRect light;
     };
 
     /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0
@@ -85,14 +87,8 @@ public:
     [[nodiscard]] double crownRadiusMm() const;
 
     // What the renderer uploads: arrays over the lattice, row by row, i fast.
-    /// A height as it is drawn (sewn, flanks smoothed), and as the maps have it: where materials are looked up.
-    struct Height
-    {
-        float shownMm = 0.0F;
-        float mapMm = 0.0F;
-    };
-    [[nodiscard]] const std::vector<Height>& tops() const { return m_tops; }
-    [[nodiscard]] const std::vector<Height>& bottoms() const { return m_bottoms; }
+    [[nodiscard]] const std::vector<float>& tops() const { return m_tops; }  ///< as drawn: sewn, walls smoothed; mm
+    [[nodiscard]] const std::vector<float>& bottoms() const { return m_bottoms; }
     [[nodiscard]] const std::vector<glm::vec2>& places() const { return m_places; }  ///< x, y of each node, mm
     using PackedNormal = std::array<std::int16_t, 2>;  ///< x and y of a unit normal, 32767 is one
     [[nodiscard]] const std::vector<PackedNormal>& topNormals() const { return m_topNormals; }
@@ -121,17 +117,17 @@ private:
     void smoothFlanks();
     void spreadLayers();
     void softenDecay(const std::vector<std::uint8_t>& caries);
-    bool sew(const core::terrain::NodeRect& written);
+    void sew(const core::terrain::NodeRect& written);
     void smoothRim(const core::terrain::NodeRect& rect);
-    void smoothOutline();
-    void bendNormals(const core::terrain::NodeRect& rect);
-    void shineLight(const core::terrain::NodeRect& rect);
+    void smoothOutline(const core::terrain::NodeRect& rect);
+    [[nodiscard]] core::terrain::NodeRect bendNormals(const core::terrain::NodeRect& rect);
+    [[nodiscard]] core::terrain::NodeRect shineLight(const core::terrain::NodeRect& rect);
     void buildTriangles(const core::terrain::NodeRect& rect);
     template <class Value>
     bool meanAround(int i, int j, const std::vector<std::uint8_t>& marked, Value&& value, glm::vec4& mean) const;
     template <class Use>
     void forRimAround(int i, int j, Use&& use) const;
-    [[nodiscard]] glm::vec2 slope(const std::vector<Height>& heights, int i, int j) const;
+    [[nodiscard]] glm::vec2 slope(const std::vector<float>& heights, int i, int j) const;
     [[nodiscard]] bool isShown(int i, int j) const
     {
         return m_lattice.contains(i, j) && m_nodes[m_lattice.index(i, j)] != Node::Empty;
@@ -152,12 +148,17 @@ private:
     std::vector<Node> m_nodes;
     std::vector<float> m_solidTop;     ///< as drawn, kEmptyTop where nothing is left
     std::vector<float> m_solidBottom;  ///< as drawn, kEmptyBottom where nothing is left
-    std::vector<float> m_sewn;         ///< of rim nodes, before they are smoothed along the rim
-    std::vector<Height> m_tops;
-    std::vector<Height> m_bottoms;
+    std::optional<SteepGround> m_steep;
+    std::vector<float> m_drawnTop;  ///< m_solidTop with its walls freed of the lattice's steps
+    std::vector<float> m_drawnBottom;
+    std::vector<float> m_risen;       ///< bottoms turned over, as SteepGround takes them
+    std::vector<glm::vec2> m_shifts;  ///< of each solid node, mm
+    std::vector<float> m_sewn;        ///< of rim nodes, before they are smoothed along the rim
+    std::vector<float> m_tops;
+    std::vector<float> m_bottoms;
     std::vector<glm::vec2> m_places;
     std::vector<glm::vec3> m_rawNormals[2];
-    std::vector<glm::vec3> m_calmNormals;
+    std::vector<glm::vec3> m_calmNormals[2];
     std::vector<PackedNormal> m_topNormals;
     std::vector<PackedNormal> m_bottomNormals;
     std::vector<glm::vec4> m_rawLight;

@@ -209,7 +209,7 @@ void ToothView::setLeftHanded(bool leftHanded)
     m_leftHanded = leftHanded;
     if (m_surface) {
         m_surface->setLight(towardsLight());
-        m_changes.shading = united(m_changes.shading, m_surface->refresh().shading);
+        takeChanges();
     }
     update();
 }
@@ -451,8 +451,8 @@ void ToothView::takeChanges()
 {
     const render::ToothSurface::Changes changes = m_surface->refresh();
     m_changes.heights = united(m_changes.heights, changes.heights);
-    m_changes.shading = united(m_changes.shading, changes.shading);
-    m_changes.outline = m_changes.outline || changes.outline;
+    m_changes.normals = united(m_changes.normals, changes.normals);
+    m_changes.light = united(m_changes.light, changes.light);
     update();
 }
 

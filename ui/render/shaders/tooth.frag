@@ -4,8 +4,9 @@
 in vec3 positionMm;
 in vec2 across;       // x, y of the normal
 in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
-in vec4 aboveLayers;  // below the roof of the decay, above its floor, above the dentin, below the roof of the pulp; mm
-in vec2 aboveLower;   // above the floor of the pulp, mm; share of decayed columns around
+in vec2 onLattice;
+uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
+uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around
 
 uniform float facing;          // 1 upper surface, -1 lower
 uniform vec3 eyeMm;
@@ -36,10 +37,13 @@ void main()
         shade = mix(shade, vec4(0.8, 0.6, 0.0, 0.5), smoothstep(0.0, 0.8, -normal.z));
 
     // Materials, first match wins: decay, pulp, enamel, dentin. Edges a few hundredths of a millimetre soft.
-    float enamelMm = aboveLayers.z;
-    float inDecay = smoothstep(-0.05, 0.0, aboveLayers.x) * smoothstep(0.0, 0.12, aboveLayers.y) *
-                    smoothstep(0.3, 0.7, aboveLower.y);
-    float inPulp = smoothstep(0.0, 0.06, min(aboveLayers.w, aboveLower.x));
+    vec4 upper = texture(upperLayers, onLattice);
+    vec2 lower = texture(lowerLayers, onLattice).rg;
+    float z = positionMm.z;
+    float enamelMm = z - upper.z;
+    float inDecay = smoothstep(-0.05, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
+                    smoothstep(0.3, 0.7, lower.y);
+    float inPulp = smoothstep(0.0, 0.06, min(upper.w - z, z - lower.x));
     float isEnamel = smoothstep(-0.03, 0.03, enamelMm);
     float cut = shade.b;
     vec3 enamel = mix(kEnamel, kCutEnamel, 0.75 * cut);
@@ -52,8 +56,8 @@ void main()
 
     // Fissures are stained a little, and hold less light than the map of the sky can tell.
     float crevice = clamp(2.0 * shade.a - 1.0, -1.0, 1.0);
-    float stain = smoothstep(0.16, 0.6, crevice) * (1.0 - cut);
-    base *= mix(vec3(1.0), vec3(0.66, 0.55, 0.43), stain);
+    float stain = smoothstep(0.12, 0.5, crevice) * (1.0 - cut);
+    base *= mix(vec3(1.0), vec3(0.50, 0.38, 0.26), stain);
     float open = shade.r * sqrt(shade.r) * (1.0 - 0.35 * smoothstep(0.05, 0.6, crevice));
 
     vec3 towardsEye = normalize(eyeMm - positionMm);
@@ -62,7 +66,7 @@ void main()
     // The operating light wraps around: enamel and dentin scatter it within, and where it fades it is warmer.
     float lamp = max((dot(normal, towardsLight) + 0.35) / 1.35, 0.0);
     lamp *= lamp * 0.35 + 0.65;
-    lamp *= mix(0.2, 1.0, shade.g);
+    lamp *= mix(0.24, 1.0, shade.g);
     if (burShadowMm > 0.0 && facing > 0.0) {
         float below = max(tipMm.z - positionMm.z, 0.0);
         vec2 away = positionMm.xy - (tipMm.xy - towardsLight.xy / towardsLight.z * below * 0.5);
@@ -74,8 +78,8 @@ void main()
     float head = facingEye * mix(open, 1.0, 0.35);
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * normal.z) * open;
     vec3 lit = base * (0.72 * lamp * mix(open, 1.0, 0.5) * kLamp * warm + 0.22 * head + 0.27 * sky);
-    // Light bounced about in a cavity takes the colour of its walls.
-    lit += base * base * (1.0 - open) * 0.07;
+    // Light bounced about in a cavity takes the colour of its walls, and so does what wanders within them into a shadow.
+    lit += base * base * ((1.0 - open) * 0.10 + (1.0 - shade.g) * 0.10) * vec3(1.0, 0.90, 0.74);
 
     // Gloss: polished enamel, frosted where cut, dull dentin.
     float polish = hard * (1.0 - 0.85 * cut) * (1.0 - stain);
