@@ -8,6 +8,7 @@
 
 #include <QApplication>
 
+#include "app/Display.h"
 #include "app/Window.h"
 #include "app/cli/Arguments.h"
 
@@ -18,8 +19,9 @@ constexpr Command kCommands[] = {
     {"tooth", "report on a mesh file or on one of our own teeth", toothCommand},
     {"simulate", "drive the servo tick over a device path and write what happened", simulateCommand},
     {"replay", "replay a recording, measure and score it", replayCommand},
+    {"render", "draw a tooth, or what an attempt left of it, into a picture", renderCommand, Draws::Tooth},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
-    {"bench", "measure accuracy, speed and memory on this machine", benchCommand, true},
+    {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
 };
 
 const Command* findCommand(const QString& name)
@@ -38,15 +40,16 @@ int unknownCommand(const QString& name)
 void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
 {
     if (type == QtFatalMsg)
-        std::_Exit(failed({core::ErrorCode::FileUnreadable, "Charts cannot be drawn: " + text.toStdString()}));
+        std::_Exit(failed({core::ErrorCode::FileUnreadable, "Nothing can be drawn: " + text.toStdString()}));
 }
 
-/// Charts want Qt's widgets, but no screen, and shall look the same whatever the screen is like.
-std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, bool draws)
+/// Charts want Qt's widgets, but no screen, and shall look the same whatever the screen is like. A tooth wants OpenGL.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, Draws draws)
 {
-    if (!draws)
+    if (draws == Draws::Nothing || (draws == Draws::Tooth && !hasDisplay()))
         return std::make_unique<QCoreApplication>(argc, argv);
-    qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (draws == Draws::Charts)
+        qputenv("QT_QPA_PLATFORM", "offscreen");
     const QtMessageHandler handler = qInstallMessageHandler(hearQtStart);
     auto application = std::make_unique<QApplication>(argc, argv);
     qInstallMessageHandler(handler);
@@ -96,7 +99,7 @@ std::optional<int> run(int& argc, char** argv)
     if (!help && !version && first.startsWith(u'-'))
         return std::nullopt;
     const Command* const command = findCommand(first);
-    const auto application = makeApplication(argc, argv, command != nullptr && command->draws);
+    const auto application = makeApplication(argc, argv, command != nullptr ? command->draws : Draws::Nothing);
     const QStringList arguments = QCoreApplication::arguments().mid(2);
     if (help)
         return helpCommand(arguments);

@@ -13,12 +13,16 @@ namespace app::cli {
 /// Exit codes of every headless command.
 enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2 };
 
+/// What a command needs to draw: nothing, Qt's widgets for charts but no screen, or a display with OpenGL, if there is
+/// one.
+enum class Draws { Nothing, Charts, Tooth };
+
 struct Command
 {
     const char* name;
     const char* summary;                       ///< one line for `cusp help`
     int (*run)(const QStringList& arguments);  ///< arguments after the command's name; returns an ExitCode
-    bool draws = false;                        ///< needs a QApplication
+    Draws draws = Draws::Nothing;
 };
 
 /// All of them, in the order `cusp help` shows. To add one: XCommand.cpp with a function, and a line in Commands.cpp.
@@ -32,6 +36,7 @@ struct Command
 int toothCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int replayCommand(const QStringList& arguments);
+int renderCommand(const QStringList& arguments);
 int demoCommand(const QStringList& arguments);
 int benchCommand(const QStringList& arguments);
 

@@ -3,9 +3,8 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
-#include <QProcess>
-#include <QStandardPaths>
 
+#include "app/Display.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
@@ -24,7 +23,6 @@ namespace {
 constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
 constexpr std::uint64_t kTicksPerDecision = 16;
 constexpr std::uint64_t kTicksAfterwards = 500;
-constexpr int kPictureMs = 60'000;
 
 core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::BuiltTooth& tooth, bool simulatedDevice)
 {
@@ -51,32 +49,6 @@ core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::Bui
                                  return !hand.isDone();
                              },
                              {});
-}
-
-/// The window draws the picture: with the display there is, or one of its own from xvfb-run. False if neither works.
-bool drawPicture(const QString& recording, const QString& picture)
-{
-    QString program = QCoreApplication::applicationFilePath();
-    QStringList arguments{QStringLiteral("--recording"), recording, QStringLiteral("--picture"), picture};
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        const QString xvfb = QStandardPaths::findExecutable(QStringLiteral("xvfb-run"));
-        if (xvfb.isEmpty())
-            return false;
-        arguments =
-            QStringList{QStringLiteral("-a"), QStringLiteral("-s"), QStringLiteral("-screen 0 1280x800x24"), program} +
-            arguments;
-        program = xvfb;
-    }
-    QProcess window;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    // Asked for by scripts that want no window; neither can draw with OpenGL.
-    if (const QString platform = environment.value(QStringLiteral("QT_QPA_PLATFORM"));
-        platform == u"offscreen" || platform == u"minimal")
-        environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
-    window.setProcessEnvironment(environment);
-    window.start(program,
-                 arguments);  // what Qt and the display say on stderr is kept from the user: we say one sentence
-    return window.waitForFinished(kPictureMs) && window.exitStatus() == QProcess::NormalExit && window.exitCode() == 0;
 }
 
 }  // namespace
@@ -140,7 +112,10 @@ int demoCommand(const QStringList& arguments)
               scoreText);
     const QString picture = folder.absoluteFilePath(QStringLiteral("picture.png"));
     QFile::remove(picture);
-    const bool drawn = drawPicture(recording, picture) && QFile::exists(picture);
+    // What Qt and the display say on stderr is kept from the user: we say one sentence.
+    const bool drawn = runOnDisplay({QStringLiteral("render"), QStringLiteral("--recording"), recording,
+                                     QStringLiteral("--out"), picture},
+                                    true) == kDone;
     printText(QStringLiteral("In %1:\n  attempt.cusprec  replay it with: cusp replay, or in the window\n"
                              "  score.txt, score.json\n")
                   .arg(folder.absolutePath()) +

@@ -22,6 +22,7 @@
 #include <QWheelEvent>
 
 #include "core/drilling/Bur.h"
+#include "ui/tooth/Viewpoint.h"
 
 namespace ui::tooth {
 namespace {
@@ -32,8 +33,6 @@ constexpr int kStillMs = 120;  ///< without a change before a software driver is
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr int kForceToldMs = 1200;
-constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shank must clear
-constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
 constexpr double kLiftFollowS = 0.05;
 
 // Keys: one step at once, then a pace that grows while the key is held.
@@ -90,40 +89,6 @@ glm::dvec2 toGlm(QPointF point)
     return {point.x(), point.y()};
 }
 
-/// How many columns of an open lesion the camera sees.
-int lesionColumnsSeen(const render::ToothSurface& surface, const Camera& camera)
-{
-    constexpr double kSameMm = 0.2;
-    const core::terrain::ToothAnatomy& anatomy = surface.anatomy();
-    const core::terrain::Grid& grid = anatomy.grid;
-    int seen = 0;
-    for (int j = 0; j < grid.side; ++j) {
-        for (int i = 0; i < grid.side; ++i) {
-            const std::size_t k = grid.index(i, j);
-            const core::terrain::ColumnLayers& layers = anatomy.layers[k];
-            if (layers.cariesFloor >= layers.cariesRoof || layers.cariesRoof < anatomy.top[k])
-                continue;
-            const glm::dvec3 point(grid.nodeMm(i, j), anatomy.top[k]);
-            glm::dvec3 met(0.0);
-            if (surface.meet(camera.rayThrough(camera.pixelOf(point)), met) && glm::length(met - point) < kSameMm)
-                ++seen;
-        }
-    }
-    return seen;
-}
-
-/// From where a tooth is looked at first: from behind if only there the lesion is seen, as on lower incisors.
-double startAzimuthDeg(const render::ToothSurface& surface, Camera camera)
-{
-    constexpr double kFront = Camera::kStartAzimuthDeg;
-    constexpr double kBehind = kFront + 180.0;
-    camera.setStart(kFront);
-    camera.reset();
-    const int front = lesionColumnsSeen(surface, camera);
-    camera.setStart(kBehind);
-    return lesionColumnsSeen(surface, camera) > 3 * front ? kBehind : kFront;
-}
-
 }  // namespace
 
 ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWidget(parent), m_links(links)
@@ -166,14 +131,12 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
 {
     m_servo = m_links.servo.latest();
     m_control.setSurface(nullptr);
-    m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), towardsLight());
+    m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), operatingLight(m_leftHanded));
     m_surfaceIsNew = true;
     m_changes = {};
     m_control.setSurface(m_surface.get());
     m_inbox.setGeneration(generation);
-    // Slightly tighter than the ball: the tooth is the hero, and a crown does not fill its corners.
-    m_camera.setSubject(m_surface->crownMiddleMm(), 0.93 * m_surface->crownRadiusMm());
-    m_camera.setStart(startAzimuthDeg(*m_surface, m_camera));
+    showWhole(m_camera, *m_surface);
     takePatches();
     publishPointer();
     update();
@@ -208,7 +171,7 @@ void ToothView::setLeftHanded(bool leftHanded)
 {
     m_leftHanded = leftHanded;
     if (m_surface) {
-        m_surface->setLight(towardsLight());
+        m_surface->setLight(operatingLight(m_leftHanded));
         takeChanges();
     }
     update();
@@ -311,45 +274,16 @@ void ToothView::drawScene()
 
 render::Scene ToothView::scene() const
 {
-    render::Scene scene;
-    scene.eyeFromTooth = m_camera.view();
-    scene.clipFromEye = m_camera.projection();
-    scene.eyeMm = m_camera.eyeMm();
-    scene.towardsLight = towardsLight();
-    scene.sizePx = glm::vec2(width() * devicePixelRatioF(), height() * devicePixelRatioF());
+    render::Scene scene =
+        sceneThrough(m_camera, glm::vec2(width() * devicePixelRatioF(), height() * devicePixelRatioF()), m_leftHanded);
     scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0 && !m_instrumentHidden;
     scene.liftMm = m_liftMm;
     scene.burIndex = m_servo.burIndex;
     scene.tipMm = m_servo.anchorMm;
     scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_servo.anchorMm)) : 0.0;
-    // The hand belongs to the one who looks: the handle stays at the same side when the view turns.
-    const glm::dvec2 right = m_camera.rightOnTooth();
-    const double towardsViewer = glm::radians(m_leftHanded ? 180.0 + 20.0 : -20.0);
-    scene.handAzimuthRad = std::atan2(right.y, right.x) + towardsViewer;
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
     return scene;
-}
-
-/// How much higher than on a bur held in the air shank and handpiece must be drawn to clear the tooth.
-double ToothView::wantedLiftMm() const
-{
-    if (!m_surface || m_servo.tick == 0 || m_servo.burIndex >= core::drilling::burs().size())
-        return 0.0;
-    const glm::dvec2 at(m_servo.anchorMm);
-    const double tip = m_servo.anchorMm.z;
-    const double shank = tip + core::drilling::burs()[m_servo.burIndex].headLengthMm + render::kNeckMm;
-    const double chuck = tip + core::drilling::kChuckMm;
-    const double lift = std::max(m_surface->highestWithinMm(at, kShankClearMm) - shank,
-                                 m_surface->highestWithinMm(at, kHandClearMm) - chuck);
-    return std::clamp(lift, 0.0, render::kMostLiftMm);
-}
-
-glm::vec3 ToothView::towardsLight() const
-{
-    // From behind, over the other shoulder than the handpiece: fissures throw their shadows towards the eye.
-    const glm::vec3 light = glm::normalize(glm::vec3(-0.45F, 0.22F, 0.87F));
-    return m_leftHanded ? glm::vec3(-light.x, light.y, light.z) : light;
 }
 
 void ToothView::drawForce()
@@ -409,7 +343,7 @@ void ToothView::advanceFrame()
     publishPointer();
     if (m_camera.advance(seconds))
         update();
-    const double lift = wantedLiftMm();
+    const double lift = m_surface && m_servo.tick > 0 ? liftMm(*m_surface, m_servo.burIndex, m_servo.anchorMm) : 0.0;
     const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
         m_liftMm = next;

@@ -109,8 +109,6 @@ private:
     void drawForce();
     [[nodiscard]] render::Ray rayAt(QPointF position) const;
     [[nodiscard]] render::Scene scene() const;
-    [[nodiscard]] glm::vec3 towardsLight() const;
-    [[nodiscard]] double wantedLiftMm() const;
 
     core::session::UiLinks& m_links;
     std::unique_ptr<render::ToothSurface> m_surface;

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
+#include <QBuffer>
+#include <QCommandLineParser>
+#include <QImage>
+
+#include "app/Display.h"
+#include "app/cli/Arguments.h"
+#include "app/cli/Commands.h"
+#include "core/base/WholeFile.h"
+#include "core/recording/Recording.h"
+#include "core/recording/Replay.h"
+#include "ui/render/Canvas.h"
+#include "ui/render/ToothRenderer.h"
+#include "ui/tooth/Viewpoint.h"
+
+namespace app::cli {
+namespace {
+
+constexpr int kLeastPx = 16;
+constexpr int kMostPx = 8192;
+constexpr int kAnyTooth = 36;  ///< where a recording brings its own
+
+/// What is to be drawn: a tooth whole or as an attempt left it, and where the bur was then.
+struct Subject
+{
+    core::terrain::Tooth tooth;
+    std::optional<core::session::ServoState> bur;
+};
+
+void addOptions(QCommandLineParser& parser)
+{
+    const auto option = [&](const char* name, const char* help, const char* value) {
+        parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
+    };
+    option("tooth", "A mesh file or an FDI number.", "FILE|FDI");
+    option("recording", "Draws what this attempt left of its tooth, and its bur.", "FILE");
+    parser.addOption({QStringLiteral("view"),
+                      QStringLiteral("From where: %1, or AZ,EL,DIST in degrees, degrees and mm. Azimuth 0 looks along "
+                                     "+y; it grows as the eye moves towards +x.")
+                          .arg(ui::tooth::viewpointNames().join(QStringLiteral(", "))),
+                      QStringLiteral("NAME|AZ,EL,DIST"), QStringLiteral("start")});
+    parser.addOption({QStringLiteral("size"), QStringLiteral("Of the picture in pixels; 1280x800 if not given."),
+                      QStringLiteral("WxH"), QStringLiteral("1280x800")});
+    option("out", "The picture.", "FILE.png");
+    addToothOptions(parser);
+}
+
+std::optional<QSize> sizeOf(const QString& text)
+{
+    const QStringList parts = text.toLower().split(u'x');
+    if (parts.size() != 2)
+        return std::nullopt;
+    const QSize size(parts[0].toInt(), parts[1].toInt());
+    const bool good =
+        size.width() >= kLeastPx && size.height() >= kLeastPx && size.width() <= kMostPx && size.height() <= kMostPx;
+    return good ? std::optional(size) : std::nullopt;
+}
+
+core::Result<Subject> subjectOf(const QString& recordingFile, const core::teeth::ToothSource& source,
+                                const core::teeth::BuildOptions& build)
+{
+    if (!recordingFile.isEmpty()) {
+        const auto recording = core::recording::readRecording(recordingFile.toStdString());
+        if (!recording)
+            return tl::unexpected(recording.error());
+        auto outcome = core::recording::replay(*recording);
+        if (!outcome)
+            return tl::unexpected(outcome.error());
+        return Subject{std::move(outcome->tooth), outcome->state};
+    }
+    const auto tooth = core::teeth::buildTooth(source, build);
+    if (!tooth)
+        return tl::unexpected(tooth.error());
+    warn(tooth->report.warnings);
+    return Subject{core::terrain::Tooth(tooth->anatomy), std::nullopt};
+}
+
+core::Status save(const QImage& picture, const QString& file)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, "PNG"))
+        return core::unexpected(core::ErrorCode::FileUnwritable, "the picture could not be made a PNG");
+    return core::writeWhole(file.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                            "The picture");
+}
+
+}  // namespace
+
+int renderCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Draws a tooth into a PNG, as the window shows it. Without a display it makes one of its own by "
+                       "xvfb-run."));
+    addOptions(parser);
+    const QString usage = QStringLiteral("cusp render --tooth FILE|FDI --out FILE.png [OPTIONS]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (!parser.positionalArguments().isEmpty())
+        return wrongUsage(
+            QStringLiteral("\"%1\" belongs to no option; usage: ").arg(parser.positionalArguments().front()) + usage);
+    const QString named = parser.value(QStringLiteral("tooth"));
+    const QString recording = parser.value(QStringLiteral("recording"));
+    if (named.isEmpty() == recording.isEmpty())
+        return wrongUsage(QStringLiteral("one of --tooth and --recording is wanted; usage: ") + usage);
+    const QString out = parser.value(QStringLiteral("out"));
+    if (!out.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
+        return wrongUsage(QStringLiteral("--out wants the name of a picture that ends in .png"));
+    const auto size = sizeOf(parser.value(QStringLiteral("size")));
+    if (!size)
+        return wrongUsage(QStringLiteral("--size wants width x height in pixels, such as 1280x800, each 16 to 8192"));
+    const auto source =
+        named.isEmpty() ? core::teeth::ToothSource{kAnyTooth} : core::teeth::parseSource(named.toStdString());
+    const auto build = toothOptions(parser, source);
+    if (!build)
+        return wrongUsage(QString::fromStdString(build.error().detail));
+
+    ui::tooth::Camera camera;
+    camera.setViewport({size->width(), size->height()});
+    const QString view = parser.value(QStringLiteral("view"));
+    if (const core::Status known = ui::tooth::goTo(camera, view, kAnyTooth); !known)
+        return wrongUsage(QString::fromStdString(known.error().detail));
+    if (!hasDisplay()) {
+        const int exitCode = runOnDisplay(QStringList{QStringLiteral("render")} + arguments, false);
+        return exitCode >= 0 ? exitCode
+                             : failed({core::ErrorCode::FileUnreadable,
+                                       "A picture needs a display with OpenGL 3.3, or xvfb-run (Debian package xvfb)"});
+    }
+
+    const auto subject = subjectOf(recording, source, *build);
+    if (!subject)
+        return failed(subject.error());
+    const auto& anatomy = subject->tooth.anatomy;
+    ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(false));
+    surface.write(subject->tooth.top);
+    surface.refresh();
+
+    const auto canvas = ui::render::Canvas::make(*size);
+    if (!canvas)
+        return failed(canvas.error());
+    ui::render::ToothRenderer renderer;
+    if (QString reason; !renderer.initialize(reason))
+        return failed({core::ErrorCode::FileUnreadable, "this display cannot draw a tooth: " + reason.toStdString()});
+    ui::tooth::showWhole(camera, surface);
+    if (const core::Status there = ui::tooth::goTo(camera, view, anatomy->fdi); !there)
+        return wrongUsage(QString::fromStdString(there.error().detail));
+    ui::render::Scene scene = ui::tooth::sceneThrough(camera, glm::vec2(size->width(), size->height()), false);
+    if (subject->bur) {
+        scene.instrumentShown = true;
+        scene.burIndex = subject->bur->burIndex;
+        scene.tipMm = subject->bur->anchorMm;
+        scene.surfaceBelowTipMm = surface.heightMm(glm::dvec2(scene.tipMm));
+        scene.liftMm = ui::tooth::liftMm(surface, scene.burIndex, scene.tipMm);
+    }
+    const QImage picture = (*canvas)->picture([&] {
+        renderer.setSurface(surface);
+        renderer.draw(scene);
+    });
+    if (const core::Status saved = save(picture, out); !saved)
+        return failed(saved.error());
+    return kDone;
+}
+
+}  // namespace app::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/Program.h"
+
+using support::Ending;
+using support::runCusp;
+
+/// Runs `cusp render` as a user does: it makes a display of its own where there is none.
+class TestRenderCommand : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void drawsATooth_data();
+    void drawsATooth();
+    void drawsWhatAnAttemptLeft();
+    void wrongUsage_data();
+    void wrongUsage();
+    void aPictureThatCannotBeWrittenLeavesTheOlderOne();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void TestRenderCommand::drawsATooth_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("start") << QStringList{} << QSize(1280, 800);
+    QTest::newRow("from above") << QStringList{"--view", "occlusal", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("a direction of the mouth")
+        << QStringList{"--view", "buccal", "--size", "300X300"} << QSize(300, 300);
+    QTest::newRow("by angles") << QStringList{"--view", "-30,20,40", "--size", "64x64"} << QSize(64, 64);
+}
+
+void TestRenderCommand::drawsATooth()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QSize, size);
+    const QString file = m_folder.filePath("tooth.png");
+    const Ending ending = runCusp(QStringList{"render", "--tooth", "36", "--out", file} + options);
+    QVERIFY2(ending.exitCode == 0, ending.error);
+    const QImage picture(file);
+    QCOMPARE(picture.size(), size);
+    // The room is dark, the tooth in its middle is not.
+    QVERIFY(qGray(picture.pixel(2, 2)) < 80);
+    QVERIFY(qGray(picture.pixel(size.width() / 2, size.height() / 2)) > 100);
+}
+
+void TestRenderCommand::drawsWhatAnAttemptLeft()
+{
+    QFile path(m_folder.filePath("p.csv"));
+    QVERIFY(path.open(QIODevice::WriteOnly));
+    path.write("t_s,x_mm,y_mm,z_mm,drill\n0,0,0,3,1\n0.5,0,0,-4,1\n2,0.5,0,-4,1\n2.2,0.5,0,5,1\n");
+    path.close();
+    const QString recording = m_folder.filePath("a.cusprec");
+    QCOMPARE(runCusp({"simulate", "--tooth", "36", "--path", path.fileName(), "--out", m_folder.filePath("t.csv"),
+                      "--record", recording})
+                 .exitCode,
+             0);
+    const QStringList common{"--view", "occlusal", "--size", "400x300", "--out"};
+    const QString cut = m_folder.filePath("cut.png");
+    const QString whole = m_folder.filePath("whole.png");
+    const Ending ending = runCusp(QStringList{"render", "--recording", recording} + common + QStringList{cut});
+    QVERIFY2(ending.exitCode == 0, ending.error);
+    QCOMPARE(runCusp(QStringList{"render", "--tooth", "36"} + common + QStringList{whole}).exitCode, 0);
+    const QImage a(cut);
+    const QImage b(whole);
+    int different = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            different += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 20 ? 1 : 0;
+    QVERIFY2(different > 500, qPrintable(QString::number(different)));
+}
+
+void TestRenderCommand::wrongUsage_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("nothing to draw") << QStringList{"--out", "a.png"};
+    QTest::newRow("two things to draw") << QStringList{"--tooth", "36", "--recording", "a.cusprec", "--out", "a.png"};
+    QTest::newRow("no picture") << QStringList{"--tooth", "36"};
+    QTest::newRow("another format") << QStringList{"--tooth", "36", "--out", "a.bmp"};
+    QTest::newRow("no size") << QStringList{"--tooth", "36", "--out", "a.png", "--size", "big"};
+    QTest::newRow("huge") << QStringList{"--tooth", "36", "--out", "a.png", "--size", "100000x100000"};
+    QTest::newRow("nowhere") << QStringList{"--tooth", "36", "--out", "a.png", "--view", "heaven"};
+    QTest::newRow("half a place") << QStringList{"--tooth", "36", "--out", "a.png", "--view", "1,2"};
+    QTest::newRow("a word too many") << QStringList{"36", "--tooth", "36", "--out", "a.png"};
+}
+
+void TestRenderCommand::wrongUsage()
+{
+    QFETCH(QStringList, arguments);
+    const Ending ending = runCusp(QStringList{"render"} + arguments);
+    QCOMPARE(ending.exitCode, 2);
+    QVERIFY2(ending.error.startsWith("cusp: ") && ending.error.count('\n') == 1, ending.error);
+}
+
+void TestRenderCommand::aPictureThatCannotBeWrittenLeavesTheOlderOne()
+{
+    const QString folder = m_folder.filePath("there.png");
+    QVERIFY(QDir().mkpath(folder));
+    const Ending ending = runCusp({"render", "--tooth", "36", "--size", "64x64", "--out", folder});
+    QCOMPARE(ending.exitCode, 1);
+    QVERIFY2(ending.error.startsWith("cusp: "), ending.error);
+    QVERIFY(QFileInfo(folder).isDir());
+}
+
+QTEST_GUILESS_MAIN(TestRenderCommand)
+#include "tst_render_command.moc"

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tooth/Viewpoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "core/drilling/Bur.h"
+
+namespace ui::tooth {
+namespace {
+
+constexpr double kSideElevationDeg = 12.0;
+constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shank must clear
+constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
+
+struct Named
+{
+    const char* name;
+    double azimuthDeg;
+    double elevationDeg;
+    bool isOfMouth;  ///< known only where the tooth is
+};
+
+/// Of a lower tooth: its +y is lingual, that of an upper one buccal.
+constexpr std::array<Named, 6> kNamed{{{"occlusal", 0.0, Camera::kHighestDeg, false},
+                                       {"below", 0.0, Camera::kLowestDeg, false},
+                                       {"buccal", 0.0, kSideElevationDeg, true},
+                                       {"lingual", 180.0, kSideElevationDeg, true},
+                                       {"mesial", -90.0, kSideElevationDeg, true},
+                                       {"distal", 90.0, kSideElevationDeg, true}}};
+
+bool isUpper(int fdi)
+{
+    return fdi < 30;
+}
+
+/// How many columns of an open lesion the camera sees.
+int lesionColumnsSeen(const render::ToothSurface& surface, const Camera& camera)
+{
+    constexpr double kSameMm = 0.2;
+    const core::terrain::ToothAnatomy& anatomy = surface.anatomy();
+    const core::terrain::Grid& grid = anatomy.grid;
+    int seen = 0;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const core::terrain::ColumnLayers& layers = anatomy.layers[k];
+            if (layers.cariesFloor >= layers.cariesRoof || layers.cariesRoof < anatomy.top[k])
+                continue;
+            const glm::dvec3 point(grid.nodeMm(i, j), anatomy.top[k]);
+            glm::dvec3 met(0.0);
+            if (surface.meet(camera.rayThrough(camera.pixelOf(point)), met) && glm::length(met - point) < kSameMm)
+                ++seen;
+        }
+    }
+    return seen;
+}
+
+double startAzimuthDeg(const render::ToothSurface& surface, Camera camera)
+{
+    constexpr double kFront = Camera::kStartAzimuthDeg;
+    constexpr double kBehind = kFront + 180.0;
+    camera.setStart(kFront);
+    camera.reset();
+    const int front = lesionColumnsSeen(surface, camera);
+    camera.setStart(kBehind);
+    return lesionColumnsSeen(surface, camera) > 3 * front ? kBehind : kFront;
+}
+
+}  // namespace
+
+glm::vec3 operatingLight(bool leftHanded)
+{
+    const glm::vec3 light = glm::normalize(glm::vec3(-0.45F, 0.22F, 0.87F));
+    return leftHanded ? glm::vec3(-light.x, light.y, light.z) : light;
+}
+
+render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHanded)
+{
+    render::Scene scene;
+    scene.eyeFromTooth = camera.view();
+    scene.clipFromEye = camera.projection();
+    scene.eyeMm = camera.eyeMm();
+    scene.towardsLight = operatingLight(leftHanded);
+    scene.sizePx = sizePx;
+    // The hand belongs to the one who looks: the handle stays at the same side when the view turns.
+    const glm::dvec2 right = camera.rightOnTooth();
+    const double towardsViewer = glm::radians(leftHanded ? 180.0 + 20.0 : -20.0);
+    scene.handAzimuthRad = std::atan2(right.y, right.x) + towardsViewer;
+    return scene;
+}
+
+void showWhole(Camera& camera, const render::ToothSurface& surface)
+{
+    // Slightly tighter than the ball: the tooth is the hero, and a crown does not fill its corners.
+    camera.setSubject(surface.crownMiddleMm(), 0.93 * surface.crownRadiusMm());
+    camera.setStart(startAzimuthDeg(surface, camera));
+}
+
+double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm)
+{
+    if (burIndex >= core::drilling::burs().size())
+        return 0.0;
+    const glm::dvec2 at(tipMm);
+    const double shank = tipMm.z + core::drilling::burs()[burIndex].headLengthMm + render::kNeckMm;
+    const double chuck = tipMm.z + core::drilling::kChuckMm;
+    const double lift =
+        std::max(surface.highestWithinMm(at, kShankClearMm) - shank, surface.highestWithinMm(at, kHandClearMm) - chuck);
+    return std::clamp(lift, 0.0, render::kMostLiftMm);
+}
+
+QStringList viewpointNames()
+{
+    QStringList names{QStringLiteral("start")};
+    for (const Named& named : kNamed)
+        names << QLatin1String(named.name);
+    return names;
+}
+
+core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
+{
+    if (viewpoint == u"start") {
+        camera.reset();
+        return {};
+    }
+    for (const Named& named : kNamed) {
+        if (viewpoint != QLatin1String(named.name))
+            continue;
+        if (named.isOfMouth && fdi == 0)
+            return core::unexpected(core::ErrorCode::UnknownName,
+                                    "nothing says which side of this tooth is " + viewpoint.toStdString() +
+                                        "; name the tooth with --fdi, or give --view as AZ,EL,DIST");
+        const bool turned = named.isOfMouth && isUpper(fdi) && std::abs(named.azimuthDeg) != 90.0;
+        camera.reset();
+        camera.set(named.azimuthDeg + (turned ? 180.0 : 0.0), named.elevationDeg, camera.fittingMm());
+        return {};
+    }
+    const QStringList parts = viewpoint.split(u',');
+    std::array<double, 3> values{};
+    bool good = parts.size() == 3;
+    for (int k = 0; good && k < 3; ++k)
+        values[static_cast<std::size_t>(k)] = parts[k].toDouble(&good);
+    if (!good || !(std::abs(values[0]) <= 360.0 && std::abs(values[1]) <= 90.0 && values[2] > 0.0 && values[2] < 1.0e4))
+        return core::unexpected(core::ErrorCode::UnknownName, "a viewpoint is one of " +
+                                                                  viewpointNames().join(u", ").toStdString() +
+                                                                  " or AZ,EL,DIST in degrees, degrees and mm");
+    camera.set(values[0], values[1], values[2]);
+    return {};
+}
+
+}  // namespace ui::tooth

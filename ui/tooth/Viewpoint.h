@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+#include "ui/render/ToothRenderer.h"
+#include "ui/tooth/Camera.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace ui::tooth {
+
+/// What every picture of a tooth begins with: seen through this camera under the operating light, no instrument.
+/// @param sizePx  of the picture, device pixels
+[[nodiscard]] render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHanded);
+
+/// Unit vector to the operating light, tooth frame: from behind, over the other shoulder than the handpiece, so that
+/// fissures throw their shadows towards the eye.
+[[nodiscard]] glm::vec3 operatingLight(bool leftHanded);
+
+/// Makes a tooth the camera's subject, from where it is looked at first: from behind if only there its lesion is seen,
+/// as on lower incisors.
+void showWhole(Camera& camera, const render::ToothSurface& surface);
+
+/// How much higher than on a bur held in the air shank and handpiece must be drawn to clear the tooth, mm.
+[[nodiscard]] double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm);
+
+/// Names of viewpoints: start, occlusal, below, and by the directions of the mouth buccal, lingual, mesial, distal.
+[[nodiscard]] QStringList viewpointNames();
+
+/// Takes the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). UnknownName with one sentence,
+/// also for a direction of the mouth where nothing says which it is.
+/// @param fdi  of the tooth, 0 where it is unknown
+[[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi);
+
+}  // namespace ui::tooth
