@@ -12,6 +12,7 @@
 #include "core/recording/Recording.h"
 #include "core/recording/Replay.h"
 #include "ui/render/Canvas.h"
+#include "ui/render/Presenter.h"
 #include "ui/render/ToothRenderer.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -43,6 +44,12 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("NAME|AZ,EL,DIST"), QStringLiteral("start")});
     parser.addOption({QStringLiteral("size"), QStringLiteral("Of the picture in pixels; 1280x800 if not given."),
                       QStringLiteral("WxH"), QStringLiteral("1280x800")});
+    option("stereo", "For two eyes: red-cyan, grey (for the same glasses), side-by-side or top-bottom.", "MODE");
+    option("flip", "Turns the picture over: left-right, up-down or both.", "WHICH");
+    option("show",
+           "What is drawn besides, several with commas: mirror, distinct (colours and patterns that nobody "
+           "confuses), wet, light (of the handpiece), depth (the cut coloured by its depth).",
+           "WHAT");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);
 }
@@ -56,6 +63,51 @@ std::optional<QSize> sizeOf(const QString& text)
     const bool good =
         size.width() >= kLeastPx && size.height() >= kLeastPx && size.width() <= kMostPx && size.height() <= kMostPx;
     return good ? std::optional(size) : std::nullopt;
+}
+
+/// What the options ask of the look and of the way to the screen.
+struct Wishes
+{
+    ui::render::Look look;
+    ui::render::Presentation presentation;
+    bool mirror = false;
+};
+
+core::Result<Wishes> wishesOf(const QCommandLineParser& parser)
+{
+    using ui::render::Stereo;
+    Wishes wishes;
+    const QString stereo = parser.value(QStringLiteral("stereo"));
+    const QStringList modes{QString(), QStringLiteral("red-cyan"), QStringLiteral("grey"),
+                            QStringLiteral("side-by-side"), QStringLiteral("top-bottom")};
+    if (!modes.contains(stereo) || (stereo.isEmpty() && parser.isSet(QStringLiteral("stereo"))))
+        return core::unexpected(core::ErrorCode::UnknownName,
+                                "--stereo wants one of" + modes.join(u", ").mid(1).toStdString());
+    wishes.presentation.stereo = static_cast<Stereo>(modes.indexOf(stereo));
+    if (const QString flip = parser.value(QStringLiteral("flip")); parser.isSet(QStringLiteral("flip"))) {
+        wishes.presentation.flipLeftRight = flip == u"left-right" || flip == u"both";
+        wishes.presentation.flipUpDown = flip == u"up-down" || flip == u"both";
+        if (!wishes.presentation.flipLeftRight && !wishes.presentation.flipUpDown)
+            return core::unexpected(core::ErrorCode::UnknownName, "--flip wants left-right, up-down or both");
+    }
+    for (const QString& what : parser.value(QStringLiteral("show")).split(u',', Qt::SkipEmptyParts)) {
+        if (what == u"mirror")
+            wishes.mirror = true;
+        else if (what == u"distinct")
+            wishes.look.palette = ui::render::Palette::Distinct;
+        else if (what == u"wet")
+            wishes.look.isWet = true;
+        else if (what == u"light")
+            wishes.look.burLight = true;
+        else if (what == u"depth")
+            wishes.look.depthColoursMm = ui::tooth::kDepthScaleMm;
+        else
+            return core::unexpected(core::ErrorCode::UnknownName,
+                                    "--show knows mirror, distinct, wet, light and depth, "
+                                    "but not \"" +
+                                        what.toStdString() + "\"");
+    }
+    return wishes;
 }
 
 core::Result<Subject> subjectOf(const QString& recordingFile, const core::teeth::ToothSource& source,
@@ -124,6 +176,9 @@ int renderCommand(const QStringList& arguments)
     const QString view = parser.value(QStringLiteral("view"));
     if (const core::Status known = ui::tooth::goTo(camera, view, kAnyTooth); !known)
         return wrongUsage(QString::fromStdString(known.error().detail));
+    const auto wishes = wishesOf(parser);
+    if (!wishes)
+        return wrongUsage(QString::fromStdString(wishes.error().detail));
     if (!hasDisplay()) {
         const int exitCode = runOnDisplay(QStringList{QStringLiteral("render")} + arguments, false);
         return exitCode >= 0 ? exitCode
@@ -143,7 +198,8 @@ int renderCommand(const QStringList& arguments)
     if (!canvas)
         return failed(canvas.error());
     ui::render::ToothRenderer renderer;
-    if (QString reason; !renderer.initialize(reason))
+    ui::render::Presenter presenter;
+    if (QString reason; !renderer.initialize(reason) || !presenter.initialize(reason))
         return failed({core::ErrorCode::FileUnreadable, "this display cannot draw a tooth: " + reason.toStdString()});
     ui::tooth::showWhole(camera, surface);
     if (const core::Status there = ui::tooth::goTo(camera, view, anatomy->fdi); !there)
@@ -156,9 +212,12 @@ int renderCommand(const QStringList& arguments)
         scene.surfaceBelowTipMm = surface.heightMm(glm::dvec2(scene.tipMm));
         scene.liftMm = ui::tooth::liftMm(surface, scene.burIndex, scene.tipMm);
     }
+    scene.look = wishes->look;
+    if (wishes->mirror)
+        scene.mirror = ui::tooth::mirrorBeside(camera, surface, false);
     const QImage picture = (*canvas)->picture([&] {
         renderer.setSurface(surface);
-        renderer.draw(scene);
+        presenter.draw(renderer, scene, wishes->presentation, camera.distanceMm(), ui::render::Canvas::kSamples);
     });
     if (const core::Status saved = save(picture, out); !saved)
         return failed(saved.error());

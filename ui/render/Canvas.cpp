@@ -4,12 +4,6 @@
 #include <QOpenGLFunctions>
 
 namespace ui::render {
-namespace {
-
-constexpr int kSamples = 4;
-
-}  // namespace
-
 core::Result<std::unique_ptr<Canvas>> Canvas::make(QSize sizePx)
 {
     const auto none = core::unexpected(core::ErrorCode::FileUnreadable,

@@ -18,6 +18,8 @@ namespace ui::render {
 class Canvas
 {
 public:
+    static constexpr int kSamples = 4;  ///< of each pixel
+
     /// FileUnreadable, with one sentence, where there is no OpenGL 3.3 core profile.
     [[nodiscard]] static core::Result<std::unique_ptr<Canvas>> make(QSize sizePx);
     ~Canvas();

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "ui/render/Look.h"
+
 namespace ui::render {
 namespace {
 
@@ -145,6 +147,24 @@ SolidMesh handpieceMesh()
         {{48.2F, 0.0F, axis + 15.5F}, 5.3F, kSteel},  {{80.0F, 0.0F, axis + 28.3F}, 6.6F, kSteel},
         {{110.0F, 0.0F, axis + 40.4F}, 7.0F, kSteel},
     };
+    sweep(mesh, handle);
+    return mesh;
+}
+
+SolidMesh mirrorMesh()
+{
+    const auto radius = static_cast<float>(DentalMirror::kRadiusMm);
+    SolidMesh mesh;
+    const std::vector<glm::vec3> cup{
+        {0.0F, -2.2F, kSteel},   {radius - 3.0F, -2.0F, kSteel}, {radius - 1.0F, -1.6F, kSteel},
+        {radius, -0.6F, kSteel}, {radius, -0.1F, kSteel},        {radius - 0.2F, 0.0F, kSteel},
+        {0.0F, 0.0F, kSteel}};
+    turn(mesh, cup);
+    const std::vector<Ring> handle{
+        {{radius - 1.5F, 0.0F, -1.4F}, 0.9F, kSteel},   {{radius + 2.0F, 0.0F, -2.2F}, 0.9F, kSteel},
+        {{radius + 14.0F, 0.0F, -9.0F}, 1.2F, kSteel},  {{radius + 18.0F, 0.0F, -11.3F}, 2.4F, kSteel},
+        {{radius + 20.0F, 0.0F, -12.4F}, 2.6F, kGrip},  {{radius + 50.0F, 0.0F, -29.7F}, 2.6F, kSteel},
+        {{radius + 100.0F, 0.0F, -58.6F}, 2.8F, kSteel}};
     sweep(mesh, handle);
     return mesh;
 }

@@ -40,4 +40,8 @@ inline constexpr double kNeckMm = 1.0;
 /// A turbine handpiece above the chuck: head, neck and handle at the natural angle.
 [[nodiscard]] SolidMesh handpieceMesh();
 
+/// A dental mirror without its glass: the cup behind it and the handle. Middle of the glass at the origin, which looks
+/// along +z; the handle goes towards +x and back.
+[[nodiscard]] SolidMesh mirrorMesh();
+
 }  // namespace ui::render

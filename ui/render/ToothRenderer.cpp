@@ -2,6 +2,7 @@
 #include "ui/render/ToothRenderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -17,6 +18,8 @@ namespace {
 
 /// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
 constexpr double kShankHidesTheWork = 0.82;
+constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
+constexpr int kGlassCorners = 64;     ///< of the mirror's glass; glass.vert has the same
 
 enum Unit : int { kPlaces, kHeights, kNormals, kLight, kUpperLayers, kLowerLayers };
 
@@ -42,7 +45,8 @@ bool ToothRenderer::initialize(QString& reason)
         return false;
     }
     if (!build(m_toothProgram, "tooth", reason) || !build(m_backdropProgram, "backdrop", reason) ||
-        !build(m_metalProgram, "metal", reason) || !build(m_lineProgram, "line", reason))
+        !build(m_metalProgram, "metal", reason) || !build(m_lineProgram, "line", reason) ||
+        !build(m_glassProgram, "glass", reason))
         return false;
     m_nothing.create();
     m_toothLayout.create();
@@ -54,6 +58,7 @@ bool ToothRenderer::initialize(QString& reason)
         upload(*m_shanks.back(), shankMesh(bur));
     }
     upload(m_handpiece, handpieceMesh());
+    upload(m_mirror, mirrorMesh());
     return true;
 }
 
@@ -111,7 +116,7 @@ void ToothRenderer::setSurface(const ToothSurface& surface)
         make(m_bottomNormals, QOpenGLTexture::RG16_SNorm, 4);
         make(m_light, QOpenGLTexture::RGBA8_UNorm, 4);
         make(m_upperLayers, QOpenGLTexture::RGBA32F, 16);
-        make(m_lowerLayers, QOpenGLTexture::RG32F, 8);
+        make(m_lowerLayers, QOpenGLTexture::RGBA32F, 16);
     }
     m_lattice = lattice;
     m_crownMm = glm::vec3(surface.crownMiddleMm());
@@ -119,7 +124,7 @@ void ToothRenderer::setSurface(const ToothSurface& surface)
 
     const core::terrain::NodeRect all = wholeOf(lattice);
     write(m_upperLayers, surface.upperLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
-    write(m_lowerLayers, surface.lowerLayers().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, all);
+    write(m_lowerLayers, surface.lowerLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
     const QOpenGLVertexArrayObject::Binder bound(&m_toothLayout);
     m_triangles.bind();
     m_triangles.allocate(surface.indices().data(), static_cast<int>(surface.indices().size() * sizeof(std::uint32_t)));
@@ -216,19 +221,135 @@ void ToothRenderer::draw(const Scene& scene)
     glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
+    if (scene.mirror)
+        drawReflection(scene);
     glClear(GL_DEPTH_BUFFER_BIT);
     drawBackdrop(scene);
+    drawSolids(scene, glm::dvec4(0.0));
+    if (scene.mirror)
+        drawMirror(scene);
+    if (scene.instrumentShown && scene.burIndex < m_burs.size())
+        drawInstrument(scene);
+    if (scene.ghostMm && scene.burIndex < m_burs.size())
+        drawGhost(scene);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+}
+
+/// What hides and is hidden like any solid. Of it only what lies before a plane, unless that is zero.
+void ToothRenderer::drawSolids(const Scene& scene, const glm::dvec4& clipPlane)
+{
+    m_clipPlane = glm::vec4(clipPlane);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     if (m_lattice)
         drawTooth(scene);
-    if (scene.instrumentShown && scene.burIndex < m_burs.size())
-        drawInstrument(scene);
+}
+
+/// The scene as it stands behind the glass: its mirror image, seen by the same eye. Half as fine as the picture.
+void ToothRenderer::drawReflection(const Scene& scene)
+{
+    GLint target = 0;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    const QSize size(std::max(1, viewport[2] / 2), std::max(1, viewport[3] / 2));
+    if (!m_reflection || m_reflection->size() != size)
+        m_reflection = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+    m_reflection->bind();
+    glViewport(0, 0, size.width(), size.height());
+    Scene seen = scene;
+    seen.eyeFromTooth = scene.eyeFromTooth * scene.mirror->imageMatrix();
+    seen.eyeMm = scene.mirror->image(scene.eyeMm);
+    seen.sizePx = glm::vec2(size.width(), size.height());
+    seen.ghostMm.reset();
+    seen.mirror.reset();
+    glClear(GL_DEPTH_BUFFER_BIT);
+    drawBackdrop(seen);
+    m_isMirrored = true;
+    glEnable(GL_CLIP_DISTANCE0);
+    const glm::dvec3& normal = scene.mirror->normal;
+    drawSolids(seen, glm::dvec4(normal, -glm::dot(normal, scene.mirror->centreMm)));
+    if (seen.instrumentShown && seen.burIndex < m_burs.size())
+        drawInstrument(seen);
+    glDisable(GL_CLIP_DISTANCE0);
+    m_isMirrored = false;
+    m_clipPlane = glm::vec4(0.0F);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+}
+
+/// Frame of the mirror: its middle, +z out of the glass, its handle towards +x, which points up as far as it can.
+void ToothRenderer::drawMirror(const Scene& scene)
+{
+    const glm::dvec3& z = scene.mirror->normal;
+    const glm::dvec3 up = glm::dvec3(glm::inverse(scene.eyeFromTooth)[1]);
+    const glm::dvec3 away = glm::dvec3(glm::inverse(scene.eyeFromTooth)[0]) * (scene.mirrorHandleLeft ? -1.0 : 1.0);
+    const glm::dvec3 wanted = up * 0.35 + away;
+    const glm::dvec3 x = glm::normalize(wanted - z * glm::dot(wanted, z));
+    const glm::dvec3 y = glm::cross(z, x);
+    const glm::dmat4 toothFromMirror(glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0),
+                                     glm::dvec4(scene.mirror->centreMm, 1.0));
+    useMetal(scene, toothFromMirror);
+    drawPart(m_mirror);
+    const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
+    m_glassProgram.bind();
+    setMatrix(*this, m_glassProgram, "clipFromMirror",
+              glm::mat4(scene.clipFromEye * scene.eyeFromTooth * toothFromMirror));
+    m_glassProgram.setUniformValue("radiusMm", static_cast<float>(DentalMirror::kRadiusMm - 0.6));
+    m_glassProgram.setUniformValue("sizePx", scene.sizePx.x, scene.sizePx.y);
+    m_glassProgram.setUniformValue("reflection", 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, m_reflection->texture());
+    glDrawArrays(GL_TRIANGLE_FAN, 0, kGlassCorners);
+}
+
+/// The bur where the hand holds it.
+void ToothRenderer::drawGhost(const Scene& scene)
+{
+    useMetal(scene, toothFromBur(scene, *scene.ghostMm));
+    m_metalProgram.setUniformValue("fade", 0.28F);
+    m_metalProgram.setUniformValue("blur", 0.0F);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    // Through the tooth as well: where it is is what it tells.
+    glDisable(GL_DEPTH_TEST);
+    drawPart(*m_burs[scene.burIndex]);
+    glEnable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
+}
+
+glm::dmat4 ToothRenderer::toothFromBur(const Scene& scene, const glm::dvec3& tipMm)
+{
+    return glm::rotate(glm::translate(glm::dmat4(1.0), tipMm), scene.handAzimuthRad, glm::dvec3(0.0, 0.0, 1.0));
+}
+
+void ToothRenderer::useMetal(const Scene& scene, const glm::dmat4& toothFromPart)
+{
+    m_metalProgram.bind();
+    setMatrix(*this, m_metalProgram, "clipFromTooth", glm::mat4(scene.clipFromEye * scene.eyeFromTooth));
+    setMatrix(*this, m_metalProgram, "toothFromPart", glm::mat4(toothFromPart));
+    setVector(m_metalProgram, "eyeMm", glm::vec3(scene.eyeMm));
+    const glm::mat3 eyeRotation(scene.eyeFromTooth);
+    glUniformMatrix3fv(m_metalProgram.uniformLocation("eyeRotation"), 1, GL_FALSE, glm::value_ptr(eyeRotation));
+    setVector(m_metalProgram, "towardsLight", scene.towardsLight);
+    m_metalProgram.setUniformValue("turnRad", static_cast<float>(std::remainder(scene.turnRad, 6.283185307179586)));
+    m_metalProgram.setUniformValue("blur", scene.drillOn ? 0.8F : 0.0F);
+    m_metalProgram.setUniformValue("fade", 1.0F);
+    m_metalProgram.setUniformValue("glassRadius", 0.0F);
+    glUniform4fv(m_metalProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
+    glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
+}
+
+void ToothRenderer::drawPart(Part& part)
+{
+    const QOpenGLVertexArrayObject::Binder bound(&part.layout);
+    glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, nullptr);
 }
 
 void ToothRenderer::drawBackdrop(const Scene& scene)
@@ -255,6 +376,15 @@ void ToothRenderer::drawTooth(const Scene& scene)
     const bool shadow = scene.instrumentShown && scene.burIndex < m_burs.size();
     const double radius = shadow ? core::drilling::burs()[scene.burIndex].headRadiusMm : 0.0;
     m_toothProgram.setUniformValue("burShadowMm", static_cast<float>(1.3 * radius));
+    glUniform4fv(m_toothProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
+    m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
+    m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
+    m_toothProgram.setUniformValue("depthColoursMm", static_cast<float>(scene.look.depthColoursMm));
+    const glm::dvec3 towardsHandle(std::cos(scene.handAzimuthRad), std::sin(scene.handAzimuthRad), 0.0);
+    const glm::dvec3 lampMm =
+        scene.tipMm + towardsHandle * kLampAsideMm + glm::dvec3(0.0, 0.0, core::drilling::kChuckMm + scene.liftMm);
+    setVector(m_toothProgram, "burLampMm", glm::vec3(lampMm));
+    m_toothProgram.setUniformValue("burLamp", scene.look.burLight && shadow ? 1.0F : 0.0F);
     m_toothProgram.setUniformValue("places", int{kPlaces});
     m_toothProgram.setUniformValue("heights", int{kHeights});
     m_toothProgram.setUniformValue("normals", int{kNormals});
@@ -272,7 +402,7 @@ void ToothRenderer::drawTooth(const Scene& scene)
         heights.texture->bind(kHeights);
         normals.texture->bind(kNormals);
         m_toothProgram.setUniformValue("facing", facing);
-        glFrontFace(front);
+        glFrontFace(m_isMirrored == (front == GL_CCW) ? GL_CW : GL_CCW);
         glMultiDrawElements(GL_TRIANGLES, m_drawCounts.data(), GL_UNSIGNED_INT, m_drawOffsets.data(),
                             static_cast<GLsizei>(m_drawCounts.size()));
     };
@@ -285,30 +415,16 @@ void ToothRenderer::drawInstrument(const Scene& scene)
 {
     drawCue(scene);
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
-    const glm::dmat4 toothFromPart =
-        glm::rotate(glm::translate(glm::dmat4(1.0), scene.tipMm), scene.handAzimuthRad, glm::dvec3(0.0, 0.0, 1.0));
-    m_metalProgram.bind();
-    setMatrix(*this, m_metalProgram, "clipFromTooth", glm::mat4(clipFromTooth));
-    setMatrix(*this, m_metalProgram, "toothFromPart", glm::mat4(toothFromPart));
-    setVector(m_metalProgram, "eyeMm", glm::vec3(scene.eyeMm));
-    const glm::mat3 eyeRotation(scene.eyeFromTooth);
-    glUniformMatrix3fv(m_metalProgram.uniformLocation("eyeRotation"), 1, GL_FALSE, glm::value_ptr(eyeRotation));
-    setVector(m_metalProgram, "towardsLight", scene.towardsLight);
-    m_metalProgram.setUniformValue("turnRad", static_cast<float>(std::remainder(scene.turnRad, 6.283185307179586)));
-    m_metalProgram.setUniformValue("blur", scene.drillOn ? 0.8F : 0.0F);
-    m_metalProgram.setUniformValue("glassRadius", 0.0F);
-    const auto part = [&](Part& drawn) {
-        const QOpenGLVertexArrayObject::Binder bound(&drawn.layout);
-        glDrawElements(GL_TRIANGLES, drawn.count, GL_UNSIGNED_INT, nullptr);
-    };
-    part(*m_burs[scene.burIndex]);
+    const glm::dmat4 toothFromPart = toothFromBur(scene, scene.tipMm);
+    useMetal(scene, toothFromPart);
+    drawPart(*m_burs[scene.burIndex]);
     setMatrix(*this, m_metalProgram, "toothFromPart",
               glm::mat4(glm::translate(toothFromPart, glm::dvec3(0.0, 0.0, scene.liftMm))));
     // From the side the shank is what tells how the bur stands; from above it would hide all that it does.
     const glm::dvec3 towardsEye = glm::normalize(scene.eyeMm - scene.tipMm);
     const bool shankIsGlass = towardsEye.z > kShankHidesTheWork;
     if (!shankIsGlass)
-        part(*m_shanks[scene.burIndex]);
+        drawPart(*m_shanks[scene.burIndex]);
 
     // The handpiece turns to glass over the crown: the hand feels it, the eye wants the tooth. First its depth alone,
     // so that only its nearest side is blended.
@@ -321,8 +437,8 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     const auto glass = [&] {
         if (shankIsGlass)
-            part(*m_shanks[scene.burIndex]);
-        part(m_handpiece);
+            drawPart(*m_shanks[scene.burIndex]);
+        drawPart(m_handpiece);
     };
     glass();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

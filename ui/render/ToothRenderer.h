@@ -11,12 +11,14 @@
 #include <glm/vec3.hpp>
 
 #include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
 #include <QString>
 
+#include "ui/render/Look.h"
 #include "ui/render/SolidMesh.h"
 #include "ui/render/ToothSurface.h"
 
@@ -39,6 +41,11 @@ struct Scene
     double turnRad = 0.0;            ///< of the bur about its axis
     bool drillOn = false;
     double liftMm = 0.0;  ///< of shank and handpiece along the bur, so that they clear the tooth
+
+    std::optional<glm::dvec3> ghostMm;  ///< where the hand holds the bur, shown faintly
+    std::optional<DentalMirror> mirror;
+    bool mirrorHandleLeft = true;  ///< the mirror is held by the other hand than the handpiece
+    Look look;
 };
 
 /// Draws a ToothSurface, the bur and the handpiece with OpenGL 3.3 core. The context given to initialize() must be
@@ -85,6 +92,13 @@ private:
     void writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeTriangles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void drawSolids(const Scene& scene, const glm::dvec4& clipPlane);
+    void drawReflection(const Scene& scene);
+    void drawMirror(const Scene& scene);
+    void drawGhost(const Scene& scene);
+    void useMetal(const Scene& scene, const glm::dmat4& toothFromPart);
+    void drawPart(Part& part);
+    [[nodiscard]] static glm::dmat4 toothFromBur(const Scene& scene, const glm::dvec3& tipMm);
     void drawBackdrop(const Scene& scene);
     void drawTooth(const Scene& scene);
     void drawInstrument(const Scene& scene);
@@ -94,6 +108,7 @@ private:
     QOpenGLShaderProgram m_backdropProgram;
     QOpenGLShaderProgram m_metalProgram;
     QOpenGLShaderProgram m_lineProgram;
+    QOpenGLShaderProgram m_glassProgram;
     QOpenGLVertexArrayObject m_nothing;  ///< for pictures without vertices
     QOpenGLVertexArrayObject m_toothLayout;
     QOpenGLBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
@@ -108,6 +123,10 @@ private:
     std::vector<std::unique_ptr<Part>> m_burs;
     std::vector<std::unique_ptr<Part>> m_shanks;
     Part m_handpiece;
+    Part m_mirror;
+    std::unique_ptr<QOpenGLFramebufferObject> m_reflection;  ///< what the dental mirror shows, as the eye sees it
+    bool m_isMirrored = false;                               ///< what is drawn is a mirror image: its front faces turn
+    glm::vec4 m_clipPlane{0.0F};                             ///< tooth frame; what is behind it is not drawn
 
     std::optional<core::terrain::Grid> m_lattice;
     glm::vec3 m_crownMm{0.0F};

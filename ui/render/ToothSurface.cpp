@@ -67,6 +67,29 @@ ToothSurface::ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> an
     spreadLayers();
     m_written = wholeOf(m_lattice);
     refresh();
+    keepWhole();
+}
+
+/// Keeps the surface as it is drawn now as that of the whole tooth, carried on a little beyond its rim.
+void ToothSurface::keepWhole()
+{
+    for (int j = 0; j < m_lattice.side; ++j) {
+        for (int i = 0; i < m_lattice.side; ++i) {
+            float sum = 0.0F;
+            float weights = 0.0F;
+            const int reach = isShown(i, j) ? 0 : 2;
+            for (int dj = -reach; dj <= reach; ++dj) {
+                for (int di = -reach; di <= reach; ++di) {
+                    if (!isShown(i + di, j + dj))
+                        continue;
+                    sum += m_tops[m_lattice.index(i + di, j + dj)];
+                    weights += 1.0F;
+                }
+            }
+            if (weights > 0.0F)
+                m_lowerLayers[m_lattice.index(i, j)].z = sum / weights;
+        }
+    }
 }
 
 void ToothSurface::takeAnatomy()
@@ -260,7 +283,7 @@ void ToothSurface::spreadLayers()
     const int side = m_lattice.side;
     const std::size_t count = m_lattice.count();
     m_upperLayers.assign(count, glm::vec4(0.0F));
-    m_lowerLayers.assign(count, glm::vec2(0.0F));
+    m_lowerLayers.assign(count, glm::vec4(0.0F));
     std::vector<std::uint8_t> known(count, 0);
     std::vector<std::uint8_t> caries(count, 0);
     std::vector<std::uint8_t> pulp(count, 0);
@@ -302,7 +325,7 @@ void ToothSurface::spreadLayers()
         known = std::move(reached);
     }
     const std::vector<glm::vec4> own = m_upperLayers;
-    const std::vector<glm::vec2> ownLower = m_lowerLayers;
+    const std::vector<glm::vec4> ownLower = m_lowerLayers;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const std::size_t k = m_lattice.index(i, j);
@@ -755,6 +778,15 @@ double ToothSurface::heightMm(glm::dvec2 pointMm) const
     const double v = at.y - j;
     return (1.0 - v) * ((1.0 - u) * pickHeight(i, j) + u * pickHeight(i + 1, j)) +
            v * ((1.0 - u) * pickHeight(i, j + 1) + u * pickHeight(i + 1, j + 1));
+}
+
+double ToothSurface::cutDepthMm(glm::dvec2 pointMm) const
+{
+    if (!isTooth(pointMm))
+        return 0.0;
+    const glm::dvec2 at = glm::round(m_lattice.latticeOf(pointMm));
+    const std::size_t k = m_lattice.index(static_cast<int>(at.x), static_cast<int>(at.y));
+    return std::max(0.0, static_cast<double>(m_wholeTop[k] - std::max(m_top[k], m_wholeBottom[k])));
 }
 
 bool ToothSurface::isTooth(glm::dvec2 pointMm) const

@@ -75,6 +75,8 @@ public:
     [[nodiscard]] double highestBetweenMm(glm::dvec2 fromMm, glm::dvec2 toMm, double radiusMm) const;
     /// Height of the tooth below a point, restingHeightMm() beside it.
     [[nodiscard]] double heightMm(glm::dvec2 pointMm) const;
+    /// How far below the uncut surface the tooth is there, mm; 0 beside it.
+    [[nodiscard]] double cutDepthMm(glm::dvec2 pointMm) const;
     /// False beside the tooth: where heightMm() is the resting height for want of a chewing surface.
     [[nodiscard]] bool isTooth(glm::dvec2 pointMm) const;
     /// Height at which a bur waits beside the tooth.
@@ -101,8 +103,9 @@ public:
     {
         return m_upperLayers;
     }  ///< roof, floor, dej, pulp
-    /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion.
-    [[nodiscard]] const std::vector<glm::vec2>& lowerLayers() const { return m_lowerLayers; }
+    /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion. z: the
+    /// uncut surface, mm. w: nothing.
+    [[nodiscard]] const std::vector<glm::vec4>& lowerLayers() const { return m_lowerLayers; }
     /// Triangles of the upper surface, tile by tile; the lower surface has the same ones turned over.
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return m_indices; }  ///< kTileIndices a tile
@@ -113,6 +116,7 @@ private:
     static constexpr int kRimReach = 3;  ///< how far along the rim it is smoothed, nodes
 
     void takeAnatomy();
+    void keepWhole();
     void findResting();
     void smoothFlanks();
     void spreadLayers();
@@ -164,7 +168,7 @@ private:
     std::vector<glm::vec4> m_rawLight;
     std::vector<Light> m_light;
     std::vector<glm::vec4> m_upperLayers;
-    std::vector<glm::vec2> m_lowerLayers;
+    std::vector<glm::vec4> m_lowerLayers;
     std::vector<std::uint32_t> m_indices;
     std::vector<int> m_indexCounts;
     std::vector<std::uint8_t> m_beside;  ///< 1: outside the chewing surface, a bur waits at the resting height

@@ -113,6 +113,22 @@ double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const g
     return std::clamp(lift, 0.0, render::kMostLiftMm);
 }
 
+render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface, bool leftHanded)
+{
+    render::DentalMirror mirror;
+    const glm::dvec3 middle = surface.crownMiddleMm();
+    const double radius = surface.crownRadiusMm();
+    const glm::dvec3 right(camera.rightOnTooth(), 0.0);
+    const glm::dvec3 away(camera.awayOnTooth(), 0.0);
+    const glm::dvec3 out = glm::normalize((leftHanded ? 0.75 : -0.75) * right + away);
+    mirror.centreMm = middle + out * (radius + 5.0) + glm::dvec3(0.0, 0.0, 0.8 * radius);
+    // Half way between where the eye is and what it wants to see: the crown from behind.
+    const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - mirror.centreMm);
+    const glm::dvec3 towardsCrown = glm::normalize(middle + glm::dvec3(0.0, 0.0, 0.2 * radius) - mirror.centreMm);
+    mirror.normal = glm::normalize(towardsEye + towardsCrown);
+    return mirror;
+}
+
 QStringList viewpointNames()
 {
     QStringList names{QStringLiteral("start")};

@@ -12,6 +12,7 @@ uniform vec3 towardsLight;
 uniform float turnRad;     // how far the bur has turned
 uniform float blur;        // 0 standing still, 1 spinning: the blades run together
 uniform vec2 glassCentre;  // pixels: where the instrument must not hide the tooth
+uniform float fade;        // 1 solid, less: a ghost
 uniform float glassRadius; // pixels, 0: opaque everywhere
 
 out vec4 colour;
@@ -53,5 +54,5 @@ void main()
         float away = length(gl_FragCoord.xy - glassCentre) / glassRadius;
         opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.8, 1.35, away));
     }
-    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), opacity);
+    colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), opacity * fade);
 }

@@ -6,6 +6,7 @@ layout(location = 2) in float finish;
 
 uniform mat4 clipFromTooth;
 uniform mat4 toothFromPart;
+uniform vec4 clipPlane;  // of the mirror, tooth frame; zero: nothing is cut off
 
 out vec3 positionMm;
 out vec3 normalInTooth;
@@ -19,5 +20,6 @@ void main()
     normalInTooth = mat3(toothFromPart) * normal;
     onPart = position;
     finishHere = finish;
+    gl_ClipDistance[0] = dot(clipPlane, placed);
     gl_Position = clipFromTooth * placed;
 }

@@ -6,13 +6,20 @@ in vec2 across;       // x, y of the normal
 in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
 in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
-uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around
+uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut surface, mm
 
 uniform float facing;          // 1 upper surface, -1 lower
 uniform vec3 eyeMm;
 uniform vec3 towardsLight;
 uniform vec3 tipMm;            // of the bur
 uniform float burShadowMm;     // radius of its soft shadow, 0: none
+uniform vec3 burLampMm;        // the handpiece's own light
+uniform float burLamp;         // 1 on, 0 off
+uniform bool distinct;         // colours and patterns that nobody confuses
+uniform float wet;             // 1 under a film of water
+uniform float depthColoursMm;  // end of the scale of depths, 0: not coloured
+uniform sampler2D heights;     // as drawn, mm
+uniform vec3 lattice;          // as in the vertex shader
 
 out vec4 colour;
 
@@ -28,6 +35,32 @@ const vec3 kLamp = vec3(1.0, 0.97, 0.91);
 const vec3 kSky = vec3(0.86, 0.93, 1.0);
 const vec3 kGround = vec3(0.50, 0.36, 0.31);  // what the mouth throws back
 
+/// Stripes and dots of 0.3 mm that do not depend on the view: 1 on them, 0 between.
+float stripes(float along)
+{
+    return smoothstep(0.25, 0.35, abs(fract(along / 0.45) - 0.5));
+}
+
+float dots(vec3 at)
+{
+    vec3 cell = fract(at / 0.5) - 0.5;
+    return 1.0 - smoothstep(0.16, 0.22, length(cell));
+}
+
+/// How much of the handpiece's light arrives: what stands between takes it away, softly.
+float burLightAt(vec3 from)
+{
+    float side = float(textureSize(heights, 0).x);
+    vec3 way = burLampMm - from;
+    float open = 1.0;
+    for (int k = 1; k <= 10; ++k) {
+        vec3 at = from + way * (0.012 * float(k * k) + 0.01);
+        float ground = texture(heights, ((at.xy - lattice.xy) * lattice.z + 0.5) / side).r;
+        open = min(open, 1.0 - smoothstep(0.0, 0.25 + 0.02 * float(k * k), ground - at.z));
+    }
+    return open;
+}
+
 void main()
 {
     vec3 normal = normalize(vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0))));
@@ -38,7 +71,7 @@ void main()
 
     // Materials, first match wins: decay, pulp, enamel, dentin. Edges a few hundredths of a millimetre soft.
     vec4 upper = texture(upperLayers, onLattice);
-    vec2 lower = texture(lowerLayers, onLattice).rg;
+    vec3 lower = texture(lowerLayers, onLattice).rgb;
     float z = positionMm.z;
     float enamelMm = z - upper.z;
     float inDecay = smoothstep(-0.05, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
@@ -52,6 +85,20 @@ void main()
     vec3 base = mix(kDentin, enamel, isEnamel);
     base = mix(base, kPulp, inPulp);
     base = mix(base, mix(kDecayEdge, kDecay, smoothstep(0.15, 0.8, inDecay)), smoothstep(0.0, 0.5, inDecay));
+    if (distinct) {
+        vec3 at = positionMm;
+        base = mix(mix(vec3(0.78, 0.36, 0.0), vec3(0.60, 0.25, 0.0), stripes(at.x + at.y)), vec3(0.86, 0.80, 0.30), isEnamel);
+        base = mix(base, mix(vec3(0.58, 0.19, 0.38), vec3(0.93, 0.60, 0.78), dots(at)), inPulp);
+        base = mix(base, mix(vec3(0.0, 0.16, 0.44), vec3(0.10, 0.42, 0.80), stripes(at.x - at.y + 0.5 * at.z)),
+                   smoothstep(0.2, 0.5, inDecay));
+    }
+    if (depthColoursMm > 0.0 && facing > 0.0) {
+        // Grey where nothing is gone; blue over white to vermilion, each end as dark to every eye.
+        float deep = (lower.z - z) / depthColoursMm;
+        vec3 scale = mix(vec3(0.13, 0.35, 0.68), vec3(0.90, 0.90, 0.86), smoothstep(0.0, 0.5, deep));
+        scale = mix(scale, vec3(0.72, 0.14, 0.03), smoothstep(0.5, 1.0, deep));
+        base = mix(vec3(0.52), scale, smoothstep(0.015, 0.05, lower.z - z));
+    }
     float hard = (1.0 - inDecay) * (1.0 - inPulp) * isEnamel;
 
     // Fissures are stained a little, and hold less light than the map of the sky can tell.
@@ -59,6 +106,8 @@ void main()
     float stain = smoothstep(0.12, 0.5, crevice) * (1.0 - cut);
     base *= mix(vec3(1.0), vec3(0.50, 0.38, 0.26), stain);
     float open = shade.r * sqrt(shade.r) * (1.0 - 0.35 * smoothstep(0.05, 0.6, crevice));
+
+    base *= 1.0 - 0.12 * wet;
 
     vec3 towardsEye = normalize(eyeMm - positionMm);
     float facingEye = max(dot(normal, towardsEye), 0.0);
@@ -74,15 +123,22 @@ void main()
         float near = max(1.0 - dot(away, away) / (3.0 * radius * radius), 0.0);
         lamp *= 1.0 - 0.6 * near * near * burShadowMm / (burShadowMm + 0.3 * below);
     }
+    float own = 0.0;  // of the handpiece's light
+    if (burLamp > 0.0 && facing > 0.0) {
+        vec3 way = burLampMm - positionMm;
+        float away2 = dot(way, way);
+        own = max(dot(normal, way) * inversesqrt(away2), 0.0) * 90.0 / (away2 + 20.0);
+        own *= smoothstep(9.0, 2.0, length(positionMm.xy - tipMm.xy)) * burLightAt(positionMm + normal * 0.05);
+    }
     vec3 warm = mix(vec3(1.0, 0.90, 0.78), vec3(1.0), smoothstep(0.0, 0.6, lamp));
     float head = facingEye * mix(open, 1.0, 0.35);
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * normal.z) * open;
-    vec3 lit = base * (0.72 * lamp * mix(open, 1.0, 0.5) * kLamp * warm + 0.22 * head + 0.27 * sky);
+    vec3 lit = base * (0.72 * lamp * mix(open, 1.0, 0.5) * kLamp * warm + 0.22 * head + 0.27 * sky + 0.45 * own);
     // Light bounced about in a cavity takes the colour of its walls, and so does what wanders within them into a shadow.
     lit += base * base * ((1.0 - open) * 0.10 + (1.0 - shade.g) * 0.10) * vec3(1.0, 0.90, 0.74);
 
     // Gloss: polished enamel, frosted where cut, dull dentin.
-    float polish = hard * (1.0 - 0.85 * cut) * (1.0 - stain);
+    float polish = max(hard * (1.0 - 0.85 * cut) * (1.0 - stain), 0.9 * wet);
     vec3 halfLamp = normalize(towardsLight + towardsEye);
     // Powers of two by squaring: a software driver takes ten times as long for pow().
     float glance = max(dot(normal, halfLamp), 0.0);
@@ -92,7 +148,7 @@ void main()
     float glance16 = glance8 * glance8;
     float glance32 = glance16 * glance16;
     float glance128 = glance32 * glance32 * glance32 * glance32;
-    float shine = mix(0.05 * glance8 * glance, 0.42 * glance128 + 0.09 * glance16, polish);
+    float shine = mix(0.05 * glance8 * glance, (0.42 + 0.5 * wet) * glance128 + 0.09 * glance16, polish);
     float straight = facingEye * facingEye;
     straight *= straight;
     straight *= straight;

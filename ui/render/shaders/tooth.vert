@@ -7,6 +7,7 @@ uniform sampler2D places;   // x, y as drawn, mm
 uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
+uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
 uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
 
 out vec3 positionMm;
@@ -23,5 +24,6 @@ void main()
     across = texelFetch(normals, node, 0).rg;
     shadeHere = texelFetch(light, node, 0);
     onLattice = ((placeMm - lattice.xy) * lattice.z + 0.5) / float(side);
+    gl_ClipDistance[0] = dot(clipPlane, vec4(positionMm, 1.0));
     gl_Position = clipFromTooth * vec4(positionMm, 1.0);
 }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/render/Presenter.h"
+
+#include <algorithm>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ui::render {
+
+bool Presenter::initialize(QString& reason)
+{
+    if (!initializeOpenGLFunctions()) {
+        reason = QStringLiteral("no OpenGL 3.3 core profile");
+        return false;
+    }
+    m_nothing.create();
+    const bool built =
+        m_program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/render/backdrop.vert")) &&
+        m_program.addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/render/present.frag")) &&
+        m_program.link();
+    if (!built)
+        reason = QStringLiteral("shader 'present': %1").arg(m_program.log());
+    return built;
+}
+
+/// Both eyes look straight ahead, side by side, through one window in the plane of convergence: no toe-in, which would
+/// tilt what lies aside.
+Scene Presenter::seenBy(int eye, const Scene& scene, const Presentation& how, double focusMm)
+{
+    Scene seen = scene;
+    const double aside = 0.5 * eye * how.apart * focusMm;
+    seen.eyeFromTooth = glm::translate(glm::dmat4(1.0), glm::dvec3(-aside, 0.0, 0.0)) * scene.eyeFromTooth;
+    seen.clipFromEye[2][0] -= scene.clipFromEye[0][0] * aside / (how.convergence * focusMm);
+    seen.eyeMm = glm::dvec3(glm::inverse(seen.eyeFromTooth)[3]);
+    return seen;
+}
+
+void Presenter::draw(ToothRenderer& renderer, const Scene& scene, const Presentation& how, double focusMm, int samples)
+{
+    if (how.isPlain()) {
+        renderer.draw(scene);
+        return;
+    }
+    GLint target = 0;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    const int pictures = how.stereo == Stereo::Off ? 1 : 2;
+    QSize size(viewport[2], viewport[3]);
+    if (how.stereo == Stereo::SideBySide)
+        size.setWidth(std::max(1, size.width() / 2));
+    if (how.stereo == Stereo::TopBottom)
+        size.setHeight(std::max(1, size.height() / 2));
+    for (int k = 0; k < pictures; ++k) {
+        Pictures& eye = m_eyes[static_cast<std::size_t>(k)];
+        if (!eye.drawn || eye.drawn->size() != size || m_samples != samples) {
+            QOpenGLFramebufferObjectFormat format;
+            format.setSamples(samples);
+            format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+            eye.drawn = std::make_unique<QOpenGLFramebufferObject>(size, format);
+            eye.resolved = std::make_unique<QOpenGLFramebufferObject>(size);
+        }
+        eye.drawn->bind();
+        glViewport(0, 0, size.width(), size.height());
+        Scene seen = pictures == 2 ? seenBy(2 * k - 1, scene, how, focusMm) : scene;
+        seen.sizePx = glm::vec2(size.width(), size.height());
+        renderer.draw(seen);
+        QOpenGLFramebufferObject::blitFramebuffer(eye.resolved.get(), eye.drawn.get());
+    }
+    m_samples = samples;
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    m_program.bind();
+    m_program.setUniformValue("leftEye", 0);
+    m_program.setUniformValue("rightEye", 1);
+    m_program.setUniformValue("stereo", static_cast<int>(how.stereo));
+    m_program.setUniformValue("flip", how.flipLeftRight ? 1.0F : 0.0F, how.flipUpDown ? 1.0F : 0.0F);
+    for (int k = 0; k < pictures; ++k) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(k));
+        glBindTexture(GL_TEXTURE_2D, m_eyes[static_cast<std::size_t>(k)].resolved->texture());
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glDisable(GL_DEPTH_TEST);
+    const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace ui::render
