@@ -390,6 +390,13 @@
     </message>
 </context>
 <context>
+    <name>ViewMarks</name>
+    <message>
+        <source>depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+</context>
+<context>
     <name>app::Application</name>
     <message>
         <source>Making tooth %1 …</source>
@@ -590,6 +597,116 @@
     <message>
         <source>Let the handpiece lead your hand back over the tooth</source>
         <translation>Die Hand vom Handstück über den Zahn zurückführen lassen</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Turn round</source>
+        <translation>Umdrehen</translation>
+    </message>
+    <message>
+        <source>Look from the other side: half a circle</source>
+        <translation>Von der anderen Seite sehen: ein halber Kreis</translation>
+    </message>
+    <message>
+        <source>Dental mirror</source>
+        <extracomment>The small round mirror on a handle</extracomment>
+        <translation>Mundspiegel</translation>
+    </message>
+    <message>
+        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
+        <translation>Den Spiegel nehmen oder weglegen; am Glas ziehen, mit Umschalt kippen</translation>
+    </message>
+    <message>
+        <source>Light on the handpiece</source>
+        <translation>Licht am Handstück</translation>
+    </message>
+    <message>
+        <source>Let the handpiece light the cavity</source>
+        <translation>Das Handstück leuchtet in die Kavität</translation>
+    </message>
+    <message>
+        <source>Colours of depth</source>
+        <translation>Tiefenfarben</translation>
+    </message>
+    <message>
+        <source>Colour the cut by its depth and tell it under the pointer</source>
+        <translation>Den Schnitt nach seiner Tiefe färben und sie unter dem Zeiger nennen</translation>
+    </message>
+    <message>
+        <source>Where the hand is</source>
+        <translation>Wo die Hand ist</translation>
+    </message>
+    <message>
+        <source>Show faintly where the hand holds the bur</source>
+        <translation>Blass zeigen, wo die Hand den Bohrer hält</translation>
+    </message>
+    <message>
+        <source>Colours for every eye</source>
+        <translation>Farben für jedes Auge</translation>
+    </message>
+    <message>
+        <source>Give each tissue a colour and a pattern that nobody confuses</source>
+        <translation>Jedem Gewebe eine Farbe und ein Muster geben, die niemand verwechselt</translation>
+    </message>
+    <message>
+        <source>Wet tooth</source>
+        <extracomment>The tooth as if it were wet</extracomment>
+        <translation>Nasser Zahn</translation>
+    </message>
+    <message>
+        <source>Let the tooth shine as if it were wet</source>
+        <translation>Den Zahn glänzen lassen, als wäre er nass</translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation>Stereobild</translation>
+    </message>
+    <message>
+        <source>One picture for each eye</source>
+        <translation>Ein Bild für jedes Auge</translation>
+    </message>
+    <message>
+        <source>Set up the stereo picture …</source>
+        <translation>Stereobild einrichten …</translation>
+    </message>
+    <message>
+        <source>Choose glasses or screen and fit it to your eyes</source>
+        <translation>Brille oder Bildschirm wählen und an die Augen anpassen</translation>
+    </message>
+    <message>
+        <source>Turn left and right over</source>
+        <translation>Links und rechts vertauschen</translation>
+    </message>
+    <message>
+        <source>For a half-silvered mirror over the hand</source>
+        <translation>Für einen halbdurchlässigen Spiegel über der Hand</translation>
+    </message>
+    <message>
+        <source>Turn up and down over</source>
+        <translation>Oben und unten vertauschen</translation>
+    </message>
+    <message>
+        <source>For a screen that lies upside down over the hand</source>
+        <translation>Für einen Bildschirm, der kopfüber über der Hand liegt</translation>
+    </message>
+    <message>
+        <source>Save a picture …</source>
+        <translation>Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save what the view shows as a PNG</source>
+        <translation>Was die Ansicht zeigt, als PNG speichern</translation>
+    </message>
+    <message>
+        <source>Less motion</source>
+        <translation>Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>No gliding, no spinning bur</source>
+        <translation>Kein Gleiten, kein drehender Bohrer</translation>
     </message>
 </context>
 <context>
@@ -899,6 +1016,18 @@
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
         <translation>Das simulierte Handstück arbeitet</translation>
     </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation>Das Bild wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>Das Bild konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1121,6 +1250,61 @@
     </message>
 </context>
 <context>
+    <name>ui::shell::StereoCard</name>
+    <message>
+        <source>Distance of the eyes</source>
+        <translation>Abstand der Augen</translation>
+    </message>
+    <message>
+        <source>Plane of the screen</source>
+        <translation>Ebene des Bildschirms</translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation>Stereobild</translation>
+    </message>
+    <message>
+        <source>Way to the eyes</source>
+        <translation>Weg zu den Augen</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in colour</source>
+        <translation>Rot-Cyan-Brille, in Farbe</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in grey</source>
+        <translation>Rot-Cyan-Brille, in Grau</translation>
+    </message>
+    <message>
+        <source>Halves side by side</source>
+        <translation>Hälften nebeneinander</translation>
+    </message>
+    <message>
+        <source>Halves one above the other</source>
+        <translation>Hälften übereinander</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Without stereo</source>
+        <translation>Ohne Stereo</translation>
+    </message>
+    <message>
+        <source>1. How do the two pictures reach your eyes? Close one eye, then the other: each must see a single tooth.</source>
+        <translation>1. Wie kommen die beiden Bilder zu Ihren Augen? Schließen Sie erst das eine, dann das andere: Jedes muss einen einzigen Zahn sehen.</translation>
+    </message>
+    <message>
+        <source>2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it tires you.</source>
+        <translation>2. Rücken Sie die Augen auseinander, bis die Höcker sich aus den Fissuren heben; ein wenig zurück, wenn es anstrengt.</translation>
+    </message>
+    <message>
+        <source>3. Move the tooth before or behind the screen until you see it without effort.</source>
+        <translation>3. Rücken Sie den Zahn vor oder hinter den Bildschirm, bis Sie ihn mühelos sehen.</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ToothChooser</name>
     <message>
         <source>Choose a tooth</source>
@@ -1152,6 +1336,17 @@
     </message>
 </context>
 <context>
+    <name>ui::shell::ViewMenu</name>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>What is shown of the tooth, and how</source>
+        <translation>Was vom Zahn gezeigt wird, und wie</translation>
+    </message>
+</context>
+<context>
     <name>ui::tooth::ToothView</name>
     <message>
         <source>Tooth</source>
@@ -1169,6 +1364,11 @@
     <message>
         <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
         <translation>Dieser Rechner bietet kein OpenGL 3.3, darum kann der Zahn nicht gezeigt werden. Installieren oder aktualisieren Sie den Grafiktreiber (unter Debian: libgl1-mesa-dri) und starten Sie Cusp neu.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <extracomment>Depth of the cut under the pointer</extracomment>
+        <translation>%1 mm</translation>
     </message>
 </context>
 </TS>

@@ -390,6 +390,13 @@
     </message>
 </context>
 <context>
+    <name>ViewMarks</name>
+    <message>
+        <source>depth, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>app::Application</name>
     <message>
         <source>Making tooth %1 …</source>
@@ -589,6 +596,116 @@
     </message>
     <message>
         <source>Let the handpiece lead your hand back over the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the other side: half a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental mirror</source>
+        <extracomment>The small round mirror on a handle</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light on the handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece light the cavity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour the cut by its depth and tell it under the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the hand is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show faintly where the hand holds the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours for every eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give each tissue a colour and a pattern that nobody confuses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wet tooth</source>
+        <extracomment>The tooth as if it were wet</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the tooth shine as if it were wet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One picture for each eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up the stereo picture …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose glasses or screen and fit it to your eyes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn left and right over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For a half-silvered mirror over the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn up and down over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For a screen that lies upside down over the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a picture …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save what the view shows as a PNG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gliding, no spinning bur</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -899,6 +1016,18 @@
         <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1121,6 +1250,61 @@
     </message>
 </context>
 <context>
+    <name>ui::shell::StereoCard</name>
+    <message>
+        <source>Distance of the eyes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane of the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way to the eyes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in grey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Halves side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Halves one above the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without stereo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1. How do the two pictures reach your eyes? Close one eye, then the other: each must see a single tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it tires you.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3. Move the tooth before or behind the screen until you see it without effort.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ToothChooser</name>
     <message>
         <source>Choose a tooth</source>
@@ -1152,6 +1336,17 @@
     </message>
 </context>
 <context>
+    <name>ui::shell::ViewMenu</name>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown of the tooth, and how</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::tooth::ToothView</name>
     <message>
         <source>Tooth</source>
@@ -1168,6 +1363,11 @@
     </message>
     <message>
         <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <extracomment>Depth of the cut under the pointer</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

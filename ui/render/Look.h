@@ -30,7 +30,7 @@ struct DentalMirror
     glm::dvec3 centreMm{0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit vector, out of its mirroring side
 
-    static constexpr double kRadiusMm = 11.0;  ///< size 4
+    static constexpr double kRadiusMm = 9.0;  ///< size 2
 
     /// Where the mirror image of a point stands.
     [[nodiscard]] glm::dvec3 image(const glm::dvec3& pointMm) const

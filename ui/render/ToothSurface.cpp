@@ -67,29 +67,8 @@ ToothSurface::ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> an
     spreadLayers();
     m_written = wholeOf(m_lattice);
     refresh();
-    keepWhole();
-}
-
-/// Keeps the surface as it is drawn now as that of the whole tooth, carried on a little beyond its rim.
-void ToothSurface::keepWhole()
-{
-    for (int j = 0; j < m_lattice.side; ++j) {
-        for (int i = 0; i < m_lattice.side; ++i) {
-            float sum = 0.0F;
-            float weights = 0.0F;
-            const int reach = isShown(i, j) ? 0 : 2;
-            for (int dj = -reach; dj <= reach; ++dj) {
-                for (int di = -reach; di <= reach; ++di) {
-                    if (!isShown(i + di, j + dj))
-                        continue;
-                    sum += m_tops[m_lattice.index(i + di, j + dj)];
-                    weights += 1.0F;
-                }
-            }
-            if (weights > 0.0F)
-                m_lowerLayers[m_lattice.index(i, j)].z = sum / weights;
-        }
-    }
+    for (std::size_t k = 0; k < m_tops.size(); ++k)
+        m_lowerLayers[k].z = m_tops[k];
 }
 
 void ToothSurface::takeAnatomy()

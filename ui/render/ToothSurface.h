@@ -116,7 +116,6 @@ private:
     static constexpr int kRimReach = 3;  ///< how far along the rim it is smoothed, nodes
 
     void takeAnatomy();
-    void keepWhole();
     void findResting();
     void smoothFlanks();
     void spreadLayers();

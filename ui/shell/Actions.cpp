@@ -59,8 +59,38 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     pauseReplay =
         add("pause", tr("Pause the replay"), tr("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
 
-    m_groups.push_back({tr("Window"), {}});
+    m_groups.push_back({tr("View"), {}});
     resetView = add("view", tr("View from the start"), tr("Turn the tooth back to where it began"), {Qt::Key_V});
+    turnRound = add("turn", tr("Turn round"), tr("Look from the other side: half a circle"), {Qt::SHIFT | Qt::Key_H});
+    const auto choice = [this](const QString& drawing, const QString& text, const QString& tip,
+                               const QList<QKeySequence>& keys) {
+        QAction* action = add(drawing, text, tip, keys);
+        action->setCheckable(true);
+        return action;
+    };
+    //: The small round mirror on a handle
+    mirror = choice("mirror", tr("Dental mirror"),
+                    tr("Take the mirror or put it away; drag its glass, with Shift to tilt it"), {Qt::Key_E});
+    burLight = choice("light", tr("Light on the handpiece"), tr("Let the handpiece light the cavity"), {Qt::Key_L});
+    depthColours = choice("depth", tr("Colours of depth"),
+                          tr("Colour the cut by its depth and tell it under the pointer"), {Qt::Key_K});
+    handPlace = choice("ghost", tr("Where the hand is"), tr("Show faintly where the hand holds the bur"), {Qt::Key_B});
+    distinctColours = choice("palette", tr("Colours for every eye"),
+                             tr("Give each tissue a colour and a pattern that nobody confuses"), {Qt::Key_P});
+    //: The tooth as if it were wet
+    wetLook = choice("drop", tr("Wet tooth"), tr("Let the tooth shine as if it were wet"), {Qt::Key_W});
+    stereo = choice("glasses", tr("Stereo picture"), tr("One picture for each eye"), {Qt::Key_S});
+    stereoPage = add("glasses", tr("Set up the stereo picture …"),
+                     tr("Choose glasses or screen and fit it to your eyes"), {Qt::SHIFT | Qt::Key_S});
+    flipLeftRight = choice("flip-h", tr("Turn left and right over"), tr("For a half-silvered mirror over the hand"),
+                           {Qt::ALT | Qt::Key_H});
+    flipUpDown = choice("flip-v", tr("Turn up and down over"), tr("For a screen that lies upside down over the hand"),
+                        {Qt::ALT | Qt::Key_V});
+    savePicture =
+        add("picture", tr("Save a picture …"), tr("Save what the view shows as a PNG"), {Qt::CTRL | Qt::Key_P});
+    reducedMotion = choice("calm", tr("Less motion"), tr("No gliding, no spinning bur"), {Qt::ALT | Qt::Key_M});
+
+    m_groups.push_back({tr("Window"), {}});
     panel = add("panel", tr("Side panel"), tr("Show the figures, or put them away"), {Qt::Key_F9});
     panel->setCheckable(true);
     panel->setChecked(true);

@@ -45,7 +45,21 @@ public:
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
-    QAction* panel = nullptr;        ///< checkable: the side panel is there
+    QAction* turnRound = nullptr;
+    // Of the view (ViewMenu); all but the last two checkable.
+    QAction* mirror = nullptr;
+    QAction* burLight = nullptr;
+    QAction* depthColours = nullptr;
+    QAction* handPlace = nullptr;
+    QAction* distinctColours = nullptr;
+    QAction* wetLook = nullptr;
+    QAction* stereo = nullptr;
+    QAction* flipLeftRight = nullptr;
+    QAction* flipUpDown = nullptr;
+    QAction* reducedMotion = nullptr;
+    QAction* stereoPage = nullptr;
+    QAction* savePicture = nullptr;
+    QAction* panel = nullptr;  ///< checkable: the side panel is there
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* back = nullptr;

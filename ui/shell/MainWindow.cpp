@@ -17,6 +17,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
@@ -32,8 +33,10 @@
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
+#include "ui/shell/StereoCard.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
+#include "ui/shell/ViewMenu.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -74,11 +77,12 @@ QString droppedFile(const QMimeData* data)
 }  // namespace
 
 MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
-    : QMainWindow(parent), m_links(links), m_actions(new Actions(this)),
+    : QMainWindow(parent), m_links(links), m_actions(new Actions(this)), m_viewMenu(new ViewMenu(*m_actions, this)),
       m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
-      m_room(new PracticeRoom(*m_actions, m_view->pane(), m_pages)), m_chooser(new ToothChooser(*m_actions, m_pages)),
-      m_scorePage(new ScorePage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages))
+      m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view->pane(), m_pages)),
+      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
+      m_messages(new MessageBar(m_pages)), m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
+      m_stereoCard(new StereoCard(m_room))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -126,6 +130,7 @@ void MainWindow::connectActions()
         on(m_actions->burs[k], [this, k] { wishBur(k); });
     on(m_actions->otherHand, [this](bool left) { m_view->setLeftHanded(left); });
     on(m_actions->bringHome, [this] { send(core::session::BringHome{}); });
+    on(m_actions->turnRound, [this] { m_view->turnRound(); });
     on(m_actions->resetView, [this] { m_view->resetCamera(); });
     on(m_actions->undo, [this] { send(core::session::Undo{}); });
     on(m_actions->redo, [this] { send(core::session::Redo{}); });
@@ -160,6 +165,11 @@ void MainWindow::connectActions()
         setReplayPaused(!m_replayPaused);
         emit replayPauseRequested(m_replayPaused);
     });
+    on(m_actions->savePicture, [this] {
+        askForFile(
+            m_actions->savePicture->text(), FileKind::Picture, [this](const QString& path) { savePicture(path); },
+            newFileName(QStringLiteral("png")));
+    });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -184,6 +194,17 @@ void MainWindow::connectView()
         if (!std::exchange(m_knowsTheFarSide, true))
             showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
                            "or press V."));
+    });
+    connect(m_viewMenu, &ViewMenu::chosen, m_view.get(), &tooth::ToothView::setSettings);
+    m_view->setSettings(m_viewMenu->settings());
+    connect(m_viewMenu, &ViewMenu::stereoPageWanted, this, [this] {
+        m_stereoCard->open(m_viewMenu->settings().presentation);
+        placeOverlays();
+    });
+    connect(m_stereoCard, &StereoCard::changed, m_viewMenu, &ViewMenu::setStereo);
+    connect(m_stereoCard, &StereoCard::done, this, [this] {
+        m_stereoCard->hide();
+        m_view->setFocus();
     });
     connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view.get(), &tooth::ToothView::setPushForce);
     m_room->panel().setPushForce(m_view->pushForce());
@@ -288,6 +309,8 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
+    } else if (m_stereoCard->isVisible()) {
+        emit m_stereoCard->done();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
@@ -306,7 +329,9 @@ void MainWindow::enableActions()
         bur->setEnabled(inRoom && mine);
     m_actions->otherHand->setEnabled(inRoom);
     m_actions->bringHome->setEnabled(inRoom && mine && m_actions->bringHome->isVisible());
-    m_actions->resetView->setEnabled(inRoom);
+    for (QAction* action : m_viewMenu->actions())
+        action->setEnabled(inRoom && m_view->isUsable());
+    m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->undo->setEnabled(inRoom && mine && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inRoom && mine && m_session.redoSteps > 0);
@@ -325,6 +350,7 @@ void MainWindow::placeOverlays()
     if (m_help->isVisible())
         m_help->raise();
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
+    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
@@ -503,7 +529,7 @@ void MainWindow::askToSave()
             m_workBeingSaved = ownWork();
             emit recordingSaveRequested(path);
         },
-        newRecordingName());
+        newFileName(recordingSuffix()));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -520,10 +546,25 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
                             const QString& newName)
 {
-    const bool scan = kind == FileKind::Scan;
-    const QString filter = scan ? tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()))
-                                : tr("Recordings (%1)").arg(patternOf({recordingSuffix()}));
-    const QString key = scan ? QStringLiteral("folders/scan") : QStringLiteral("folders/recording");
+    QString filter;
+    QString key;
+    QString suffix;
+    switch (kind) {
+    case FileKind::Scan:
+        filter = tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()));
+        key = QStringLiteral("folders/scan");
+        break;
+    case FileKind::Recording:
+        filter = tr("Recordings (%1)").arg(patternOf({recordingSuffix()}));
+        key = QStringLiteral("folders/recording");
+        suffix = recordingSuffix();
+        break;
+    case FileKind::Picture:
+        filter = tr("Pictures (%1)").arg(patternOf({QStringLiteral("png")}));
+        key = QStringLiteral("folders/picture");
+        suffix = QStringLiteral("png");
+        break;
+    }
     QString folder = memory().value(key).toString();
     if (!QFileInfo(folder).isDir())
         folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -534,7 +575,7 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         dialog->setNameFilters({filter, tr("All files (*)")});
     } else {
         dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(recordingSuffix());
+        dialog->setDefaultSuffix(suffix);
         dialog->setNameFilter(filter);
         dialog->selectFile(newName);
     }
@@ -547,11 +588,27 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
     dialog->open();  // beside the window's own events: nothing stops meanwhile
 }
 
-QString MainWindow::newRecordingName() const
+QString MainWindow::newFileName(const QString& suffix) const
 {
     const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName();
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
-    return QStringLiteral("%1-%2.%3").arg(tooth, now, recordingSuffix());
+    return QStringLiteral("%1-%2.%3").arg(tooth, now, suffix);
+}
+
+void MainWindow::savePicture(const QString& path)
+{
+    QSaveFile file(path);
+    const bool saved = file.open(QIODevice::WriteOnly) && m_view->picture().save(&file, "PNG") && file.commit();
+    if (saved)
+        showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
+    else
+        m_messages->say({MessageBar::Kind::Error,
+                         tr("The picture could not be written. Choose another folder, or make room on the disk."),
+                         QFileInfo(path).fileName(),
+                         {},
+                         {},
+                         MessageBar::Topic::General,
+                         file.errorString()});
 }
 
 void MainWindow::openFile(const QString& path)

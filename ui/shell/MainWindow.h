@@ -31,7 +31,9 @@ class HelpOverlay;
 class MessageBar;
 class PracticeRoom;
 class ScorePage;
+class StereoCard;
 class ToothChooser;
+class ViewMenu;
 
 /// The window: the practice room, and over it the choice of a tooth, the grade, the keys, messages and progress.
 ///
@@ -101,7 +103,7 @@ protected:
 
 private:
     /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
-    enum class FileKind { Scan, Recording };
+    enum class FileKind { Scan, Recording, Picture };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -134,11 +136,13 @@ private:
     /// @param newName  what a new file may be called; empty: an existing one is wanted
     void askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
                     const QString& newName = {});
-    [[nodiscard]] QString newRecordingName() const;
+    [[nodiscard]] QString newFileName(const QString& suffix) const;
+    void savePicture(const QString& path);
     void openFile(const QString& path);
 
     core::session::UiLinks& m_links;
     Actions* m_actions;
+    ViewMenu* m_viewMenu;
     std::unique_ptr<tooth::ToothView> m_view;  ///< not a child: see ToothView::pane()
     QStackedWidget* m_pages;
     PracticeRoom* m_room;
@@ -147,6 +151,7 @@ private:
     MessageBar* m_messages;
     BusyCard* m_busy;
     HelpOverlay* m_help;
+    StereoCard* m_stereoCard;
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth

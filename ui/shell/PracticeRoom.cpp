@@ -16,6 +16,7 @@
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/shell/ViewMenu.h"
 #include "ui/text/Texts.h"
 
 namespace ui::shell {
@@ -39,7 +40,8 @@ QFrame* bar(QWidget* parent)
 
 }  // namespace
 
-PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* parent) : QWidget(parent), m_view(view)
+PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent)
+    : QWidget(parent), m_view(view)
 {
     // Before any child is made, so that all of them take their icons and colours from this room.
     dress(*this, roomPalette());
@@ -58,7 +60,7 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     column->setSpacing(1);
     column->addWidget(makeTopBar(actions));
     column->addLayout(middle, 1);
-    column->addWidget(makeBottomBar(actions));
+    column->addWidget(makeBottomBar(actions, viewMenu));
 
     m_hint = new QLabel(tr("Move the mouse over the tooth, press the left button to drill; right-drag turns the view; "
                            "F1 for keys"),
@@ -186,7 +188,7 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     return frame;
 }
 
-QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
+QWidget* PracticeRoom::makeBottomBar(const Actions& actions, ViewMenu& viewMenu)
 {
     QFrame* frame = bar(this);
     auto* row = new QHBoxLayout(frame);
@@ -198,7 +200,7 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
     row->addStretch(1);
     row->addWidget(barButton(actions.otherHand, true, frame));
     row->addWidget(barButton(actions.bringHome, true, frame));
-    row->addWidget(barButton(actions.resetView, true, frame));
+    row->addWidget(viewMenu.makeButton(frame));
     row->addStretch(1);
     row->addWidget(pageButton(actions.grade, "filled", frame));
     return frame;

@@ -15,6 +15,7 @@ namespace ui::shell {
 class Actions;
 class SidePanel;
 class TabularLabel;
+class ViewMenu;
 
 /// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
 /// buttons, the side panel the figures. Dark grey in either theme.
@@ -23,7 +24,7 @@ class PracticeRoom : public QWidget
     Q_OBJECT
 public:
     /// @param view  the tooth; becomes a child
-    PracticeRoom(const Actions& actions, QWidget* view, QWidget* parent);
+    PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent);
 
     [[nodiscard]] SidePanel& panel() { return *m_panel; }
     /// @param title  "Tooth 36", or the file
@@ -50,7 +51,7 @@ protected:
 
 private:
     QWidget* makeTopBar(const Actions& actions);
-    QWidget* makeBottomBar(const Actions& actions);
+    QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
     void makeNotice();
     void makeReplayCard(const Actions& actions);
     void showReplaySpeed(int times);

@@ -22,6 +22,7 @@
 #include <QWheelEvent>
 
 #include "core/drilling/Bur.h"
+#include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
 namespace ui::tooth {
@@ -32,8 +33,10 @@ constexpr int kSamples = 4;
 constexpr int kStillMs = 120;  ///< without a change before a software driver is asked for smooth edges
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
+constexpr double kTiltPerPixel = 0.006;  ///< of the mirror's normal
 constexpr int kForceToldMs = 1200;
 constexpr double kLiftFollowS = 0.05;
+constexpr double kAtOnceS = 10.0;  ///< in which whatever glides has come to its end
 
 // Keys: one step at once, then a pace that grows while the key is held.
 constexpr double kKeyStepMm = 0.1;
@@ -137,6 +140,8 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     m_control.setSurface(m_surface.get());
     m_inbox.setGeneration(generation);
     showWhole(m_camera, *m_surface);
+    if (m_settings.showsMirror)
+        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
     takePatches();
     publishPointer();
     update();
@@ -170,6 +175,8 @@ void ToothView::setDrillOn(bool on)
 void ToothView::setLeftHanded(bool leftHanded)
 {
     m_leftHanded = leftHanded;
+    if (m_settings.showsMirror && m_surface)
+        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
     if (m_surface) {
         m_surface->setLight(operatingLight(m_leftHanded));
         takeChanges();
@@ -177,9 +184,31 @@ void ToothView::setLeftHanded(bool leftHanded)
     update();
 }
 
+void ToothView::setSettings(const ViewSettings& settings)
+{
+    if (settings == m_settings)
+        return;
+    m_settings = settings;
+    if (!settings.showsMirror)
+        m_mirror.reset();
+    else if (!m_mirror && m_surface)
+        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    update();
+}
+
 void ToothView::resetCamera()
 {
     m_camera.reset();
+    if (m_mirror && m_surface)
+        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    update();
+}
+
+void ToothView::turnRound()
+{
+    m_camera.turn(180.0, 0.0);
+    if (m_mirror && m_surface)
+        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
     update();
 }
 
@@ -213,7 +242,8 @@ void ToothView::initializeGL()
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::leaveContext);
     m_renderer = std::make_unique<render::ToothRenderer>();
     m_surfaceIsNew = true;
-    if (QString reason; m_usable && !m_renderer->initialize(reason))
+    m_presenter = std::make_unique<render::Presenter>();
+    if (QString reason; m_usable && (!m_renderer->initialize(reason) || !m_presenter->initialize(reason)))
         fail(reason);
 }
 
@@ -237,10 +267,10 @@ void ToothView::paintGL()
         m_surfaceIsNew = false;
         m_changes = {};
     }
-    if (m_drillOn)
+    if (m_drillOn && !m_settings.movesLittle)
         m_turnRad += 0.9;
     drawScene();
-    drawForce();
+    drawMarks();
     m_smoothWanted = false;
     m_sincePaint.start();
 }
@@ -248,9 +278,11 @@ void ToothView::paintGL()
 /// A software driver draws moving pictures with hard edges, and smooth ones once nothing moves.
 void ToothView::drawScene()
 {
-    if (!driver().isSoftware || !m_smoothWanted) {
-        m_renderer->draw(scene());
-        m_smooth = !driver().isSoftware;
+    const render::Presentation& how = m_settings.presentation;
+    if (!driver().isSoftware || !m_smoothWanted || !how.isPlain()) {
+        const bool smooth = !driver().isSoftware || m_smoothWanted;
+        m_presenter->draw(*m_renderer, scene(), how, m_camera.distanceMm(), smooth ? kSamples : 0);
+        m_smooth = smooth;
         return;
     }
     const QSize size = this->size() * devicePixelRatioF();
@@ -283,10 +315,70 @@ render::Scene ToothView::scene() const
     scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_servo.anchorMm)) : 0.0;
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
+    scene.look = m_settings.look;
+    scene.mirror = m_mirror;
+    scene.mirrorHandleLeft = !m_leftHanded;
+    if (m_settings.showsHand && scene.instrumentShown)
+        scene.ghostMm = m_servo.deviceMm;
     return scene;
 }
 
-void ToothView::drawForce()
+/// What is painted over the picture, once for each eye that has a half of it.
+void ToothView::drawMarks()
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const render::Presentation& how = m_settings.presentation;
+    const bool beside = how.stereo == render::Stereo::SideBySide;
+    const bool above = how.stereo == render::Stereo::TopBottom;
+    const QSizeF size(width(), height());
+    for (int eye = 0; eye < (beside || above ? 2 : 1); ++eye) {
+        painter.resetTransform();
+        if (how.flipLeftRight) {
+            painter.translate(size.width(), 0.0);
+            painter.scale(-1.0, 1.0);
+        }
+        if (how.flipUpDown) {
+            painter.translate(0.0, size.height());
+            painter.scale(1.0, -1.0);
+        }
+        painter.translate(beside ? 0.5 * eye * size.width() : 0.0, above ? 0.5 * eye * size.height() : 0.0);
+        painter.scale(beside ? 0.5 : 1.0, above ? 0.5 : 1.0);
+        drawForce(painter);
+        if (!scene().instrumentShown)
+            continue;
+        const glm::dvec2 hand = m_camera.pixelOf(m_servo.deviceMm);
+        const glm::dvec2 bur = m_camera.pixelOf(m_servo.anchorMm);
+        if (!QRectF(QPointF(), size).contains(hand.x, hand.y))
+            paintArrowOut(painter, size, {bur.x, bur.y}, {hand.x, hand.y});
+        if (m_settings.look.depthColoursMm <= 0.0 || !m_surface)
+            continue;
+        paintDepthScale(painter, size, m_settings.look.depthColoursMm);
+        glm::dvec3 under(0.0);
+        if (m_surface->meet(rayAt(m_pointer), under) && m_surface->isTooth(glm::dvec2(under))) {
+            //: Depth of the cut under the pointer
+            const QString depth = tr("%1 mm").arg(QLocale().toString(m_surface->cutDepthMm(glm::dvec2(under)), 'f', 2));
+            paintPlate(painter, presented(m_pointer) + QPointF(m_leftHanded ? -22.0 : 22.0, 18.0), depth, m_leftHanded);
+        }
+    }
+}
+
+/// A place of the picture as it was before halves and flips.
+QPointF ToothView::presented(QPointF position) const
+{
+    const render::Presentation& how = m_settings.presentation;
+    if (how.flipLeftRight)
+        position.setX(width() - position.x());
+    if (how.flipUpDown)
+        position.setY(height() - position.y());
+    if (how.stereo == render::Stereo::SideBySide)
+        position.setX(std::fmod(2.0 * position.x(), width()));
+    if (how.stereo == render::Stereo::TopBottom)
+        position.setY(std::fmod(2.0 * position.y(), height()));
+    return position;
+}
+
+void ToothView::drawForce(QPainter& painter)
 {
     const double wantedN = m_control.forceN();
     const double forceN = glm::length(m_servo.forceN);
@@ -302,8 +394,6 @@ void ToothView::drawForce()
     const double sign = m_leftHanded ? 1.0 : -1.0;  // filled from below on either side
     const auto sixteenths = [](double degrees) { return static_cast<int>(std::lround(16.0 * degrees)); };
     const int start = sixteenths(middleDeg - sign * kHalfDeg);
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     const auto arc = [&](QColor colour, double width, double part) {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
         painter.drawArc(box, start, sixteenths(sign * part * 2.0 * kHalfDeg));
@@ -341,7 +431,7 @@ void ToothView::advanceFrame()
     takePatches();
     moveByKeys(seconds);
     publishPointer();
-    if (m_camera.advance(seconds))
+    if (m_camera.advance(m_settings.movesLittle ? kAtOnceS : seconds))
         update();
     const double lift = m_surface && m_servo.tick > 0 ? liftMm(*m_surface, m_servo.burIndex, m_servo.anchorMm) : 0.0;
     const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
@@ -406,12 +496,50 @@ void ToothView::publishPointer()
 
 render::Ray ToothView::rayAt(QPointF position) const
 {
-    return m_camera.rayThrough(toGlm(position));
+    return m_camera.rayThrough(toGlm(presented(position)));
 }
 
 void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
 {
     m_camera.turn(azimuthDeg, elevationDeg);
+    update();
+}
+
+/// True where the glass of the mirror is seen and no tooth before it.
+bool ToothView::isOnMirror(QPointF position) const
+{
+    if (!m_mirror)
+        return false;
+    const render::Ray ray = rayAt(position);
+    const double falls = glm::dot(ray.direction, m_mirror->normal);
+    if (falls > -1.0e-3)
+        return false;
+    const double along = glm::dot(m_mirror->centreMm - ray.originMm, m_mirror->normal) / falls;
+    const glm::dvec3 hit = ray.originMm + ray.direction * along;
+    glm::dvec3 met(0.0);
+    const bool behindTooth = m_surface && m_surface->meet(ray, met) && m_surface->isTooth(glm::dvec2(met)) &&
+                             glm::dot(met - ray.originMm, ray.direction) < along;
+    return !behindTooth && glm::distance(hit, m_mirror->centreMm) < render::DentalMirror::kRadiusMm;
+}
+
+/// Moves the mirror with the pointer, at its distance from the eye, or turns it: to the side about what is up in the
+/// picture, up and down about what is right.
+void ToothView::dragMirror(QPointF from, QPointF to, bool tilts)
+{
+    const glm::dmat4 toothFromEye = glm::inverse(m_camera.view());
+    const glm::dvec3 right(toothFromEye[0]);
+    const glm::dvec3 up(toothFromEye[1]);
+    const QPointF by = presented(to) - presented(from);
+    if (tilts) {
+        const glm::dvec3 turned = m_mirror->normal + (right * by.x() - up * by.y()) * kTiltPerPixel;
+        // Its back shows nothing.
+        if (glm::dot(turned, m_camera.eyeMm() - m_mirror->centreMm) > 0.0)
+            m_mirror->normal = glm::normalize(turned);
+    } else {
+        const double mmPerPixel =
+            glm::distance(m_camera.eyeMm(), m_mirror->centreMm) * 2.0 / (m_camera.projection()[1][1] * height());
+        m_mirror->centreMm += (right * by.x() - up * by.y()) * mmPerPixel;
+    }
     update();
 }
 
@@ -429,7 +557,10 @@ void ToothView::pushAt(QPointF position)
 
 void ToothView::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton) {
+    if (event->button() == Qt::LeftButton && isOnMirror(event->position())) {
+        m_mirrorHeld = true;
+        m_turnedAt = event->position();
+    } else if (event->button() == Qt::LeftButton) {
         pushAt(event->position());
         publishPointer();
     } else if (m_turning == Qt::NoButton &&
@@ -443,8 +574,16 @@ void ToothView::mousePressEvent(QMouseEvent* event)
 
 void ToothView::mouseMoveEvent(QMouseEvent* event)
 {
+    m_pointer = event->position();
+    if (m_settings.look.depthColoursMm > 0.0)
+        update();
+    if (m_mirrorHeld && m_mirror) {
+        dragMirror(m_turnedAt, event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+        m_turnedAt = event->position();
+        return;
+    }
     if (m_turning != Qt::NoButton) {
-        const QPointF by = event->position() - m_turnedAt;
+        const QPointF by = presented(event->position()) - presented(m_turnedAt);
         m_turnedAt = event->position();
         turnCamera(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
         return;
@@ -456,6 +595,7 @@ void ToothView::mouseMoveEvent(QMouseEvent* event)
 void ToothView::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
+        m_mirrorHeld = false;
         m_control.push(false);
         publishPointer();
     }
@@ -596,6 +736,7 @@ void ToothView::focusOutEvent(QFocusEvent* event)
 void ToothView::release()
 {
     m_arrows.clear();
+    m_mirrorHeld = false;
     m_turning = Qt::NoButton;
     m_control.push(false);
     m_control.lift(false);
@@ -647,6 +788,7 @@ void ToothView::leaveContext()
         return;
     makeCurrent();
     m_smoothCanvas.reset();
+    m_presenter.reset();
     m_renderer.reset();
     doneCurrent();
 }

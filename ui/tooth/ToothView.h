@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <QElapsedTimer>
@@ -19,8 +20,10 @@
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/PatchInbox.h"
 #include "ui/tooth/PointerControl.h"
+#include "ui/tooth/ViewSettings.h"
 
 class QLabel;
+class QPainter;
 class QOpenGLFramebufferObject;
 
 namespace ui::tooth {
@@ -54,8 +57,15 @@ public:
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
     /// For the look of the bur only.
     void setDrillOn(bool on);
-    /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen.
+    /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen:
+    /// turned round, an incisor would hide its lesion.
     void setLeftHanded(bool leftHanded);
+    /// Half a circle, as it is for who sits on the other side of the patient.
+    void turnRound();
+    /// The mirror is put beside the tooth when it is shown; then it is moved by dragging its glass, and tilted so with
+    /// Shift.
+    void setSettings(const ViewSettings& settings);
+    [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
     void resetCamera();
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
@@ -106,13 +116,22 @@ private:
     void fail(const QString& detail);
     void leaveContext();
     void drawScene();
-    void drawForce();
+    void drawForce(QPainter& painter);
+    void drawMarks();
+    [[nodiscard]] bool isOnMirror(QPointF position) const;
+    void dragMirror(QPointF from, QPointF to, bool tilts);
+    [[nodiscard]] QPointF presented(QPointF position) const;
     [[nodiscard]] render::Ray rayAt(QPointF position) const;
     [[nodiscard]] render::Scene scene() const;
 
     core::session::UiLinks& m_links;
     std::unique_ptr<render::ToothSurface> m_surface;
     std::unique_ptr<render::ToothRenderer> m_renderer;
+    std::unique_ptr<render::Presenter> m_presenter;
+    ViewSettings m_settings;
+    std::optional<render::DentalMirror> m_mirror;
+    bool m_mirrorHeld = false;
+    QPointF m_pointer;  ///< where the mouse was last
     PatchInbox m_inbox;
     Camera m_camera;
     PointerControl m_control;

@@ -120,8 +120,8 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
     const double radius = surface.crownRadiusMm();
     const glm::dvec3 right(camera.rightOnTooth(), 0.0);
     const glm::dvec3 away(camera.awayOnTooth(), 0.0);
-    const glm::dvec3 out = glm::normalize((leftHanded ? 0.75 : -0.75) * right + away);
-    mirror.centreMm = middle + out * (radius + 5.0) + glm::dvec3(0.0, 0.0, 0.8 * radius);
+    const glm::dvec3 out = glm::normalize((leftHanded ? 1.0 : -1.0) * right + 0.35 * away);
+    mirror.centreMm = middle + out * (radius + 4.0) + glm::dvec3(0.0, 0.0, 0.25 * radius);
     // Half way between where the eye is and what it wants to see: the crown from behind.
     const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - mirror.centreMm);
     const glm::dvec3 towardsCrown = glm::normalize(middle + glm::dvec3(0.0, 0.0, 0.2 * radius) - mirror.centreMm);

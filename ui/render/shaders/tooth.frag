@@ -4,9 +4,10 @@
 in vec3 positionMm;
 in vec2 across;       // x, y of the normal
 in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
+in float cutMm;       // below the uncut surface
 in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
-uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut surface, mm
+uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around
 
 uniform float facing;          // 1 upper surface, -1 lower
 uniform vec3 eyeMm;
@@ -43,7 +44,7 @@ float stripes(float along)
 
 float dots(vec3 at)
 {
-    vec3 cell = fract(at / 0.5) - 0.5;
+    vec2 cell = fract((at.xy + vec2(0.6, -0.4) * at.z) / 0.5) - 0.5;
     return 1.0 - smoothstep(0.16, 0.22, length(cell));
 }
 
@@ -71,7 +72,7 @@ void main()
 
     // Materials, first match wins: decay, pulp, enamel, dentin. Edges a few hundredths of a millimetre soft.
     vec4 upper = texture(upperLayers, onLattice);
-    vec3 lower = texture(lowerLayers, onLattice).rgb;
+    vec2 lower = texture(lowerLayers, onLattice).rg;
     float z = positionMm.z;
     float enamelMm = z - upper.z;
     float inDecay = smoothstep(-0.05, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
@@ -94,10 +95,10 @@ void main()
     }
     if (depthColoursMm > 0.0 && facing > 0.0) {
         // Grey where nothing is gone; blue over white to vermilion, each end as dark to every eye.
-        float deep = (lower.z - z) / depthColoursMm;
+        float deep = cutMm / depthColoursMm;
         vec3 scale = mix(vec3(0.13, 0.35, 0.68), vec3(0.90, 0.90, 0.86), smoothstep(0.0, 0.5, deep));
         scale = mix(scale, vec3(0.72, 0.14, 0.03), smoothstep(0.5, 1.0, deep));
-        base = mix(vec3(0.52), scale, smoothstep(0.015, 0.05, lower.z - z));
+        base = mix(vec3(0.52), scale, smoothstep(0.015, 0.05, cutMm));
     }
     float hard = (1.0 - inDecay) * (1.0 - inPulp) * isEnamel;
 

@@ -6,6 +6,7 @@ uniform mat4 clipFromTooth;
 uniform sampler2D places;   // x, y as drawn, mm
 uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
+uniform sampler2D lowerLayers;  // of it only the uncut surface, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
 uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
 uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
@@ -13,6 +14,7 @@ uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
 out vec3 positionMm;
 out vec2 across;     // x, y of the normal
 out vec4 shadeHere;
+out float cutMm;     // below the uncut surface
 out vec2 onLattice;  // where the layers of this column are, as a texture is read
 
 void main()
@@ -21,6 +23,7 @@ void main()
     ivec2 node = ivec2(gl_VertexID % side, gl_VertexID / side);
     vec2 placeMm = texelFetch(places, node, 0).rg;
     positionMm = vec3(placeMm, texelFetch(heights, node, 0).r);
+    cutMm = texelFetch(lowerLayers, node, 0).b - positionMm.z;
     across = texelFetch(normals, node, 0).rg;
     shadeHere = texelFetch(light, node, 0);
     onLattice = ((placeMm - lattice.xy) * lattice.z + 0.5) / float(side);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/StereoCard.h"
+
+#include <cmath>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr double kPerMille = 0.001;
+constexpr int kCardPx = 460;
+
+QSlider* slider(int low, int high, const QString& name, QWidget* parent)
+{
+    auto* made = new QSlider(Qt::Horizontal, parent);
+    made->setRange(low, high);
+    made->setPageStep((high - low) / 10);
+    made->setAccessibleName(name);
+    return made;
+}
+
+QLabel* words(const QString& text, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setWordWrap(true);
+    return label;
+}
+
+}  // namespace
+
+StereoCard::StereoCard(QWidget* parent)
+    : QFrame(parent), m_mode(new QComboBox(this)), m_apart(slider(5, 100, tr("Distance of the eyes"), this)),
+      m_convergence(slider(600, 1600, tr("Plane of the screen"), this))
+{
+    setProperty("kind", "card");
+    setAccessibleName(tr("Stereo picture"));
+    setFixedWidth(kCardPx);
+    m_mode->setAccessibleName(tr("Way to the eyes"));
+    for (const QString& mode : {tr("Red and cyan glasses, in colour"), tr("Red and cyan glasses, in grey"),
+                                tr("Halves side by side"), tr("Halves one above the other")})
+        m_mode->addItem(mode);
+    auto* title = new QLabel(tr("Stereo picture"), this);
+    title->setFont(typeface(kTitle, QFont::DemiBold));
+    auto* ready = new QPushButton(tr("Done"), this);
+    ready->setProperty("kind", "filled");
+    auto* off = new QPushButton(tr("Without stereo"), this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    grid->setVerticalSpacing(kSpace2);
+    int row = 0;
+    grid->addWidget(title, row++, 0, 1, 2);
+    grid->addWidget(words(tr("1. How do the two pictures reach your eyes? Close one eye, then the other: each must see "
+                             "a single tooth."),
+                          this),
+                    row++, 0, 1, 2);
+    grid->addWidget(m_mode, row++, 0, 1, 2);
+    grid->addWidget(
+        words(tr("2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it "
+                 "tires you."),
+              this),
+        row++, 0, 1, 2);
+    grid->addWidget(m_apart, row++, 0, 1, 2);
+    grid->addWidget(words(tr("3. Move the tooth before or behind the screen until you see it without effort."), this),
+                    row++, 0, 1, 2);
+    grid->addWidget(m_convergence, row++, 0, 1, 2);
+    grid->addWidget(off, row, 0);
+    grid->addWidget(ready, row, 1);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &StereoCard::tell);
+    connect(m_apart, &QSlider::valueChanged, this, &StereoCard::tell);
+    connect(m_convergence, &QSlider::valueChanged, this, &StereoCard::tell);
+    connect(ready, &QPushButton::clicked, this, &StereoCard::done);
+    connect(off, &QPushButton::clicked, this, [this] {
+        emit changed(render::Stereo::Off, m_apart->value() * kPerMille, m_convergence->value() * kPerMille);
+        emit done();
+    });
+    hide();
+}
+
+void StereoCard::open(const render::Presentation& now)
+{
+    {
+        const QSignalBlocker quiet(this);
+        m_mode->setCurrentIndex(std::max(0, static_cast<int>(now.stereo) - 1));
+        m_apart->setValue(static_cast<int>(std::lround(now.apart / kPerMille)));
+        m_convergence->setValue(static_cast<int>(std::lround(now.convergence / kPerMille)));
+    }
+    adjustSize();
+    show();
+    raise();
+    m_mode->setFocus();
+    tell();
+}
+
+void StereoCard::tell()
+{
+    emit changed(static_cast<render::Stereo>(m_mode->currentIndex() + 1), m_apart->value() * kPerMille,
+                 m_convergence->value() * kPerMille);
+}
+
+}  // namespace ui::shell

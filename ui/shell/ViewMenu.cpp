@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/ViewMenu.h"
+
+#include <algorithm>
+
+#include <QMenu>
+#include <QSettings>
+#include <QToolButton>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+#include "ui/tooth/Viewpoint.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr double kLeastApart = 0.005;
+constexpr double kMostApart = 0.1;
+constexpr double kNearest = 0.6;
+constexpr double kFarthest = 1.6;
+
+QSettings memory()
+{
+    return QSettings(QStringLiteral("cusp"), QStringLiteral("cusp"));
+}
+
+/// What the two eyes can be given without harm, whatever a file says.
+void keepInBounds(render::Presentation& how)
+{
+    const auto bounded = [](double value, double low, double high, double otherwise) {
+        return value >= low && value <= high ? value : otherwise;
+    };
+    how.apart = bounded(how.apart, kLeastApart, kMostApart, render::Presentation{}.apart);
+    how.convergence = bounded(how.convergence, kNearest, kFarthest, render::Presentation{}.convergence);
+}
+
+}  // namespace
+
+ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actions(actions), m_menu(new QMenu(window))
+{
+    dress(*m_menu, roomPalette());
+    m_menu->setAccessibleName(tr("View"));
+    for (QAction* action : {actions.resetView, actions.turnRound})
+        m_menu->addAction(action);
+    m_menu->addSeparator();
+    for (QAction* action : {actions.mirror, actions.burLight, actions.depthColours, actions.handPlace})
+        m_menu->addAction(action);
+    m_menu->addSeparator();
+    for (QAction* action : {actions.distinctColours, actions.wetLook})
+        m_menu->addAction(action);
+    m_menu->addSeparator();
+    for (QAction* action : {actions.stereo, actions.stereoPage, actions.flipLeftRight, actions.flipUpDown})
+        m_menu->addAction(action);
+    m_menu->addSeparator();
+    for (QAction* action : {actions.savePicture, actions.reducedMotion})
+        m_menu->addAction(action);
+    read();
+    for (QAction* action :
+         {actions.mirror, actions.burLight, actions.depthColours, actions.handPlace, actions.distinctColours,
+          actions.wetLook, actions.stereo, actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
+        connect(action, &QAction::triggered, this, &ViewMenu::take);
+    connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
+}
+
+QList<QAction*> ViewMenu::actions() const
+{
+    QList<QAction*> all = m_menu->actions();
+    all.removeIf([](const QAction* action) { return action->isSeparator(); });
+    return all;
+}
+
+QToolButton* ViewMenu::makeButton(QWidget* parent)
+{
+    auto* button = new QToolButton(parent);
+    button->setText(tr("View"));
+    button->setIcon(lineIcon(QStringLiteral("eye"), roomPalette()));
+    button->setIconSize({20, 20});
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(m_menu);
+    button->setToolTip(tr("What is shown of the tooth, and how"));
+    button->setAccessibleName(button->text());
+    button->setAccessibleDescription(button->toolTip());
+    button->setObjectName(QStringLiteral("viewButton"));
+    return button;
+}
+
+void ViewMenu::read()
+{
+    const QSettings kept = memory();
+    const auto isOn = [&](const char* key) { return kept.value(QLatin1String("view/") + QLatin1String(key)).toBool(); };
+    m_actions.burLight->setChecked(isOn("light"));
+    m_actions.depthColours->setChecked(isOn("depth"));
+    m_actions.handPlace->setChecked(isOn("hand"));
+    m_actions.distinctColours->setChecked(isOn("distinct"));
+    m_actions.wetLook->setChecked(isOn("wet"));
+    m_actions.flipLeftRight->setChecked(isOn("flipLeftRight"));
+    m_actions.flipUpDown->setChecked(isOn("flipUpDown"));
+    m_actions.reducedMotion->setChecked(isOn("littleMotion"));
+    const int stereo = kept.value(QStringLiteral("view/stereo")).toInt();
+    const int last = kept.value(QStringLiteral("view/stereoMode"), 1).toInt();
+    if (last >= 1 && last <= static_cast<int>(render::Stereo::TopBottom))
+        m_lastStereo = static_cast<render::Stereo>(last);
+    m_actions.stereo->setChecked(stereo != 0);
+    m_settings.presentation.apart = kept.value(QStringLiteral("view/eyesApart"), 0.0).toDouble();
+    m_settings.presentation.convergence = kept.value(QStringLiteral("view/convergence"), 0.0).toDouble();
+    keepInBounds(m_settings.presentation);
+    take();
+}
+
+/// What the actions say becomes the settings, and is kept. The mirror is taken in hand anew each time.
+void ViewMenu::take()
+{
+    tooth::ViewSettings now = m_settings;
+    now.look.burLight = m_actions.burLight->isChecked();
+    now.look.isWet = m_actions.wetLook->isChecked();
+    now.look.palette = m_actions.distinctColours->isChecked() ? render::Palette::Distinct : render::Palette::Natural;
+    now.look.depthColoursMm = m_actions.depthColours->isChecked() ? tooth::kDepthScaleMm : 0.0;
+    now.presentation.stereo = m_actions.stereo->isChecked() ? m_lastStereo : render::Stereo::Off;
+    now.presentation.flipLeftRight = m_actions.flipLeftRight->isChecked();
+    now.presentation.flipUpDown = m_actions.flipUpDown->isChecked();
+    now.showsHand = m_actions.handPlace->isChecked();
+    now.showsMirror = m_actions.mirror->isChecked();
+    now.movesLittle = m_actions.reducedMotion->isChecked();
+    m_settings = now;
+    QSettings kept = memory();
+    const auto keep = [&](const char* key, const QVariant& value) {
+        kept.setValue(QLatin1String("view/") + QLatin1String(key), value);
+    };
+    keep("light", now.look.burLight);
+    keep("depth", now.look.depthColoursMm > 0.0);
+    keep("hand", now.showsHand);
+    keep("distinct", now.look.palette == render::Palette::Distinct);
+    keep("wet", now.look.isWet);
+    keep("flipLeftRight", now.presentation.flipLeftRight);
+    keep("flipUpDown", now.presentation.flipUpDown);
+    keep("littleMotion", now.movesLittle);
+    keep("stereo", static_cast<int>(now.presentation.stereo));
+    keep("stereoMode", static_cast<int>(m_lastStereo));
+    keep("eyesApart", now.presentation.apart);
+    keep("convergence", now.presentation.convergence);
+    emit chosen(m_settings);
+}
+
+void ViewMenu::setStereo(render::Stereo stereo, double apart, double convergence)
+{
+    m_settings.presentation.apart = apart;
+    m_settings.presentation.convergence = convergence;
+    keepInBounds(m_settings.presentation);
+    if (stereo != render::Stereo::Off)
+        m_lastStereo = stereo;
+    m_actions.stereo->setChecked(stereo != render::Stereo::Off);
+    take();
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+#include "ui/tooth/ViewSettings.h"
+
+class QAction;
+class QMenu;
+class QToolButton;
+
+namespace ui::shell {
+
+class Actions;
+
+/// What a person chooses about the view: the actions for it say what is wanted, a menu shows them, and they are found
+/// again at the next start. Says when something was chosen.
+class ViewMenu : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ViewMenu(Actions& actions, QWidget* window);
+
+    [[nodiscard]] const tooth::ViewSettings& settings() const { return m_settings; }
+    /// All that the menu holds.
+    [[nodiscard]] QList<QAction*> actions() const;
+    /// A button with the menu, for a bar.
+    [[nodiscard]] QToolButton* makeButton(QWidget* parent);
+    /// Of the two eyes: how far apart, and where the plane of the screen lies (render::Presentation).
+    void setStereo(render::Stereo stereo, double apart, double convergence);
+
+signals:
+    void chosen(const ui::tooth::ViewSettings& settings);
+    void stereoPageWanted();
+
+private:
+    void read();
+    void take();
+
+    Actions& m_actions;
+    QMenu* m_menu;
+    tooth::ViewSettings m_settings;
+    render::Stereo m_lastStereo = render::Stereo::RedCyan;
+};
+
+}  // namespace ui::shell
