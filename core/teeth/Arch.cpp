@@ -354,6 +354,7 @@ void Arch::dress(Jaw jaw)
     for (std::size_t k = 0; k < gums.around.size(); ++k)
         keep(std::move(gums.around[k]), first + static_cast<int>(k));
     keep(std::move(gums.base), 0);
+    keep(std::move(gums.shell), 0);
 }
 
 std::vector<ArchPiece> Arch::mouth(double openRad) const
@@ -363,8 +364,8 @@ std::vector<ArchPiece> Arch::mouth(double openRad) const
         for (const Piece& piece : m_pieces) {
             const glm::dmat4 here = mouthFromJaw(piece.jaw, openRad) * (right ? mirror() : glm::dmat4(1.0));
             const int other = piece.jaw == Jaw::Upper ? -10 : 10;
-            pieces.push_back({piece.fdi == 0 ? 0 : piece.fdi + (right ? other : 0), piece.tooth, piece.mesh,
-                              here * piece.jawFromPiece});
+            pieces.push_back({piece.fdi == 0 ? 0 : piece.fdi + (right ? other : 0), piece.tooth,
+                              piece.jaw == Jaw::Upper, piece.mesh, here * piece.jawFromPiece});
         }
     }
     return pieces;
@@ -380,9 +381,11 @@ std::vector<ArchPiece> Arch::neighbours(int fdi) const
     for (const Piece& piece : m_pieces) {
         const bool own = piece.fdi == fdi;
         if (std::abs(piece.fdi - fdi) <= 1 && !(own && piece.tooth))
-            pieces.push_back({piece.fdi, piece.tooth, piece.mesh, toothFromJaw * piece.jawFromPiece});
+            pieces.push_back(
+                {piece.fdi, piece.tooth, piece.jaw == Jaw::Upper, piece.mesh, toothFromJaw * piece.jawFromPiece});
         if (own && across != 0)
-            pieces.push_back({across, piece.tooth, piece.mesh, toothFromJaw * mirror() * piece.jawFromPiece});
+            pieces.push_back({across, piece.tooth, piece.jaw == Jaw::Upper, piece.mesh,
+                              toothFromJaw * mirror() * piece.jawFromPiece});
     }
     return pieces;
 }

@@ -45,6 +45,7 @@ struct ArchPiece
 {
     int fdi = 0;        ///< the tooth, or that whose gum it is; 0: palate, tongue
     bool tooth = true;  ///< else soft tissue
+    bool upper = true;  ///< the jaw
     std::shared_ptr<const LookMesh> mesh;
     glm::dmat4 place{1.0};  ///< piece to scene; mirrors (negative determinant) where the mesh is the other side's
 };
@@ -78,7 +79,7 @@ public:
     /// number that is not one of the sixteen.
     [[nodiscard]] std::vector<ArchPiece> neighbours(int fdi) const;
 
-    /// The pieces of mouth(0), each in its jaw frame, in the same order. For whoever measures.
+    /// Of the whole mouth.
     [[nodiscard]] std::size_t triangles() const;
 
 private:

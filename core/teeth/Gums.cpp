@@ -28,6 +28,8 @@ constexpr double kInsideMm = 0.2;       ///< the margin's edge is hidden so deep
 constexpr double kRollMm = 1.1;         ///< height of the rolled edge of the margin
 constexpr double kSteepestIn = 0.10;    ///< the face falls back under the margin by no more, mm per mm
 constexpr int kBaseColumns = 9;
+constexpr int kShellColumns = 6;
+constexpr double kShellMm = 9.0;  ///< how far the shell bulges below the gum's foot
 
 /// Depths below the margin at which a section has points.
 constexpr std::array kFacialDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1.7, 2.4, 3.3, 4.4, 5.8};
@@ -199,7 +201,7 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
     LookMesh all;
     const int stations = static_cast<int>(std::ceil(endMm / kStationMm)) + 1;
     int columns = 0;
-    int gumColumns = 0;
+    int gumColumns = 0;           ///< with the shell before them
     std::vector<glm::vec3> ends;  ///< of the gum's lingual side
     for (int s = 0; s < stations; ++s) {
         const double along = std::min(s * kStationMm, endMm);
@@ -218,6 +220,16 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
             all.vertices.push_back({glm::vec3(s == 0 ? 0.0 : std::max(p.x, 0.0), p.y, z), glm::vec3(0.0F), 1.0F,
                                     static_cast<float>(tissue)});
         };
+        // The shell comes from the midline to the foot of the gum.
+        const glm::dvec2 foot = middle + front.points.back().x * outward;
+        for (int k = 0; k < kShellColumns; ++k) {
+            const double t = static_cast<double>(k) / kShellColumns;
+            const double x = s == 0 ? 0.0 : std::max(foot.x, 0.0);
+            all.vertices.push_back(
+                {glm::vec3(x * std::sin(0.5 * std::numbers::pi * t), foot.y,
+                           kGumFootMm - std::min(kShellMm, 0.5 * x) * std::cos(0.5 * std::numbers::pi * t)),
+                 glm::vec3(0.0F), 1.0F, static_cast<float>(Tissue::Gum)});
+        }
         for (auto p = front.points.rbegin(); p != front.points.rend(); ++p)
             add(p->x, p->y, Tissue::Gum);
         for (int k = 1; k <= kCrestColumns; ++k) {
@@ -291,10 +303,11 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
     for (const GumTooth& tooth : teeth) {
         const bool last = &tooth == &teeth.back();
         const int to = last ? stations - 1 : static_cast<int>(std::lround(tooth.toMm / kStationMm));
-        gums.around.push_back(cutOut(from, to, 0, gumColumns - 1));
+        gums.around.push_back(cutOut(from, to, kShellColumns, gumColumns - 1));
         from = to;
     }
     gums.base = cutOut(0, stations - 1, gumColumns - 1, columns - 1);
+    gums.shell = cutOut(0, stations - 1, 0, kShellColumns);
     return gums;
 }
 

@@ -25,6 +25,7 @@ struct Gums
 {
     std::vector<LookMesh> around;  ///< gum of each tooth, from contact to contact; the last goes round the end
     LookMesh base;                 ///< palate, or tongue and floor of the mouth, up to the midline
+    LookMesh shell;                ///< closes the jaw where a dentist does not look, from the gum's foot to the midline
 };
 
 /// The roots are hidden down to here, z of the jaw frame.

@@ -74,6 +74,6 @@ void main()
     // Stepping back: darker and greyer.
     lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))) * 0.55, dimmed);
     if (!gl_FrontFacing)
-        lit *= 0.35;
+        lit *= 0.7;
     colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), 1.0);
 }
