@@ -201,8 +201,8 @@ void TestArchRenderer::neighboursLeaveTheToothItself()
     Camera camera;
     camera.setViewport({kWidth, kHeight});
     camera.setSubject({0.0, 0.0, -3.5}, 9.0);
-    // Steeply from above: no neighbour's cusp may stand before the tooth.
-    camera.set(10.0, 80.0, camera.fittingMm());
+    // From straight above: no neighbour stands before the tooth.
+    camera.set(10.0, Camera::kHighestDeg, camera.fittingMm());
     ui::render::Scene single;
     single.eyeFromTooth = camera.view();
     single.clipFromEye = camera.projection();
