@@ -29,7 +29,8 @@ constexpr double kRollMm = 1.1;         ///< height of the rolled edge of the ma
 constexpr double kSteepestIn = 0.10;    ///< the face falls back under the margin by no more, mm per mm
 constexpr int kBaseColumns = 9;
 constexpr int kShellColumns = 6;
-constexpr double kShellMm = 9.0;  ///< how far the shell bulges below the gum's foot
+constexpr double kShellMm = 9.0;        ///< how far the shell bulges below the gum's foot,
+constexpr double kShellFrontMm = 16.0;  ///< so far behind its front
 
 /// Depths below the margin at which a section has points.
 constexpr std::array kFacialDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1.7, 2.4, 3.3, 4.4, 5.8};
@@ -203,6 +204,7 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
     int columns = 0;
     int gumColumns = 0;           ///< with the shell before them
     std::vector<glm::vec3> ends;  ///< of the gum's lingual side
+    double frontMm = 0.0;         ///< y of the gum's foot at the midline
     for (int s = 0; s < stations; ++s) {
         const double along = std::min(s * kStationMm, endMm);
         const glm::dvec2 middle = curve.point(along);
@@ -220,15 +222,20 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
             all.vertices.push_back({glm::vec3(s == 0 ? 0.0 : std::max(p.x, 0.0), p.y, z), glm::vec3(0.0F), 1.0F,
                                     static_cast<float>(tissue)});
         };
-        // The shell comes from the midline to the foot of the gum.
+        // The shell comes from the midline to the foot of the gum, upright where the two meet.
         const glm::dvec2 foot = middle + front.points.back().x * outward;
+        if (s == 0)
+            frontMm = foot.y;
+        const double backMm = (curve.point(endMm).y - frontMm) * along / endMm;
+        const double rising = 1.0 - std::min(backMm / kShellFrontMm, 1.0);
+        const double bulge = kShellMm * std::sqrt(1.0 - rising * rising);
         for (int k = 0; k < kShellColumns; ++k) {
-            const double t = static_cast<double>(k) / kShellColumns;
+            const double angle = 0.5 * std::numbers::pi * k / kShellColumns;
             const double x = s == 0 ? 0.0 : std::max(foot.x, 0.0);
-            all.vertices.push_back(
-                {glm::vec3(x * std::sin(0.5 * std::numbers::pi * t), foot.y,
-                           kGumFootMm - std::min(kShellMm, 0.5 * x) * std::cos(0.5 * std::numbers::pi * t)),
-                 glm::vec3(0.0F), 1.0F, static_cast<float>(Tissue::Gum)});
+            const double start = frontMm + backMm;
+            all.vertices.push_back({glm::vec3(x * std::sin(angle), start + (foot.y - start) * std::sin(angle),
+                                              kGumFootMm - bulge * std::cos(angle)),
+                                    glm::vec3(0.0F), 1.0F, static_cast<float>(Tissue::Gum)});
         }
         for (auto p = front.points.rbegin(); p != front.points.rend(); ++p)
             add(p->x, p->y, Tissue::Gum);
@@ -308,6 +315,18 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
     }
     gums.base = cutOut(0, stations - 1, gumColumns - 1, columns - 1);
     gums.shell = cutOut(0, stations - 1, 0, kShellColumns);
+    // Its back: from the last line of the shell to the last one of the base, both from the midline outwards.
+    const auto first = static_cast<std::uint32_t>(gums.shell.vertices.size());
+    for (int k = 0; k <= kShellColumns; ++k) {
+        for (const int column : {k, columns - 1 - k * kBaseColumns / kShellColumns}) {
+            LookVertex vertex = all.vertices[at(stations - 1, column)];
+            vertex.normal = glm::vec3(0.0F, 1.0F, 0.0F);
+            gums.shell.vertices.push_back(vertex);
+        }
+        for (const std::uint32_t corner : {0U, 1U, 2U, 1U, 3U, 2U})
+            if (k < kShellColumns)
+                gums.shell.indices.push_back(first + 2U * static_cast<std::uint32_t>(k) + corner);
+    }
     return gums;
 }
 
