@@ -15,7 +15,7 @@
 namespace core::teeth {
 namespace {
 
-constexpr double kStationMm = 0.4;  ///< between two sections across the arch
+constexpr double kStationMm = 0.55;  ///< between two sections across the arch
 constexpr double kMapCellMm = 0.25;
 constexpr double kMarginMm = 1.0;       ///< the margin above the CEJ
 constexpr double kBehindMm = 7.0;       ///< gum behind the last tooth

@@ -30,6 +30,7 @@ private slots:
     void cleanupTestCase();
     void mouthShowsTeethAndGums();
     void mirroredTeethAreLitFromOutside();
+    void aMirroringViewTurnsThePictureOver();
     void chosenAndHoveredStandOut();
     void eachToothIsMetWhereItIsDrawn();
     void neighboursLeaveTheToothItself_data();
@@ -133,6 +134,17 @@ void TestArchRenderer::mirroredTeethAreLitFromOutside()
     m_camera.set(0.0, 5.0, m_camera.fittingMm());
     const QImage image = draw(scene());
     const pictures::Difference difference = pictures::difference(image, image.mirrored(true, false), 40);
+    QVERIFY2(difference.pixels < kWidth * kHeight / 200, qPrintable(QString::number(difference.pixels)));
+}
+
+void TestArchRenderer::aMirroringViewTurnsThePictureOver()
+{
+    m_renderer->setPieces(m_arch.mouth(0.44));
+    m_camera.set(30.0, 10.0, m_camera.fittingMm());
+    const QImage image = draw(scene());
+    ArchScene turned = scene();
+    turned.clipFromEye = glm::dmat4(-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * turned.clipFromEye;
+    const pictures::Difference difference = pictures::difference(draw(turned), image.mirrored(true, false), 40);
     QVERIFY2(difference.pixels < kWidth * kHeight / 200, qPrintable(QString::number(difference.pixels)));
 }
 

@@ -119,6 +119,9 @@ void ArchRenderer::draw(const ArchScene& scene)
     const int sceneFromPiece = m_program.uniformLocation("sceneFromPiece");
     const int highlight = m_program.uniformLocation("highlight");
     const glm::dmat4 clipFromScene = scene.clipFromEye * scene.eyeFromScene;
+    // A mirror or a picture turned over for a half-silvered one turns every triangle over.
+    const double handed =
+        glm::determinant(glm::dmat3(scene.eyeFromScene)) * scene.clipFromEye[0][0] * scene.clipFromEye[1][1];
     for (const ArchPiece& piece : m_pieces) {
         const Span& span = m_spans.at(piece.mesh.get());
         const glm::mat4 clip(clipFromScene * piece.place);
@@ -133,7 +136,7 @@ void ArchRenderer::draw(const ArchScene& scene)
             glEnable(GL_CULL_FACE);
         else
             glDisable(GL_CULL_FACE);
-        glFrontFace(glm::determinant(glm::dmat3(piece.place)) < 0.0 ? GL_CW : GL_CCW);
+        glFrontFace(handed * glm::determinant(glm::dmat3(piece.place)) < 0.0 ? GL_CW : GL_CCW);
         glDrawElementsBaseVertex(GL_TRIANGLES, span.indices, GL_UNSIGNED_INT,
                                  // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into OpenGL's own buffer
                                  reinterpret_cast<const void*>(span.firstIndex * sizeof(std::uint32_t)),

@@ -54,7 +54,8 @@ public:
     /// The empty practice room over the whole viewport, and depth cleared.
     /// @param lamp  where the room is brightest, clip coordinates
     void drawRoom(glm::vec2 sizePx, glm::vec2 lamp);
-    /// Adds the pieces to what is in the bound framebuffer, which has a depth buffer.
+    /// Adds the pieces to what is in the bound framebuffer, which has a depth buffer. Either matrix of the scene may
+    /// mirror. Leaves depth test and culling off.
     void draw(const ArchScene& scene);
 
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
