@@ -33,8 +33,10 @@ constexpr double kStartAzimuthDeg = 26.0;
 constexpr double kStartElevationDeg = 14.0;
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
-/// Half of the extent that must fit the picture: less than the whole ball, whose corners a mouth does not fill.
-constexpr double kTightness = 0.52;
+/// Share of the teeth's extent that is the radius of what must fit the picture: of both jaws, and of one alone, which
+/// fills more of its ball.
+constexpr double kBothJaws = 0.52;
+constexpr double kOneJaw = 0.62;
 constexpr int kStillMs = 120;
 constexpr int kFrameMs = 16;
 constexpr int kGizmoPx = 46;
@@ -137,7 +139,7 @@ void Mouth::showJaws()
     }
     const double closeness = m_camera.distanceMm() / m_camera.fittingMm();
     const double azimuth = m_camera.azimuthDeg();
-    m_camera.setSubject(0.5 * (low + high), kTightness * glm::distance(low, high));
+    m_camera.setSubject(0.5 * (low + high), (upper && lower ? kBothJaws : kOneJaw) * glm::distance(low, high));
     m_camera.set(azimuth, elevation, (m_fitted ? 1.0 : closeness) * m_camera.fittingMm());
 }
 
