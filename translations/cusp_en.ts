@@ -331,6 +331,46 @@
     </message>
 </context>
 <context>
+    <name>Surface</name>
+    <message>
+        <source>M</source>
+        <extracomment>Letters for sides of teeth, one or two each. Mesial</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>Letter for the distal side</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>La</source>
+        <extracomment>Letters for the labial side (towards the lip), then for the buccal one (towards the cheek)</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>Letters for the palatal side, then for the lingual one</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I</source>
+        <extracomment>Letters for the incisal edge, then for the occlusal surface</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Tooth</name>
     <message>
         <source>upper right</source>
@@ -708,6 +748,14 @@
         <source>No gliding, no spinning bur</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Whole mouth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a tooth in the whole mouth, or go back to the flat arches</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1045,6 +1093,45 @@
     </message>
 </context>
 <context>
+    <name>ui::shell::Mouth</name>
+    <message>
+        <source>Whole mouth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The teeth are being made …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chosen. Enter or a double click takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to choose it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only teeth of the left side can be drilled; %1 is its mirror image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right button turns, wheel zooms. From above or below you see one jaw.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::PracticeRoom</name>
     <message>
         <source>Tooth</source>
@@ -1332,6 +1419,14 @@
     </message>
     <message>
         <source>Click a tooth, or walk with the arrow keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat arches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole mouth</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -14,8 +14,6 @@ namespace core::teeth {
 namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
-constexpr int kSections = 150;
-constexpr int kAround = 256;
 constexpr int kFine = 384;
 /// Share of the crown over which the incisal edge is rounded, and what is left of its thickness at the very top.
 constexpr double kEdgeShare = 0.07;
@@ -82,7 +80,7 @@ double labialRelief(const AnteriorDesign& d, double xi, double t)
 }
 
 /// One section, resampled to even steps: labial half first, from the distal to the mesial side, then the lingual half.
-std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes, double t)
+std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes, int around, double t)
 {
     const double edge = std::max(1.0 - t / kEdgeShare, 0.0);
     const double thickness = std::max(std::sqrt(1.0 - edge * edge), kEdgeLeft);
@@ -119,7 +117,7 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
         fine.emplace_back(x, y, z);
     }
     std::vector<glm::dvec3> even;
-    even.reserve(kAround);
+    even.reserve(static_cast<std::size_t>(around));
     for (int half = 0; half < 2; ++half) {
         const int start = half * kFine / 2;
         std::vector<double> along{0.0};
@@ -128,8 +126,8 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
             along.push_back(along.back() + glm::distance(fine[a], fine[(a + 1) % kFine]));
         }
         std::size_t k = 0;
-        for (int i = 0; i < kAround / 2; ++i) {
-            const double want = along.back() * 2.0 * i / kAround;
+        for (int i = 0; i < around / 2; ++i) {
+            const double want = along.back() * 2.0 * i / around;
             while (k + 2 < along.size() && along[k + 1] < want)
                 ++k;
             const double u = (want - along[k]) / std::max(along[k + 1] - along[k], 1.0e-12);
@@ -142,26 +140,28 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
 
 }  // namespace
 
-MeshBuilder::Ring buildAnteriorCrown(MeshBuilder& builder, const AnteriorDesign& design, const ToothSizes& sizes)
+MeshBuilder::Ring buildAnteriorCrown(MeshBuilder& builder, const AnteriorDesign& design, const ToothSizes& sizes,
+                                     const MeshDetail& detail)
 {
+    const auto around = static_cast<std::size_t>(detail.edgeAround);
     MeshBuilder::Ring above;
-    for (int r = 0; r <= kSections; ++r) {
+    for (int r = 0; r <= detail.edgeSections; ++r) {
         // Sections lie closer where the incisal edge turns over.
-        const double t = std::pow(static_cast<double>(r) / kSections, 1.5);
-        const std::vector<glm::dvec3> points = section(design, sizes, t);
+        const double t = std::pow(static_cast<double>(r) / detail.edgeSections, 1.5);
+        const std::vector<glm::dvec3> points = section(design, sizes, detail.edgeAround, t);
         MeshBuilder::Ring ring;
-        for (std::size_t k = 0; k < points.size(); k += r < kSections ? 1 : 2)
+        for (std::size_t k = 0; k < points.size(); k += r < detail.edgeSections ? 1 : 2)
             ring.push_back(builder.add(points[k]));
         if (r == 0) {
             // The edge itself is a narrow strip between the labial and the lingual half.
-            for (std::size_t k = 0; k < kAround / 2; ++k) {
+            for (std::size_t k = 0; k < around / 2; ++k) {
                 const MeshBuilder::Index a = ring[k];
                 const MeshBuilder::Index b = ring[k + 1];
-                const MeshBuilder::Index c = ring[(kAround - k - 1) % kAround];
-                const MeshBuilder::Index d = ring[(kAround - k) % kAround];
+                const MeshBuilder::Index c = ring[(around - k - 1) % around];
+                const MeshBuilder::Index d = ring[(around - k) % around];
                 if (k > 0)
                     builder.triangle(a, b, d);
-                if (k + 1 < kAround / 2)
+                if (k + 1 < around / 2)
                     builder.triangle(b, c, d);
             }
         } else {

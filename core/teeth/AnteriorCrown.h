@@ -11,6 +11,6 @@ namespace core::teeth {
 ///
 /// @param sizes  crown height and CEJ curve
 [[nodiscard]] MeshBuilder::Ring buildAnteriorCrown(MeshBuilder& builder, const AnteriorDesign& design,
-                                                   const ToothSizes& sizes);
+                                                   const ToothSizes& sizes, const MeshDetail& detail);
 
 }  // namespace core::teeth

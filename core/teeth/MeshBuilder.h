@@ -11,6 +11,20 @@
 
 namespace core::teeth {
 
+/// How finely a tooth is meshed. The default is what is rasterised and drilled; coarse() is for looking at from afar.
+struct MeshDetail
+{
+    int topCells = 160;      ///< along the side of the square over the occlusal table: under 0.09 mm each on a molar
+    int sideRings = 30;      ///< from the height of contour to the CEJ
+    int edgeSections = 150;  ///< of an incisor or canine, from the edge to the CEJ
+    int edgeAround = 256;    ///< vertices of each of them; a multiple of four
+    int trunkRings = 9;      ///< from the CEJ to the furcation
+    int branchRings = 26;    ///< of each root
+    int spokePoints = 14;    ///< across the furcation
+
+    [[nodiscard]] static MeshDetail coarse() { return {32, 6, 22, 56, 3, 6, 3}; }
+};
+
 /// Collects vertices and strips of a closed surface, in the design frame. Rings run counter-clockwise seen from +z.
 class MeshBuilder
 {

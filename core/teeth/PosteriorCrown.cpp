@@ -14,9 +14,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTau = 2.0 * kPi;
-/// Cells along the side of the square that is laid over the occlusal surface: under 0.09 mm each on a molar.
-constexpr int kTopCells = 160;
-constexpr int kSideRings = 30;
 
 /// Coefficients of the wave a + b cos + c sin + d cos 2 that passes through the four sides.
 FourSides waveThrough(const FourSides& sides)
@@ -123,8 +120,6 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
 
 namespace {
 
-constexpr int kSide = kTopCells + 1;
-
 /// The vertices over the occlusal surface, row by row.
 class TopGrid
 {
@@ -137,23 +132,27 @@ public:
     };
     using Cell = std::array<std::size_t, 4>;  ///< corners, counter-clockwise
 
-    explicit TopGrid(const PosteriorCrown& crown) : m_crown(crown), m_nodes(static_cast<std::size_t>(kSide * kSide))
+    TopGrid(const PosteriorCrown& crown, int cells)
+        : m_crown(crown), m_cells(cells), m_nodes(static_cast<std::size_t>((cells + 1) * (cells + 1)))
     {
-        for (int row = 0; row < kSide; ++row)
-            for (int column = 0; column < kSide; ++column)
+        for (int row = 0; row <= cells; ++row)
+            for (int column = 0; column <= cells; ++column)
                 m_nodes[at(column, row)] = lay(column, row);
         // Beside sharp bends two moves can cross: those vertices go home, until no cell is folded.
         for (bool folded = true; folded;) {
             folded = false;
-            for (int row = 0; row < kTopCells; ++row)
-                for (int column = 0; column < kTopCells; ++column)
+            for (int row = 0; row < cells; ++row)
+                for (int column = 0; column < cells; ++column)
                     if (const Cell corners = cell(column, row); isFolded(corners))
                         for (const std::size_t k : corners)
                             folded = sendHome(m_nodes[k]) || folded;
         }
     }
 
-    static std::size_t at(int column, int row) { return static_cast<std::size_t>(row * kSide + column); }
+    [[nodiscard]] std::size_t at(int column, int row) const
+    {
+        return static_cast<std::size_t>(row * (m_cells + 1) + column);
+    }
     [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }
 
     /// Corners of a cell, first and third on the diagonal that runs along a fissure rather than across it.
@@ -167,7 +166,7 @@ public:
         // On the square's own diagonals a corner of the cell is bent flat: only one way leaves two proper triangles.
         if (column == row)
             return corners;
-        if (column + row == kTopCells - 1)
+        if (column + row == m_cells - 1)
             return turned;
         return apart(corners[0], corners[2]) <= apart(corners[1], corners[3]) ? corners : turned;
     }
@@ -181,7 +180,7 @@ private:
     [[nodiscard]] Node lay(int column, int row) const
     {
         // Denser where the sides get steep.
-        const auto [angle, r] = discFromSquare(2.0 * column / kTopCells - 1.0, 2.0 * row / kTopCells - 1.0);
+        const auto [angle, r] = discFromSquare(2.0 * column / m_cells - 1.0, 2.0 * row / m_cells - 1.0);
         const double outline = m_crown.outlineMm(angle);
         const double rho = r + 0.3 * (r - r * r * r * r);
         Node node;
@@ -189,7 +188,7 @@ private:
         node.place = node.home;
         node.sample = m_crown.top(node.place);
         // Vertices beside a fissure move on to its line or its lip, so that both are edges of the mesh.
-        const double reach = 2.0 * outline / kTopCells;
+        const double reach = 2.0 * outline / m_cells;
         for (int pass = 0; pass < 2 && node.sample.fissure > 0.005; ++pass) {
             const double distance = node.sample.grooveDistanceMm;
             const double lip = node.sample.lipMm;
@@ -223,15 +222,17 @@ private:
     }
 
     const PosteriorCrown& m_crown;
+    int m_cells;
     std::vector<Node> m_nodes;
 };
 
 }  // namespace
 
-MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& sizes) const
+MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& sizes, const MeshDetail& detail) const
 {
-    const TopGrid top(*this);
-    const auto at = TopGrid::at;
+    const int cells = detail.topCells;
+    const TopGrid top(*this, cells);
+    const auto at = [&top](int column, int row) { return top.at(column, row); };
     std::vector<MeshBuilder::Index> grid;
     grid.reserve(top.nodes().size());
     double buccalTip = -1.0e9;
@@ -240,8 +241,8 @@ MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& 
         if (node.place.y > 0.0)
             buccalTip = std::max(buccalTip, node.sample.z);
     }
-    for (int row = 0; row < kTopCells; ++row)
-        for (int column = 0; column < kTopCells; ++column) {
+    for (int row = 0; row < cells; ++row)
+        for (int column = 0; column < cells; ++column) {
             const auto [a, b, c, d] = top.cell(column, row);
             builder.triangle(grid[a], grid[b], grid[c]);
             builder.triangle(grid[a], grid[c], grid[d]);
@@ -249,27 +250,27 @@ MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& 
 
     // Its rim, starting at the distal side: counter-clockwise, as the angle grows.
     MeshBuilder::Ring above;
-    constexpr int kHalf = kTopCells / 2;
-    for (int k = kHalf; k < kTopCells; ++k)
-        above.push_back(grid[at(kTopCells, k)]);
-    for (int k = kTopCells; k > 0; --k)
-        above.push_back(grid[at(k, kTopCells)]);
-    for (int k = kTopCells; k > 0; --k)
+    const int half = cells / 2;
+    for (int k = half; k < cells; ++k)
+        above.push_back(grid[at(cells, k)]);
+    for (int k = cells; k > 0; --k)
+        above.push_back(grid[at(k, cells)]);
+    for (int k = cells; k > 0; --k)
         above.push_back(grid[at(0, k)]);
-    for (int k = 0; k < kTopCells; ++k)
+    for (int k = 0; k < cells; ++k)
         above.push_back(grid[at(k, 0)]);
-    for (int k = 0; k < kHalf; ++k)
-        above.push_back(grid[at(kTopCells, k)]);
+    for (int k = 0; k < half; ++k)
+        above.push_back(grid[at(cells, k)]);
 
     // The sides, from the contour in to the CEJ.
     const MeshBuilder::Ring rim = above;
     const std::vector<glm::dvec3> neck = cej(rim.size() / 2, buccalTip - sizes.crownHeightMm, sizes);
-    for (int r = 1; r <= kSideRings; ++r) {
-        const double t = static_cast<double>(r) / kSideRings;
+    for (int r = 1; r <= detail.sideRings; ++r) {
+        const double t = static_cast<double>(r) / detail.sideRings;
         // Leaves the contour upright and comes in faster towards the neck.
         const double in = std::pow(t, 1.7);
         MeshBuilder::Ring ring;
-        for (std::size_t k = 0; k < neck.size(); k += r < kSideRings ? 1 : 2) {
+        for (std::size_t k = 0; k < neck.size(); k += r < detail.sideRings ? 1 : 2) {
             const glm::dvec3 from = builder.point(rim[2 * k]);
             const glm::dvec3& to = neck[k];
             ring.push_back(builder.add(

@@ -34,7 +34,8 @@ public:
     /// Builds the crown down to the CEJ and returns the ring there.
     ///
     /// @param sizes  the CEJ lies sizes.crownHeightMm below the buccal tip
-    [[nodiscard]] MeshBuilder::Ring build(MeshBuilder& builder, const ToothSizes& sizes) const;
+    [[nodiscard]] MeshBuilder::Ring build(MeshBuilder& builder, const ToothSizes& sizes,
+                                          const MeshDetail& detail) const;
 
     [[nodiscard]] const PosteriorDesign& design() const { return m_design; }
 

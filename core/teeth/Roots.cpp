@@ -15,9 +15,6 @@ constexpr double kTau = 2.0 * std::numbers::pi;
 /// Dentin steps back under the edge of the enamel: what a probe feels as the CEJ.
 constexpr double kCejStepMm = 0.1;
 constexpr double kCejDropMm = 0.03;
-constexpr int kTrunkRings = 9;
-constexpr int kBranchRings = 26;
-constexpr int kSpokePoints = 14;
 
 double smoothStep(double t)
 {
@@ -41,7 +38,7 @@ double taper(double t)
 
 /// From a ring of any shape down to an apex, the section turning into an ellipse on the way.
 void growBranch(MeshBuilder& builder, const MeshBuilder::Ring& start, const RootBranch& branch, double apexZ,
-                double hollowMm)
+                double hollowMm, int rings)
 {
     const glm::dvec3 centre = centreOf(builder, start);
     std::vector<double> angles;
@@ -50,8 +47,8 @@ void growBranch(MeshBuilder& builder, const MeshBuilder::Ring& start, const Root
         angles.push_back(std::atan2(d.y / branch.halfY, d.x / branch.halfX));
     }
     MeshBuilder::Ring above = start;
-    for (int r = 1; r < kBranchRings; ++r) {
-        const double t = 1.0 - std::pow(1.0 - static_cast<double>(r) / kBranchRings, 1.25);
+    for (int r = 1; r < rings; ++r) {
+        const double t = 1.0 - std::pow(1.0 - static_cast<double>(r) / rings, 1.25);
         const double bow = 6.75 * t * t * (1.0 - t);
         const double width = taper(t);
         const double round = smoothStep(t / 0.7);
@@ -77,7 +74,8 @@ void growBranch(MeshBuilder& builder, const MeshBuilder::Ring& start, const Root
 
 }  // namespace
 
-void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootDesign& design, double lengthMm)
+void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootDesign& design, double lengthMm,
+              const MeshDetail& detail)
 {
     const std::size_t n = cervix.size();
     const glm::dvec3 centre = centreOf(builder, cervix);
@@ -87,10 +85,10 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
 
     // The step under the enamel, then (with several roots) the trunk down to the furcation.
     const bool single = design.partingDeg.empty();
-    const int rings = single ? 1 : kTrunkRings;
+    const int rings = single ? 1 : detail.trunkRings;
     MeshBuilder::Ring above = cervix;
     for (int r = 1; r <= rings; ++r) {
-        const double t = single ? 0.0 : static_cast<double>(r - 1) / (kTrunkRings - 1);
+        const double t = single ? 0.0 : static_cast<double>(r - 1) / (detail.trunkRings - 1);
         MeshBuilder::Ring ring;
         for (std::size_t k = 0; k < n; ++k) {
             const double angle = kTau * static_cast<double>(k) / static_cast<double>(n);
@@ -111,7 +109,7 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
     }
     const double apexZ = facialZ - lengthMm;
     if (single) {
-        growBranch(builder, above, design.branches.front(), apexZ, design.hollowMm);
+        growBranch(builder, above, design.branches.front(), apexZ, design.hollowMm, detail.branchRings);
         return;
     }
 
@@ -125,8 +123,8 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
         partings.push_back(at);
         MeshBuilder::Ring spoke;
         const glm::dvec3 edge = builder.point(above[at]);
-        for (int k = 1; k <= kSpokePoints; ++k) {
-            const double t = static_cast<double>(k) / (kSpokePoints + 1);
+        for (int k = 1; k <= detail.spokePoints; ++k) {
+            const double t = static_cast<double>(k) / (detail.spokePoints + 1);
             const glm::dvec3 top = builder.point(roof);
             spoke.push_back(builder.add({edge.x + (top.x - edge.x) * t, edge.y + (top.y - edge.y) * t,
                                          edge.z + (top.z - edge.z) * (1.0 - (1.0 - t) * (1.0 - t))}));
@@ -145,7 +143,7 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
         ring.push_back(roof);
         ring.insert(ring.end(), spokes[b].rbegin(), spokes[b].rend());
         const RootBranch& branch = design.branches[b];
-        growBranch(builder, ring, branch, facialZ - lengthMm * branch.lengthShare, 0.0);
+        growBranch(builder, ring, branch, facialZ - lengthMm * branch.lengthShare, 0.0, detail.branchRings);
     }
 }
 

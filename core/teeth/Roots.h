@@ -10,6 +10,7 @@ namespace core::teeth {
 ///
 /// @param cervix      ring at the CEJ, vertex k at angle 360 k / size degrees from distal over buccal
 /// @param lengthMm    of the longest root, CEJ to apex
-void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootDesign& design, double lengthMm);
+void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootDesign& design, double lengthMm,
+              const MeshDetail& detail);
 
 }  // namespace core::teeth

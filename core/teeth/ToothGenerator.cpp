@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/base/Rng.h"
@@ -123,7 +124,9 @@ Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed)
     return sizes;
 }
 
-Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
+namespace {
+
+Result<CoarseTooth> generate(int fdi, std::uint64_t seed, const MeshDetail& detail)
 {
     const auto found = findToothSizes(fdi);
     const auto sizes = drawToothSizes(fdi, seed);
@@ -141,7 +144,7 @@ Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
         if (vary)
             varyDesign(design, rng);
         roots = design.roots;
-        cervix = buildAnteriorCrown(builder, design, mean);
+        cervix = buildAnteriorCrown(builder, design, mean, detail);
     } else {
         PosteriorDesign design = posteriorDesign(fdi, rng, vary);
         if (vary)
@@ -149,11 +152,23 @@ Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
         roots = design.roots;
         std::vector<OcclusalField::Wave> wander = drawWander(rng);
         const PosteriorCrown crown(std::move(design), std::move(wander), rng.uniform(0.0, 6.28));
-        cervix = crown.build(builder, mean);
+        cervix = crown.build(builder, mean, detail);
     }
     const std::size_t crownVertices = builder.points().size();
-    addRoots(builder, cervix, roots, drawn.rootLengthMm * mean.crownHeightMm / drawn.crownHeightMm);
-    return place(builder, crownVertices, mean, drawn);
+    addRoots(builder, cervix, roots, drawn.rootLengthMm * mean.crownHeightMm / drawn.crownHeightMm, detail);
+    return CoarseTooth{place(builder, crownVertices, mean, drawn), crownVertices, cervix};
+}
+
+}  // namespace
+
+Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
+{
+    return generate(fdi, seed, {}).map([](CoarseTooth&& tooth) { return std::move(tooth.mesh); });
+}
+
+Result<CoarseTooth> generateCoarseTooth(int fdi)
+{
+    return generate(fdi, 0, MeshDetail::coarse());
 }
 
 }  // namespace core::teeth

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/base/Result.h"
 #include "core/mesh/TriangleMesh.h"
@@ -15,6 +17,17 @@ namespace core::teeth {
 /// Closed, manifold, oriented outwards, and the same for the same seed. Seed 0 is the mean tooth; any other draws its
 /// sizes, cusps and grooves. Some tens of milliseconds. UnknownName for anything but 21-28 and 31-38.
 [[nodiscard]] Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed);
+
+/// A tooth to look at, not to drill.
+struct CoarseTooth
+{
+    mesh::TriangleMesh mesh;
+    std::size_t crownVertices = 0;      ///< of the mesh, its first; the others are the root
+    std::vector<std::uint32_t> cervix;  ///< vertices of the CEJ line, once round
+};
+
+/// The mean tooth of generateTooth() in a few thousand triangles. A few milliseconds.
+[[nodiscard]] Result<CoarseTooth> generateCoarseTooth(int fdi);
 
 /// The sizes that this tooth has: the table's for seed 0, drawn from its spread (cut at two standard deviations) for
 /// any other. The CEJ lies crownHeightMm below the highest point of the facial side.

@@ -33,6 +33,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/shell/MessageBar.h"
+#include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
@@ -104,6 +105,7 @@ private slots:
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
+    void theWholeMouthIsReachedWithM();
     void theScoreAddsUp();
     void aCriticalFaultFailsAHighScore();
 
@@ -1026,6 +1028,28 @@ void TestMainWindow::anotherToothIsChosenWithTheKeys()
     press(Qt::Key_Return);
     QCOMPARE(chosen.size(), 1);
     QCOMPARE(chosen.front().front().toInt(), 36);
+}
+
+void TestMainWindow::theWholeMouthIsReachedWithM()
+{
+    press(Qt::Key_M);
+    auto* mouth = child<Mouth>();
+    QVERIFY(mouth != nullptr && mouth->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(mouth->isReady(), 20000);
+    QTRY_VERIFY(mouth->hasFocus());
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    mouth->setSelected(35);
+    press(Qt::Key_Right);
+    QCOMPARE(child<ArchView>()->selected(), 36);
+    // The flat arches know what was chosen, and back again.
+    press(Qt::Key_M);
+    QVERIFY(child<ArchView>()->isVisible() && !mouth->isVisible());
+    press(Qt::Key_M);
+    QVERIFY(mouth->isVisible());
+    press(Qt::Key_Left);
+    press(Qt::Key_Return);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen.front().front().toInt(), 35);
 }
 
 void TestMainWindow::theScoreAddsUp()

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
 
 #include "tests/support/SyntheticMolar.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/ArchView.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/shell/Mouth.h"
 #include "ui/tooth/ToothView.h"
 
 using ui::tooth::ToothView;
@@ -20,6 +25,7 @@ private slots:
     void saysWhatIsMissingAndWhatToDo();
     void paneShowsTheSentenceInAWindow();
     void everythingElseStillAnswers();
+    void theWholeMouthIsNotOffered();
 
 private:
     std::unique_ptr<core::session::UiLinks> m_links;
@@ -81,6 +87,25 @@ void TestToothViewWithoutOpenGl::everythingElseStillAnswers()
     QTRY_VERIFY(frames.count() > 2);
     core::session::TilePatch left;
     QVERIFY(!m_links->patches.tryPop(left));
+}
+
+void TestToothViewWithoutOpenGl::theWholeMouthIsNotOffered()
+{
+    QVERIFY(!ui::shell::Mouth::isPossible());
+    QTest::ignoreMessage(QtWarningMsg, "QOpenGLWidget is not supported on this platform.");
+    QTest::ignoreMessage(QtWarningMsg, QRegularExpression("tooth view cannot be used: no context of version 3.3"));
+    core::session::UiLinks links;
+    ui::shell::MainWindow window(links);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const auto* actions = window.findChild<ui::shell::Actions*>();
+    QVERIFY(!actions->mouth->isVisible());
+    QVERIFY(!actions->mouth->isEnabled());
+    // The flat arches are still there, and no button leads elsewhere.
+    actions->chooseTooth->trigger();
+    QVERIFY(window.findChild<ui::shell::ArchView*>()->isVisible());
+    for (const QPushButton* button : window.findChildren<QPushButton*>())
+        QVERIFY(!button->isVisible() || button->text() != actions->mouth->text());
 }
 
 QTEST_MAIN(TestToothViewWithoutOpenGl)

@@ -51,6 +51,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
 
     m_groups.push_back({tr("Tooth and files"), {}});
     chooseTooth = add("tooth", tr("Choose a tooth"), tr("Show the arches and choose one of 16 teeth"), {Qt::Key_T});
+    mouth = add("mouth", tr("Whole mouth"), tr("Choose a tooth in the whole mouth, or go back to the flat arches"),
+                {Qt::Key_M});
     openScan = add("open", tr("Open a scan"), tr("Open the scan of a tooth: OBJ, STL or PLY"), {Qt::CTRL | Qt::Key_O});
     saveRecording = add("save", tr("Save the recording"), tr("Save every movement of this attempt to a file"),
                         {Qt::CTRL | Qt::Key_S});

@@ -41,6 +41,7 @@ public:
     QAction* reload = nullptr;
     QAction* grade = nullptr;
     QAction* chooseTooth = nullptr;
+    QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;

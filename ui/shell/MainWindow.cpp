@@ -95,6 +95,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
+    m_actions->mouth->setVisible(m_view->isUsable());
 
     connectActions();
     connectView();
@@ -149,6 +150,11 @@ void MainWindow::connectActions()
             emit gradeRequested();
     });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
+    on(m_actions->mouth, [this] {
+        const bool flatIsShown = m_pages->currentWidget() != m_chooser || !m_chooser->isMouthShown();
+        goTo(m_chooser);
+        m_chooser->showMouth(flatIsShown);
+    });
     on(m_actions->openScan, [this] {
         askForFile(m_actions->openScan->text(), FileKind::Scan,
                    [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
@@ -338,6 +344,7 @@ void MainWindow::enableActions()
     m_actions->reload->setEnabled(mine);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
+    m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine);

@@ -4,27 +4,32 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
+#include "ui/shell/Mouth.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
 
 namespace ui::shell {
 namespace {
 
-constexpr int kCardWidthPx = 340;
+constexpr int kCardWidthPx = 380;
 constexpr int kGapPx = 64;
 constexpr int kWidestArchesPx = 600;
 
 }  // namespace
 
 ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
-    : Page(actions, tr("Choose a tooth"), parent), m_arches(new ArchView(this)), m_number(new QLabel(this)),
-      m_name(new QLabel(this)), m_note(new QLabel(this)), m_take(new QPushButton(tr("Drill this tooth"), this))
+    : Page(actions, tr("Choose a tooth"), parent), m_pictures(new QStackedWidget(this)), m_row(new QHBoxLayout),
+      m_arches(new ArchView(m_pictures)), m_number(new QLabel(this)), m_name(new QLabel(this)),
+      m_note(new QLabel(this)), m_take(new QPushButton(tr("Drill this tooth"), this)),
+      m_other(pageButton(actions.mouth, "", this))
 {
-    m_arches->setMaximumWidth(kWidestArchesPx);
+    m_pictures->addWidget(m_arches);
+    m_pictures->setMaximumWidth(kWidestArchesPx);
     m_number->setFont(typeface(kHero, QFont::DemiBold));
     m_name->setFont(typeface(kTitle, QFont::Medium));
     m_name->setWordWrap(true);
@@ -36,6 +41,9 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     m_take->setFocusPolicy(Qt::TabFocus);
     m_take->setAutoDefault(true);
     m_take->setObjectName(QStringLiteral("takeTooth"));
+
+    connect(actions.mouth, &QAction::visibleChanged, m_other,
+            [this, action = actions.mouth] { m_other->setVisible(action->isVisible()); });
 
     auto* scanHint =
         new QLabel(tr("Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file "
@@ -51,7 +59,12 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     words->addWidget(m_name);
     words->addWidget(m_note);
     words->addSpacing(kSpace4);
-    words->addWidget(m_take, 0, Qt::AlignLeft);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    buttons->addWidget(m_take);
+    buttons->addWidget(m_other);
+    buttons->addStretch(1);
+    words->addLayout(buttons);
     words->addSpacing(kSpace6);
     words->addWidget(line(this));
     words->addSpacing(kSpace2);
@@ -63,13 +76,12 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     side->setFixedWidth(kCardWidthPx);
     side->setLayout(words);
 
-    auto* row = new QHBoxLayout;
-    row->addStretch(1);
-    row->addWidget(m_arches, 4);
-    row->addSpacing(kGapPx);
-    row->addWidget(side);
-    row->addStretch(1);
-    body()->addLayout(row, 1);
+    m_row->addStretch(1);
+    m_row->addWidget(m_pictures, 4);
+    m_row->addSpacing(kGapPx);
+    m_row->addWidget(side);
+    m_row->addStretch(1);
+    body()->addLayout(m_row, 1);
 
     connect(m_arches, &ArchView::selectionChanged, this, &ToothChooser::describe);
     connect(m_arches, &ArchView::toothActivated, this, &ToothChooser::toothChosen);
@@ -81,14 +93,48 @@ void ToothChooser::setPresent(int fdi)
 {
     m_present = fdi;
     m_arches->setSelected(fdi);
+    if (m_mouth != nullptr)
+        m_mouth->setSelected(fdi);
     describe(m_arches->selected());
+}
+
+void ToothChooser::showMouth(bool inSpace)
+{
+    if (inSpace && m_mouth == nullptr) {
+        m_mouth = new Mouth(m_pictures);
+        m_pictures->addWidget(m_mouth);
+        connect(m_mouth, &Mouth::selectionChanged, this, [this](int fdi) {
+            m_arches->setSelected(fdi);
+            describe(fdi);
+        });
+        connect(m_mouth, &Mouth::toothActivated, this, &ToothChooser::toothChosen);
+    }
+    m_mouthShown = inSpace;
+    m_other->setText(inSpace ? tr("Flat arches") : tr("Whole mouth"));
+    m_other->setAccessibleName(m_other->text());
+    if (inSpace)
+        m_mouth->setSelected(m_arches->selected());
+    // The mouth takes all the room there is.
+    m_pictures->setMaximumWidth(inSpace ? QWIDGETSIZE_MAX : kWidestArchesPx);
+    m_row->setStretch(0, inSpace ? 0 : 1);
+    m_row->setStretch(m_row->count() - 1, inSpace ? 0 : 1);
+    m_pictures->setCurrentWidget(inSpace ? static_cast<QWidget*>(m_mouth) : m_arches);
+    takeFocus();
+}
+
+void ToothChooser::takeFocus()
+{
+    if (m_mouthShown)
+        m_mouth->setFocus();
+    else
+        m_arches->takeFocus();
 }
 
 void ToothChooser::showEvent(QShowEvent* event)
 {
     setPresent(m_present);
     Page::showEvent(event);
-    m_arches->takeFocus();
+    takeFocus();
 }
 
 void ToothChooser::describe(int fdi)

@@ -3,11 +3,14 @@
 
 #include "ui/shell/Page.h"
 
+class QHBoxLayout;
 class QPushButton;
+class QStackedWidget;
 
 namespace ui::shell {
 
 class ArchView;
+class Mouth;
 
 /// The page on which another tooth is chosen: the arches, what is chosen in words, and the way to a scan of one's own.
 class ToothChooser : public Page
@@ -18,6 +21,9 @@ public:
 
     /// The tooth now on the table; 0 for a scan without a number.
     void setPresent(int fdi);
+    /// The whole mouth in space in place of the flat arches. Only where Mouth::isPossible().
+    void showMouth(bool inSpace);
+    [[nodiscard]] bool isMouthShown() const { return m_mouthShown; }
 
 signals:
     void toothChosen(int fdi);
@@ -27,13 +33,19 @@ protected:
 
 private:
     void describe(int fdi);
+    void takeFocus();
 
+    QStackedWidget* m_pictures;
+    QHBoxLayout* m_row;
     ArchView* m_arches;
+    Mouth* m_mouth = nullptr;  ///< from when it is first asked for
     QLabel* m_number;
     QLabel* m_name;
     QLabel* m_note;
     QPushButton* m_take;
+    QPushButton* m_other;  ///< from the flat arches to the mouth and back
     int m_present = 0;
+    bool m_mouthShown = false;
 };
 
 }  // namespace ui::shell

@@ -241,6 +241,28 @@ QString toothName(int fdi)
     return quadrant.isEmpty() || kind.isEmpty() ? QString() : kind.arg(quadrant);
 }
 
+QStringList surfaceLetters(int fdi)
+{
+    if (toothName(fdi).isEmpty())
+        return {};
+    const bool upper = fdi < 30;
+    const bool front = fdi % 10 <= 3;
+    //: Letters for sides of teeth, one or two each. Mesial
+    const QString mesial = QCoreApplication::translate("Surface", "M");
+    //: Letter for the distal side
+    const QString distal = QCoreApplication::translate("Surface", "D");
+    //: Letters for the labial side (towards the lip), then for the buccal one (towards the cheek)
+    const QString facial =
+        front ? QCoreApplication::translate("Surface", "La") : QCoreApplication::translate("Surface", "B");
+    //: Letters for the palatal side, then for the lingual one
+    const QString inner =
+        upper ? QCoreApplication::translate("Surface", "P") : QCoreApplication::translate("Surface", "L");
+    //: Letters for the incisal edge, then for the occlusal surface
+    const QString top =
+        front ? QCoreApplication::translate("Surface", "I") : QCoreApplication::translate("Surface", "O");
+    return {mesial, distal, upper ? inner : facial, upper ? facial : inner, QString(), top};
+}
+
 QString toothTitle(const core::terrain::ToothAnatomy& tooth)
 {
     const QString name = QString::fromStdString(tooth.name);

@@ -32,6 +32,9 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 
 /// "lower left first molar"; empty for a number that is not an FDI tooth.
 [[nodiscard]] QString toothName(int fdi);
+/// One or two letters for the sides of a tooth of the left half, in the order of the axes of its frame: -x mesial,
+/// +x distal, -y, +y (cheek or lip, palate or tongue), -z (empty), +z occlusal or incisal. Empty for no tooth.
+[[nodiscard]] QStringList surfaceLetters(int fdi);
 /// "Tooth 36", or the file's name for a scan without a number.
 [[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
 

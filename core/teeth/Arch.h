@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/teeth/ArchCurve.h"
+#include "core/teeth/ToothGenerator.h"
+
+/// The whole mouth as a model to look at: all 32 teeth in their arches, the gums, palate and tongue.
+///
+/// Mouth frame: mm, +x towards the patient's left, +y backwards, +z up (the axes of DICOM), origin between the incisal
+/// edges of the upper central incisors, occlusal planes horizontal while the mouth is closed. Each jaw is worked out in
+/// its jaw frame: the same x and y, z from the occlusal plane (0 at incisal edges and buccal cusps) towards the
+/// opposing jaw; for the upper jaw that is left-handed. The right half is the mirror image of the left one.
+namespace core::teeth {
+
+enum class Tissue : std::uint8_t { Enamel, Root, Gum, Mucosa };
+
+struct LookVertex
+{
+    glm::vec3 positionMm;
+    glm::vec3 normal;
+    float open;    ///< share of the light of an even sky that neighbours and gum leave it, 0 .. 1
+    float tissue;  ///< a Tissue
+};
+
+/// Smooth triangles, counter-clockwise seen from outside.
+struct LookMesh
+{
+    std::vector<LookVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    glm::vec3 middleMm{0.0F};  ///< of a ball around it
+    float radiusMm = 0.0F;
+};
+
+/// One mesh standing somewhere. A tooth's mesh is in its tooth frame, that of a gum in its jaw frame.
+struct ArchPiece
+{
+    int fdi = 0;        ///< the tooth, or that whose gum it is; 0: palate, tongue
+    bool tooth = true;  ///< else soft tissue
+    bool upper = true;  ///< the jaw
+    std::shared_ptr<const LookMesh> mesh;
+    glm::dmat4 place{1.0};  ///< piece to scene; mirrors (negative determinant) where the mesh is the other side's
+};
+
+/// Where two neighbours of the left side touch, in the jaw frame.
+struct ArchContact
+{
+    int mesialFdi = 0;
+    int distalFdi = 0;
+    glm::dvec3 middleMm{0.0};
+    double lowestMm = 0.0;  ///< z at which they part towards the gum
+    double gapMm = 0.0;     ///< what is left between them along the arch; negative: they overlap
+};
+
+class Arch
+{
+public:
+    /// Makes all of it, a few hundred milliseconds; any thread that may wait. The same every time.
+    Arch();
+
+    /// Rotation and shift from a tooth's frame into its jaw's, for the left side: 21 to 28, 31 to 38.
+    [[nodiscard]] glm::dmat4 jawFromTooth(int fdi) const;
+    [[nodiscard]] const CoarseTooth& tooth(int fdi) const;
+    [[nodiscard]] const std::vector<ArchContact>& contacts() const { return m_contacts; }
+
+    /// Everything, standing in the mouth frame, with the lower jaw turned about the hinge of the jaw joints.
+    [[nodiscard]] std::vector<ArchPiece> mouth(double openRad) const;
+
+    /// The teeth beside a tooth of the left side and the gum around the three, standing in the frame of that tooth.
+    /// The central incisors have their fellow of the right side, the third molars nobody behind them. Empty for a
+    /// number that is not one of the sixteen.
+    [[nodiscard]] std::vector<ArchPiece> neighbours(int fdi) const;
+
+    /// Of the whole mouth.
+    [[nodiscard]] std::size_t triangles() const;
+
+private:
+    struct Piece
+    {
+        int fdi = 0;
+        bool tooth = true;
+        Jaw jaw = Jaw::Upper;
+        std::shared_ptr<const LookMesh> mesh;
+        glm::dmat4 jawFromPiece{1.0};
+    };
+    void place(Jaw jaw);
+    void dress(Jaw jaw);
+
+    std::vector<CoarseTooth> m_teeth;  ///< 21 to 28, 31 to 38
+    std::array<glm::dmat4, 16> m_jawFromTooth;
+    std::vector<ArchContact> m_contacts;
+    std::vector<Piece> m_pieces;  ///< of the left half
+};
+
+/// 36 for 46 and for 36: the tooth of the left side that looks the same, mirrored. 0 for no tooth.
+[[nodiscard]] int leftFellow(int fdi);
+[[nodiscard]] inline bool isRight(int fdi)
+{
+    return fdi / 10 == 1 || fdi / 10 == 4;
+}
+[[nodiscard]] inline Jaw jawOf(int fdi)
+{
+    return fdi < 30 ? Jaw::Upper : Jaw::Lower;
+}
+
+/// Mouth from jaw, the mouth opened by an angle.
+[[nodiscard]] glm::dmat4 mouthFromJaw(Jaw jaw, double openRad);
+
+}  // namespace core::teeth

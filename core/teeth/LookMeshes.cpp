@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/teeth/LookMeshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace core::teeth {
+
+void smoothNormals(LookMesh& mesh)
+{
+    for (LookVertex& v : mesh.vertices)
+        v.normal = glm::vec3(0.0F);
+    for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+        LookVertex& a = mesh.vertices[mesh.indices[k]];
+        LookVertex& b = mesh.vertices[mesh.indices[k + 1]];
+        LookVertex& c = mesh.vertices[mesh.indices[k + 2]];
+        const glm::vec3 across = glm::cross(b.positionMm - a.positionMm, c.positionMm - a.positionMm);
+        for (LookVertex* v : {&a, &b, &c})
+            v->normal += across;
+    }
+    for (LookVertex& v : mesh.vertices) {
+        const float length = glm::length(v.normal);
+        v.normal = length > 1.0e-12F ? v.normal / length : glm::vec3(0.0F, 0.0F, 1.0F);
+    }
+}
+
+void findBall(LookMesh& mesh)
+{
+    glm::vec3 low(1.0e9F);
+    glm::vec3 high(-1.0e9F);
+    for (const LookVertex& v : mesh.vertices) {
+        low = glm::min(low, v.positionMm);
+        high = glm::max(high, v.positionMm);
+    }
+    mesh.middleMm = 0.5F * (low + high);
+    mesh.radiusMm = 0.0F;
+    for (const LookVertex& v : mesh.vertices)
+        mesh.radiusMm = std::max(mesh.radiusMm, glm::distance(v.positionMm, mesh.middleMm));
+}
+
+void addToSkyline(SampleMap& skyline, const LookMesh& mesh, const glm::dmat4& jawFromMesh)
+{
+    std::vector<glm::dvec3> points;
+    points.reserve(mesh.vertices.size());
+    for (const LookVertex& v : mesh.vertices)
+        points.emplace_back(jawFromMesh * glm::dvec4(v.positionMm, 1.0));
+    for (std::size_t k = 0; k < mesh.indices.size(); k += 3)
+        sampleTriangle(skyline, points[mesh.indices[k]], points[mesh.indices[k + 1]], points[mesh.indices[k + 2]],
+                       [](double& highest, double z) { highest = std::max(highest, z); });
+}
+
+void findOpenness(LookMesh& mesh, const glm::dmat4& jawFromMesh, const SampleMap& skyline)
+{
+    constexpr int kWays = 12;
+    constexpr double kReachesMm[] = {0.6, 1.2, 1.9, 2.8, 4.0, 5.6, 8.0, 11.0, 15.0};
+    const glm::dmat3 turn(jawFromMesh);
+    for (LookVertex& v : mesh.vertices) {
+        const glm::dvec3 p(jawFromMesh * glm::dvec4(v.positionMm, 1.0));
+        const glm::dvec3 n = turn * glm::dvec3(v.normal);
+        // What an even half sky gives this slope, with and without what stands around.
+        double free = 0.0;
+        double seen = 0.0;
+        for (int way = 0; way < kWays; ++way) {
+            const double angle = 2.0 * std::numbers::pi * (way + 0.5) / kWays;
+            const glm::dvec2 d{std::cos(angle), std::sin(angle)};
+            const double across = n.x * d.x + n.y * d.y;
+            // The surface itself hides what lies behind it.
+            const double own = std::max(0.0, std::atan2(-across, std::max(n.z, 0.02)));
+            double horizon = own;
+            for (const double reach : kReachesMm) {
+                const glm::dvec2 at = glm::dvec2(p) + reach * d;
+                const double z = skyline.at(skyline.columnOf(std::abs(at.x)), skyline.rowOf(at.y));
+                horizon = std::max(horizon, std::atan2(z - p.z - 0.05, reach));
+            }
+            free += 1.0 - std::sin(own);
+            seen += 1.0 - std::sin(std::min(horizon, 0.5 * std::numbers::pi));
+        }
+        // A map of heights says little about walls and overhangs: what looks sideways is taken as fairly open.
+        constexpr double kWall = 0.88;
+        const double level = std::clamp((n.z + 0.1) / 0.6, 0.0, 1.0);
+        const double share = std::clamp(free > 1.0e-6 ? seen / free : 1.0, 0.0, 1.0);
+        v.open = static_cast<float>(kWall + (share - kWall) * level * level * (3.0 - 2.0 * level));
+    }
+}
+
+}  // namespace core::teeth

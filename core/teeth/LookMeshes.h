@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/teeth/Arch.h"
+#include "core/teeth/TriangleSamples.h"
+
+namespace core::teeth {
+
+/// Nothing here: far below every height.
+inline constexpr double kNothingMm = -1.0e6;
+
+/// Sets the normals to the mean of the triangles around, weighed by their area.
+void smoothNormals(LookMesh& mesh);
+/// Sets the ball around the mesh.
+void findBall(LookMesh& mesh);
+/// Adds what stands up from the jaw to a map of heights seen from the opposing jaw.
+void addToSkyline(SampleMap& skyline, const LookMesh& mesh, const glm::dmat4& jawFromMesh);
+/// Sets how open each vertex is to the sky over such a map of the left half and its mirror image.
+void findOpenness(LookMesh& mesh, const glm::dmat4& jawFromMesh, const SampleMap& skyline);
+
+}  // namespace core::teeth

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <QString>
+
+#include "core/teeth/Arch.h"
+#include "ui/render/ToothSurface.h"
+
+namespace ui::render {
+
+/// From where pieces of a mouth are seen. The scene is whatever frame the pieces stand in: the mouth's, or that of the
+/// tooth being worked on.
+struct ArchScene
+{
+    glm::dmat4 eyeFromScene{1.0};
+    glm::dmat4 clipFromEye{1.0};
+    glm::dvec3 eyeMm{0.0, 0.0, 40.0};
+    glm::vec3 towardsLight{0.0F, 0.0F, 1.0F};
+    glm::vec3 towardsSky{0.0F, 0.0F, 1.0F};  ///< where the room is brightest
+    int hoveredFdi = 0;                      ///< a little lighter
+    int chosenFdi = 0;                       ///< tinted
+    double dimmed = 0.0;                     ///< 0 .. 1: how far all of it steps back behind something else
+};
+
+/// Draws teeth and gums of core::teeth::Arch with OpenGL 3.3 core, lit as ToothRenderer lights the single tooth. The
+/// context given to initialize() must be current in every call, the destructor included.
+class ArchRenderer : private QOpenGLFunctions_3_3_Core
+{
+public:
+    ArchRenderer();
+    ~ArchRenderer() override;
+
+    /// False when the context has no OpenGL 3.3 or refuses a shader; `reason` then says which.
+    [[nodiscard]] bool initialize(QString& reason);
+
+    /// What draw() draws from now on. Uploads each mesh once, however often it stands there.
+    void setPieces(std::vector<core::teeth::ArchPiece> pieces);
+    [[nodiscard]] const std::vector<core::teeth::ArchPiece>& pieces() const { return m_pieces; }
+
+    /// The empty practice room over the whole viewport, and depth cleared.
+    /// @param lamp  where the room is brightest, clip coordinates
+    void drawRoom(glm::vec2 sizePx, glm::vec2 lamp);
+    /// Adds the pieces to what is in the bound framebuffer, which has a depth buffer. Either matrix of the scene may
+    /// mirror. Leaves depth test and culling off.
+    void draw(const ArchScene& scene);
+
+    [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
+
+private:
+    struct Span
+    {
+        int firstVertex = 0;
+        std::size_t firstIndex = 0;
+        int indices = 0;
+    };
+    [[nodiscard]] bool build(QOpenGLShaderProgram& program, const char* name, QString& reason);
+
+    QOpenGLShaderProgram m_program;
+    QOpenGLShaderProgram m_roomProgram;
+    QOpenGLVertexArrayObject m_nothing;
+    QOpenGLVertexArrayObject m_layout;
+    QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer m_indices{QOpenGLBuffer::IndexBuffer};
+    std::vector<core::teeth::ArchPiece> m_pieces;
+    std::map<const core::teeth::LookMesh*, Span> m_spans;
+    std::uint64_t m_uploadedBytes = 0;
+};
+
+/// The FDI number of the tooth that a ray meets first; 0 where it meets none, or gum before it.
+[[nodiscard]] int toothMet(std::span<const core::teeth::ArchPiece> pieces, const Ray& ray);
+
+}  // namespace ui::render

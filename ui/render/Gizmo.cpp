@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/render/Gizmo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+#include <QPen>
+
+namespace ui::render {
+namespace {
+
+constexpr QRgb kDisc = 0xFF16191A;
+constexpr QRgb kInk = 0xFFECEEEE;
+constexpr QRgb kOcclusal = 0xFF56C7C9;
+constexpr double kArm = 0.74;   ///< of the radius: where the letters stand
+constexpr double kKnob = 0.21;  ///< radius of a letter's knob, at the depth of the centre
+
+}  // namespace
+
+void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
+                const GizmoLetters& letters)
+{
+    struct End
+    {
+        glm::dvec3 way;
+        std::size_t letter;
+    };
+    std::vector<End> ends;
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+        const auto axis = static_cast<glm::length_t>(k / 2);
+        if (!letters.at(k).isEmpty())
+            ends.push_back({(k % 2 == 0 ? -1.0 : 1.0) * eyeFromTooth[axis], k});
+    }
+    // From far to near: the eye looks along -z.
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.way.z < b.way.z; });
+
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor disc(kDisc);
+    disc.setAlpha(150);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(disc);
+    painter.drawEllipse(centre, radiusPx, radiusPx);
+    for (const End& end : ends) {
+        const double near = 0.5 + 0.5 * end.way.z;
+        const QPointF at = centre + kArm * radiusPx * QPointF(end.way.x, -end.way.y);
+        QColor ink(end.letter == 5 ? kOcclusal : kInk);
+        ink.setAlphaF(static_cast<float>(0.45 + 0.55 * near));
+        painter.setPen(QPen(ink, 2.0, Qt::SolidLine, Qt::RoundCap));
+        const double knob = kKnob * radiusPx * (0.9 + 0.2 * near);
+        // The line ends where the knob begins.
+        if (const double length = std::hypot(at.x() - centre.x(), at.y() - centre.y()); length > knob)
+            painter.drawLine(centre, at - (at - centre) * (knob / length));
+        // Towards the eye filled, away from it hollow.
+        const bool filled = end.way.z > -0.05;
+        painter.setPen(QPen(ink, 1.5));
+        painter.setBrush(filled ? ink : QColor(kDisc));
+        painter.drawEllipse(at, knob, knob);
+        QFont font = painter.font();
+        font.setPixelSize(std::max(9, static_cast<int>(1.15 * knob)));
+        font.setBold(true);
+        painter.setFont(font);
+        painter.setPen(filled ? QColor(kDisc) : ink);
+        painter.drawText(QRectF(at.x() - knob, at.y() - knob, 2.0 * knob, 2.0 * knob), Qt::AlignCenter,
+                         letters.at(end.letter));
+    }
+    painter.restore();
+}
+
+}  // namespace ui::render

@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/Mouth.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include "core/teeth/ToothTable.h"
+#include "ui/render/Driver.h"
+#include "ui/render/Gizmo.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::shell {
+namespace {
+
+/// As wide as a mouth opens without strain: some 40 mm between the incisors, 25 degrees.
+constexpr double kOpenRad = 0.44;
+/// Seen from further above or below only the jaw that faces the eye is drawn.
+constexpr double kOneJawDeg = 24.0;
+constexpr double kStartAzimuthDeg = 26.0;
+constexpr double kStartElevationDeg = 14.0;
+constexpr double kDegreesPerPixel = 0.35;
+constexpr double kKeyTurnDeg = 5.0;
+/// Share of the teeth's extent that is the radius of what must fit the picture: of both jaws, and of one alone, which
+/// fills more of its ball.
+constexpr double kBothJaws = 0.52;
+constexpr double kOneJaw = 0.62;
+constexpr int kStillMs = 120;
+constexpr int kFrameMs = 16;
+constexpr int kGizmoPx = 46;
+/// Over the eye's left shoulder, in the eye's frame.
+const glm::dvec3 kLamp = glm::normalize(glm::dvec3(-0.35, 0.55, 0.75));
+const glm::dvec3 kSky = glm::normalize(glm::dvec3(0.0, 0.5, 0.86));
+
+bool isChoosable(int fdi)
+{
+    return fdi != 0 && core::teeth::leftFellow(fdi) == fdi;
+}
+
+glm::dvec3 crownMiddle(const core::teeth::ArchPiece& piece)
+{
+    const double heightMm = core::teeth::findToothSizes(core::teeth::leftFellow(piece.fdi))->crownHeightMm;
+    return glm::dvec3(piece.place * glm::dvec4(0.0, 0.0, -0.4 * heightMm, 1.0));
+}
+
+}  // namespace
+
+Mouth::Mouth(QWidget* parent) : QOpenGLWidget(parent)
+{
+    QSurfaceFormat format = render::wantedFormat();
+    if (render::driver().isSoftware)
+        format.setSamples(0);
+    setFormat(format);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(260, 240);
+    setAccessibleName(tr("Whole mouth"));
+    setAccessibleDescription(tr("Arrow keys walk along the arch, Enter takes the tooth."));
+    m_still.setSingleShot(true);
+    m_still.setInterval(kStillMs);
+    connect(&m_still, &QTimer::timeout, this, [this] {
+        m_smoothWanted = true;
+        update();
+    });
+    m_zooming.setInterval(kFrameMs);
+    connect(&m_zooming, &QTimer::timeout, this, [this] {
+        const double seconds = std::min(0.1, static_cast<double>(m_sinceZoom.nsecsElapsed()) * 1.0e-9);
+        m_sinceZoom.start();
+        if (!m_camera.advance(seconds))
+            m_zooming.stop();
+        update();
+    });
+}
+
+Mouth::~Mouth()
+{
+    if (context() != nullptr)
+        disconnect(context(), nullptr, this, nullptr);
+    leaveContext();
+}
+
+bool Mouth::isPossible()
+{
+    return render::driver().hasOpenGl33;
+}
+
+void Mouth::showEvent(QShowEvent* event)
+{
+    QOpenGLWidget::showEvent(event);
+    if (!m_arch)
+        render::withArch(this, [this](const render::ArchPointer& arch) { take(arch); });
+}
+
+void Mouth::take(const render::ArchPointer& arch)
+{
+    m_arch = arch;
+    m_pieces = arch->mouth(kOpenRad);
+    m_camera.setStart(kStartAzimuthDeg);
+    m_camera.set(kStartAzimuthDeg, kStartElevationDeg, m_camera.distanceMm());
+    m_piecesAreNew = true;
+    showJaws();
+    emit ready();
+}
+
+/// Leaves out the jaw that would be in the way, and looks at what is left.
+void Mouth::showJaws()
+{
+    const double elevation = m_camera.elevationDeg();
+    const bool upper = elevation < kOneJawDeg;
+    const bool lower = elevation > -kOneJawDeg;
+    update();
+    if (upper == m_upperShown && lower == m_lowerShown)
+        return;
+    m_upperShown = upper;
+    m_lowerShown = lower;
+    m_shown.clear();
+    glm::dvec3 low(1.0e9);
+    glm::dvec3 high(-1.0e9);
+    for (const core::teeth::ArchPiece& piece : m_pieces) {
+        if (piece.upper ? !upper : !lower)
+            continue;
+        m_shown.push_back(piece);
+        if (piece.tooth) {
+            low = glm::min(low, crownMiddle(piece));
+            high = glm::max(high, crownMiddle(piece));
+        }
+    }
+    const double closeness = m_camera.distanceMm() / m_camera.fittingMm();
+    const double azimuth = m_camera.azimuthDeg();
+    m_camera.setSubject(0.5 * (low + high), (upper && lower ? kBothJaws : kOneJaw) * glm::distance(low, high));
+    m_camera.set(azimuth, elevation, (m_fitted ? 1.0 : closeness) * m_camera.fittingMm());
+}
+
+void Mouth::setSelected(int fdi)
+{
+    m_selected = isChoosable(fdi) ? fdi : 0;
+    setAccessibleDescription(m_selected == 0 ? tr("Arrow keys walk along the arch, Enter takes the tooth.")
+                                             : tr("%1, %2").arg(m_selected).arg(text::toothName(m_selected)));
+    update();
+}
+
+void Mouth::select(int fdi)
+{
+    setSelected(fdi);
+    emit selectionChanged(m_selected);
+}
+
+/// With the keys; a tooth of the jaw that is not drawn is brought into view.
+void Mouth::walkTo(int fdi)
+{
+    if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Upper && m_camera.elevationDeg() >= kOneJawDeg)
+        turn(0.0, -kStartElevationDeg - m_camera.elevationDeg());
+    if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Lower && m_camera.elevationDeg() <= -kOneJawDeg)
+        turn(0.0, kStartElevationDeg - m_camera.elevationDeg());
+    select(fdi);
+}
+
+void Mouth::hover(int fdi)
+{
+    if (fdi == m_hovered)
+        return;
+    m_hovered = fdi;
+    setCursor(isChoosable(fdi) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    update();
+}
+
+void Mouth::initializeGL()
+{
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Mouth::leaveContext);
+    m_renderer = std::make_unique<render::ArchRenderer>();
+    m_piecesAreNew = true;
+    if (QString reason; !m_renderer->initialize(reason)) {
+        m_failed = true;
+        m_renderer.reset();
+        qWarning("The whole mouth cannot be shown: %s.", qPrintable(reason));
+    }
+}
+
+void Mouth::leaveContext()
+{
+    if (!m_renderer)
+        return;
+    makeCurrent();
+    m_smoothCanvas.reset();
+    m_renderer.reset();
+    doneCurrent();
+}
+
+void Mouth::resizeEvent(QResizeEvent* event)
+{
+    QOpenGLWidget::resizeEvent(event);
+    m_camera.setViewport({width(), height()});
+    if (m_fitted)
+        m_camera.set(m_camera.azimuthDeg(), m_camera.elevationDeg(), m_camera.fittingMm());
+}
+
+render::ArchScene Mouth::scene() const
+{
+    render::ArchScene scene;
+    scene.eyeFromScene = m_camera.view();
+    scene.clipFromEye = m_camera.projection();
+    scene.eyeMm = m_camera.eyeMm();
+    // The lamp is the dentist's: it turns with the eye.
+    const glm::dmat3 sceneFromEye = glm::transpose(glm::dmat3(scene.eyeFromScene));
+    scene.towardsLight = glm::vec3(sceneFromEye * kLamp);
+    scene.towardsSky = glm::vec3(sceneFromEye * kSky);
+    scene.hoveredFdi = m_hovered;
+    scene.chosenFdi = m_selected;
+    return scene;
+}
+
+void Mouth::drawScene()
+{
+    const QSize size = this->size() * devicePixelRatioF();
+    const auto draw = [&] {
+        m_renderer->drawRoom({static_cast<float>(size.width()), static_cast<float>(size.height())}, {0.0F, 0.0F});
+        if (m_arch)
+            m_renderer->draw(scene());
+    };
+    if (!render::driver().isSoftware || !m_smoothWanted) {
+        draw();
+        if (render::driver().isSoftware)
+            m_still.start();
+        return;
+    }
+    // As in the tooth view: moving pictures with hard edges, smooth ones once nothing moves.
+    m_smoothWanted = false;
+    if (!m_smoothCanvas || m_smoothCanvas->size() != size) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setSamples(render::wantedFormat().samples());
+        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+        m_smoothCanvas = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    }
+    QOpenGLExtraFunctions* gl = context()->extraFunctions();
+    m_smoothCanvas->bind();
+    gl->glViewport(0, 0, size.width(), size.height());
+    draw();
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_smoothCanvas->handle());
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+}
+
+void Mouth::paintGL()
+{
+    if (m_renderer) {
+        if (m_arch && m_piecesAreNew) {
+            m_renderer->setPieces(m_pieces);
+            m_piecesAreNew = false;
+        }
+        if (m_arch)
+            m_renderer->setPieces(m_shown);
+        drawScene();
+    }
+    drawWords();
+}
+
+void Mouth::drawWords()
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette room = roomPalette();
+    const auto write = [&](const QRectF& where, int flags, const QString& words, const QFont& font,
+                           QPalette::ColorRole role) {
+        painter.setFont(font);
+        painter.setPen(room.color(role));
+        painter.drawText(where, flags, words);
+    };
+    const QRectF all = QRectF(rect()).adjusted(kSpace4, kSpace4, -kSpace4, -kSpace4);
+    if (!m_renderer || !m_arch) {
+        if (!m_renderer)
+            painter.fillRect(rect(), room.color(QPalette::Window));
+        write(all, Qt::AlignCenter | Qt::TextWordWrap,
+              m_failed ? tr("This computer cannot draw the whole mouth. The flat arches do the same.")
+                       : tr("The teeth are being made …"),
+              typeface(kBody), QPalette::WindowText);
+        return;
+    }
+    const auto plate = [&](const QRectF& where) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(20, 22, 24, 190));
+        painter.drawRoundedRect(where, kRadius, kRadius);
+    };
+    const int told = m_hovered != 0 ? m_hovered : m_selected;
+    if (told != 0) {
+        const QString name = text::capitalised(text::toothName(told));
+        const QString offer =
+            isChoosable(told)
+                ? told == m_selected ? tr("Chosen. Enter or a double click takes it.") : tr("Click to choose it.")
+                //: %1 is the FDI number of the tooth on the other side
+                : tr("Only teeth of the left side can be drilled; %1 is its mirror image.")
+                      .arg(core::teeth::leftFellow(told));
+        const QFontMetricsF small(typeface(kSmall));
+        const double width =
+            std::max(small.horizontalAdvance(offer), QFontMetricsF(typeface(kBody)).horizontalAdvance(name));
+        plate({all.left() - kSpace2, all.top() - kSpace2, std::min(width, all.width()) + 2 * kSpace2 + 1, 92.0});
+        write(all, Qt::AlignLeft | Qt::AlignTop, QString::number(told), typeface(kFigure, QFont::DemiBold),
+              QPalette::WindowText);
+        write(all.adjusted(0, 36, 0, 0), Qt::AlignLeft | Qt::AlignTop, name, typeface(kBody), QPalette::WindowText);
+        write(all.adjusted(0, 58, 0, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, offer, typeface(kSmall),
+              QPalette::PlaceholderText);
+    }
+    write(all.adjusted(0, 0, -2 * kGizmoPx - kSpace4, 0), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap,
+          tr("Right button turns, wheel zooms. From above or below you see one jaw."), typeface(kSmall),
+          QPalette::PlaceholderText);
+
+    // The tooth's number beside it: never colour alone.
+    if (pieceOf(m_selected) != nullptr) {
+        const QPointF at = placeOf(m_selected);
+        const QRectF label(at.x() - 17.0, at.y() - 11.0, 34.0, 22.0);
+        plate(label);
+        write(label, Qt::AlignCenter, QString::number(m_selected), typeface(kBody, QFont::DemiBold),
+              QPalette::WindowText);
+    }
+    if (const core::teeth::ArchPiece* piece = pieceOf(told); piece != nullptr) {
+        render::GizmoLetters letters;
+        const QStringList words = text::surfaceLetters(core::teeth::leftFellow(told));
+        std::copy(words.begin(), words.end(), letters.begin());
+        render::paintGizmo(painter, QPointF(width() - kGizmoPx - kSpace4, height() - kGizmoPx - kSpace4), kGizmoPx,
+                           glm::dmat3(m_camera.view() * piece->place), letters);
+    }
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(room.color(QPalette::Link), 2));
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+    }
+}
+
+const core::teeth::ArchPiece* Mouth::pieceOf(int fdi) const
+{
+    const auto found = std::find_if(m_shown.begin(), m_shown.end(), [&](const core::teeth::ArchPiece& piece) {
+        return fdi != 0 && piece.tooth && piece.fdi == fdi;
+    });
+    return found == m_shown.end() ? nullptr : &*found;
+}
+
+QPointF Mouth::placeOf(int fdi) const
+{
+    const core::teeth::ArchPiece* piece = pieceOf(fdi);
+    if (piece == nullptr)
+        return {};
+    const glm::dvec2 at = m_camera.pixelOf(crownMiddle(*piece));
+    return {at.x, at.y};
+}
+
+int Mouth::toothAt(QPointF position) const
+{
+    return render::toothMet(m_shown, m_camera.rayThrough({position.x(), position.y()}));
+}
+
+void Mouth::turn(double azimuthDeg, double elevationDeg)
+{
+    m_camera.turn(azimuthDeg, elevationDeg);
+    showJaws();
+}
+
+void Mouth::zoom(double steps)
+{
+    m_fitted = false;
+    m_camera.zoom(steps);
+    m_sinceZoom.start();
+    m_zooming.start();
+}
+
+void Mouth::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) {
+        if (const int fdi = toothAt(event->position()); isChoosable(fdi))
+            select(fdi);
+    } else if (m_turning == Qt::NoButton &&
+               (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton)) {
+        m_turning = event->button();
+        m_turnedAt = event->position();
+    }
+}
+
+void Mouth::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_turning == Qt::NoButton) {
+        hover(toothAt(event->position()));
+        return;
+    }
+    const QPointF by = event->position() - m_turnedAt;
+    m_turnedAt = event->position();
+    turn(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
+}
+
+void Mouth::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == m_turning)
+        m_turning = Qt::NoButton;
+}
+
+void Mouth::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (const int fdi = toothAt(event->position()); isChoosable(fdi))
+        emit toothActivated(fdi);
+}
+
+void Mouth::wheelEvent(QWheelEvent* event)
+{
+    zoom(event->angleDelta().y() / 120.0);
+    event->accept();
+}
+
+void Mouth::leaveEvent(QEvent*)
+{
+    hover(0);
+}
+
+void Mouth::keyPressEvent(QKeyEvent* event)
+{
+    const int key = event->key();
+    const bool arrow = key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+    if (arrow && event->modifiers().testFlag(Qt::ControlModifier)) {
+        turn(key == Qt::Key_Left    ? -kKeyTurnDeg
+             : key == Qt::Key_Right ? kKeyTurnDeg
+                                    : 0.0,
+             key == Qt::Key_Up     ? kKeyTurnDeg
+             : key == Qt::Key_Down ? -kKeyTurnDeg
+                                   : 0.0);
+        return;
+    }
+    const int position = m_selected % 10;
+    const int quadrant = m_selected / 10;
+    switch (key) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+        walkTo(m_selected == 0 ? 21 : 10 * quadrant + std::clamp(position + (key == Qt::Key_Right ? 1 : -1), 1, 8));
+        break;
+    case Qt::Key_Up:
+        walkTo(m_selected == 0 ? 21 : 20 + position);
+        break;
+    case Qt::Key_Down:
+        walkTo(m_selected == 0 ? 31 : 30 + position);
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (m_selected != 0)
+            emit toothActivated(m_selected);
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        zoom(1.0);
+        break;
+    case Qt::Key_Minus:
+        zoom(-1.0);
+        break;
+    case Qt::Key_Home:
+        m_fitted = true;
+        m_camera.set(kStartAzimuthDeg, kStartElevationDeg, m_camera.fittingMm());
+        showJaws();
+        break;
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+void Mouth::focusInEvent(QFocusEvent* event)
+{
+    QOpenGLWidget::focusInEvent(event);
+    update();
+}
+
+void Mouth::focusOutEvent(QFocusEvent* event)
+{
+    QOpenGLWidget::focusOutEvent(event);
+    m_turning = Qt::NoButton;
+    update();
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QPointF>
+#include <QTimer>
+
+#include "ui/render/ArchRenderer.h"
+#include "ui/render/SharedArch.h"
+#include "ui/tooth/Camera.h"
+
+class QOpenGLFramebufferObject;
+class QPainter;
+
+namespace ui::shell {
+
+/// The whole mouth in space, to choose one of the sixteen teeth of the left side: hover, click, arrow keys. Looked at
+/// steeply from above or below, the jaw that would be in the way is not drawn.
+///
+/// Mouse: a click chooses, a double click takes the tooth at once; right or middle drag turns, the wheel zooms.
+/// Keys: arrows walk along the arch and from jaw to jaw, Enter takes the tooth, Ctrl + arrows turn, plus and minus
+/// zoom, Home resets the view.
+///
+/// Make it only where isPossible(); ArchView does the same without OpenGL. Its meshes are made when it is first shown.
+class Mouth : public QOpenGLWidget
+{
+    Q_OBJECT
+public:
+    explicit Mouth(QWidget* parent);
+    ~Mouth() override;
+
+    /// This computer gives OpenGL 3.3.
+    [[nodiscard]] static bool isPossible();
+
+    void setSelected(int fdi);  ///< 0: none
+    [[nodiscard]] int selected() const { return m_selected; }
+    [[nodiscard]] int hovered() const { return m_hovered; }
+    /// The teeth are there, and drawn from the next picture on.
+    [[nodiscard]] bool isReady() const { return m_arch != nullptr; }
+    [[nodiscard]] const tooth::Camera& camera() const { return m_camera; }
+    /// The middle of a tooth's crown in the picture.
+    [[nodiscard]] QPointF placeOf(int fdi) const;
+
+signals:
+    void selectionChanged(int fdi);
+    /// Double click or Enter: this one, now.
+    void toothActivated(int fdi);
+    void ready();
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void take(const render::ArchPointer& arch);
+    void select(int fdi);
+    void walkTo(int fdi);
+    void hover(int fdi);
+    void turn(double azimuthDeg, double elevationDeg);
+    void zoom(double steps);
+    void showJaws();
+    void leaveContext();
+    void drawScene();
+    void drawWords();
+    [[nodiscard]] int toothAt(QPointF position) const;
+    [[nodiscard]] render::ArchScene scene() const;
+    [[nodiscard]] const core::teeth::ArchPiece* pieceOf(int fdi) const;
+
+    render::ArchPointer m_arch;
+    std::vector<core::teeth::ArchPiece> m_pieces;  ///< of both jaws
+    std::vector<core::teeth::ArchPiece> m_shown;   ///< of those that are drawn now
+    std::unique_ptr<render::ArchRenderer> m_renderer;
+    bool m_piecesAreNew = false;  ///< the renderer has not seen them
+    tooth::Camera m_camera;
+    int m_selected = 0;
+    int m_hovered = 0;
+    bool m_failed = false;
+    bool m_upperShown = false;
+    bool m_lowerShown = false;
+    bool m_fitted = true;  ///< until someone zooms
+
+    std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
+    bool m_smoothWanted = false;                               ///< of the next picture
+    QTimer m_still;                                            ///< nothing has moved for a while
+    QTimer m_zooming;
+    QElapsedTimer m_sinceZoom;
+    Qt::MouseButton m_turning = Qt::NoButton;
+    QPointF m_turnedAt;
+};
+
+}  // namespace ui::shell
