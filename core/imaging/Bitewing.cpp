@@ -53,14 +53,9 @@ double contactMm(const ToothAnatomy& mesial, bool mesialMirrored, const ToothAna
 
 }  // namespace
 
-bool hasNeighbours(const ToothAnatomy& anatomy)
-{
-    return anatomy.fdi != 0 && anatomy.name == std::to_string(anatomy.fdi);
-}
-
 Result<std::vector<Neighbour>> neighboursOf(const ToothAnatomy& anatomy)
 {
-    if (!hasNeighbours(anatomy))
+    if (!teeth::isGenerated(anatomy))
         return unexpected(ErrorCode::UnknownName,
                           "The neighbours of '" + anatomy.name + "' are not known; choose a tooth by its FDI number.");
     std::vector<Neighbour> neighbours;

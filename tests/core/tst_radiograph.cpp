@@ -404,7 +404,7 @@ void TestRadiograph::aScanHasNoNeighbours()
     auto scan = block();
     scan->fdi = 36;
     scan->name = "lower molar.stl";
-    QVERIFY(!hasNeighbours(*scan));
+    QVERIFY(!teeth::isGenerated(*scan));
     const auto none = neighboursOf(*scan);
     QVERIFY(!none.has_value());
     QCOMPARE(none.error().code, ErrorCode::UnknownName);

@@ -14,6 +14,7 @@ namespace ui::shell {
 namespace {
 
 constexpr const char* kDrawing = "drawing";
+constexpr const char* kOwnTip = "ownTip";
 
 QString drawingOf(const QAction* action)
 {
@@ -59,6 +60,16 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     pauseReplay =
         add("pause", tr("Pause the replay"), tr("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
 
+    m_groups.push_back({tr("Seeing inside"), {}});
+    section = add("section", tr("Section"), tr("Show a live cut through the bur, or put it away"), {Qt::Key_X});
+    section->setCheckable(true);
+    turnSection =
+        add("view", tr("Turn the section"), tr("Turn the cut about the bur by 15 degrees"), {Qt::SHIFT | Qt::Key_X});
+    radiograph = add("film", tr("X-ray"), tr("Show X-ray pictures of the tooth, before and now"), {Qt::Key_F});
+    colourBlind = add("palette", tr("Colour-blind colours"),
+                      tr("Show materials in colours and patterns that everyone can tell apart"), {Qt::Key_P});
+    colourBlind->setCheckable(true);
+
     m_groups.push_back({tr("Window"), {}});
     resetView = add("view", tr("View from the start"), tr("Turn the tooth back to where it began"), {Qt::Key_V});
     panel = add("panel", tr("Side panel"), tr("Show the figures, or put them away"), {Qt::Key_F9});
@@ -76,6 +87,13 @@ void Actions::showReplayPaused(bool paused)
 {
     pauseReplay->setText(paused ? tr("Resume the replay") : tr("Pause the replay"));
     pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
+}
+
+void Actions::setAllowed(QAction* aid, bool allowed)
+{
+    if (!aid->property(kOwnTip).isValid())
+        aid->setProperty(kOwnTip, aid->toolTip());
+    aid->setToolTip(allowed ? aid->property(kOwnTip).toString() : tr("This lesson does not allow it."));
 }
 
 QAction* Actions::add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys)

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
     /// What pauseReplay offers: to let the recording go on, or to hold it.
     void showReplayPaused(bool paused);
+    /// An aid that the lesson does not allow says so in its tooltip. Whether it is enabled is the window's business.
+    static void setAllowed(QAction* aid, bool allowed);
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
@@ -45,6 +47,10 @@ public:
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
+    QAction* section = nullptr;      ///< checkable: the cross-section is there
+    QAction* turnSection = nullptr;
+    QAction* radiograph = nullptr;
+    QAction* colourBlind = nullptr;  ///< checkable: colours and patterns that everyone can tell apart
     QAction* panel = nullptr;        ///< checkable: the side panel is there
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;

@@ -24,6 +24,8 @@
 #include <QTimer>
 
 #include "core/drilling/Bur.h"
+#include "ui/inside/SectionView.h"
+#include "ui/inside/XrayPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -77,8 +79,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new Actions(this)),
       m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, m_view->pane(), m_pages)), m_chooser(new ToothChooser(*m_actions, m_pages)),
-      m_scorePage(new ScorePage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages))
+      m_scorePage(new ScorePage(*m_actions, m_pages)), m_xray(new inside::XrayPage(*m_actions, m_pages)),
+      m_messages(new MessageBar(m_pages)), m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -86,8 +88,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     resize(firstSize(screen()->availableSize()));
     setAcceptDrops(true);
     setCentralWidget(m_pages);
-    for (QWidget* page :
-         {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage)})
+    for (QWidget* page : {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser),
+                          static_cast<QWidget*>(m_scorePage), static_cast<QWidget*>(m_xray)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
@@ -97,6 +99,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
+    });
+    connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
+        askForFile(
+            tr("Save the X-ray pictures"), FileKind::Picture,
+            [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
+            newFileName(QStringLiteral("png")));
     });
     connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
     connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
@@ -160,6 +168,15 @@ void MainWindow::connectActions()
         setReplayPaused(!m_replayPaused);
         emit replayPauseRequested(m_replayPaused);
     });
+    on(m_actions->section, [this](bool visible) {
+        m_room->setSectionVisible(visible);
+        enableActions();
+    });
+    on(m_actions->turnSection, [this] { m_room->section().turn(); });
+    on(m_actions->radiograph, [this] { showXray(); });
+    on(m_actions->colourBlind, [this](bool wanted) {
+        m_room->section().setColours(wanted ? MaterialPalette::ColourBlind : MaterialPalette::Natural);
+    });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -174,6 +191,44 @@ void MainWindow::offerHome()
 {
     m_actions->bringHome->setVisible(true);
     enableActions();
+}
+
+void MainWindow::setAids(const lessons::Aids& aids)
+{
+    m_aids = aids;
+    Actions::setAllowed(m_actions->section, aids.section);
+    Actions::setAllowed(m_actions->turnSection, aids.section);
+    Actions::setAllowed(m_actions->radiograph, aids.radiograph);
+    m_room->panel().setDepthGauge(aids.depthGauge);
+    m_room->section().setFiguresShown(aids.depthGauge);
+    if (!aids.section) {
+        m_actions->section->setChecked(false);
+        m_room->setSectionVisible(false);
+    }
+    if (!aids.radiograph && m_pages->currentWidget() == m_xray)
+        goTo(m_room);
+    enableActions();
+}
+
+void MainWindow::showXray()
+{
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    if (tooth == nullptr)
+        return;
+    m_xray->setTooth(*tooth, text::toothTitle(*tooth->anatomy));
+    goTo(m_xray);
+}
+
+void MainWindow::savePicture(const QString& path, const QImage& picture)
+{
+    if (picture.save(path))
+        showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
+    else
+        m_messages->say({MessageBar::Kind::Error,
+                         tr("The picture could not be written. Choose another folder, or a name that ends in .png."),
+                         QFileInfo(path).fileName(),
+                         {},
+                         {}});
 }
 
 void MainWindow::connectView()
@@ -192,7 +247,12 @@ void MainWindow::connectView()
 void MainWindow::takeFrame(const core::session::ServoState& servo)
 {
     takeSession();
-    m_room->panel().setFigures(servo, m_session);
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    const core::imaging::DepthReading reading = tooth != nullptr && m_pulp && servo.tick > 0
+                                                    ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm)
+                                                    : core::imaging::DepthReading{};
+    m_room->panel().setFigures(servo, m_session, reading);
+    m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -308,6 +368,9 @@ void MainWindow::enableActions()
     m_actions->bringHome->setEnabled(inRoom && mine && m_actions->bringHome->isVisible());
     m_actions->resetView->setEnabled(inRoom);
     m_actions->panel->setEnabled(inRoom);
+    m_actions->section->setEnabled(inRoom && m_aids.section);
+    m_actions->turnSection->setEnabled(inRoom && m_aids.section && m_actions->section->isChecked());
+    m_actions->radiograph->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && m_aids.radiograph);
     m_actions->undo->setEnabled(inRoom && mine && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inRoom && mine && m_session.redoSteps > 0);
     m_actions->reload->setEnabled(mine);
@@ -342,6 +405,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
         m_ownGeneration = generation;
         m_savedWork = {};
     }
+    m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
     const QString title = text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
@@ -503,7 +567,7 @@ void MainWindow::askToSave()
             m_workBeingSaved = ownWork();
             emit recordingSaveRequested(path);
         },
-        newRecordingName());
+        newFileName(recordingSuffix()));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -520,10 +584,25 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
                             const QString& newName)
 {
-    const bool scan = kind == FileKind::Scan;
-    const QString filter = scan ? tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()))
-                                : tr("Recordings (%1)").arg(patternOf({recordingSuffix()}));
-    const QString key = scan ? QStringLiteral("folders/scan") : QStringLiteral("folders/recording");
+    QString filter;
+    QString key;
+    QString suffix;
+    switch (kind) {
+    case FileKind::Scan:
+        filter = tr("Scans of teeth (%1)").arg(patternOf(scanSuffixes()));
+        key = QStringLiteral("folders/scan");
+        break;
+    case FileKind::Recording:
+        suffix = recordingSuffix();
+        filter = tr("Recordings (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/recording");
+        break;
+    case FileKind::Picture:
+        suffix = QStringLiteral("png");
+        filter = tr("Pictures (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/picture");
+        break;
+    }
     QString folder = memory().value(key).toString();
     if (!QFileInfo(folder).isDir())
         folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -534,7 +613,7 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         dialog->setNameFilters({filter, tr("All files (*)")});
     } else {
         dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(recordingSuffix());
+        dialog->setDefaultSuffix(suffix);
         dialog->setNameFilter(filter);
         dialog->selectFile(newName);
     }
@@ -547,11 +626,11 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
     dialog->open();  // beside the window's own events: nothing stops meanwhile
 }
 
-QString MainWindow::newRecordingName() const
+QString MainWindow::newFileName(const QString& suffix) const
 {
     const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName();
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
-    return QStringLiteral("%1-%2.%3").arg(tooth, now, recordingSuffix());
+    return QStringLiteral("%1-%2.%3").arg(tooth, now, suffix);
 }
 
 void MainWindow::openFile(const QString& path)

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/inside/SectionView.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/SidePanel.h"
@@ -48,9 +49,12 @@ PracticeRoom::PracticeRoom(const Actions& actions, QWidget* view, QWidget* paren
     view->setAccessibleName(tr("Tooth"));
     view->installEventFilter(this);
     m_panel = new SidePanel(actions, this);
+    m_section = new inside::SectionView(this);
+    m_section->hide();
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(1);
+    middle->addWidget(m_section);
     middle->addWidget(view, 1);
     middle->addWidget(m_panel);
     auto* column = new QVBoxLayout(this);
@@ -199,6 +203,8 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
     row->addWidget(barButton(actions.otherHand, true, frame));
     row->addWidget(barButton(actions.bringHome, true, frame));
     row->addWidget(barButton(actions.resetView, true, frame));
+    row->addWidget(barButton(actions.section, true, frame));
+    row->addWidget(barButton(actions.radiograph, true, frame));
     row->addStretch(1);
     row->addWidget(pageButton(actions.grade, "filled", frame));
     return frame;
@@ -255,6 +261,11 @@ void PracticeRoom::setReplayTime(double playedS, double lengthS)
 void PracticeRoom::setPanelVisible(bool visible)
 {
     m_panel->setVisible(visible);
+}
+
+void PracticeRoom::setSectionVisible(bool visible)
+{
+    m_section->setVisible(visible);
 }
 
 QRect PracticeRoom::viewArea() const
