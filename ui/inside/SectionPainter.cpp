@@ -33,7 +33,8 @@ constexpr QRgb kSteelEdge = 0xFF11140F;
 constexpr double kGutterPx = 30.0;  ///< for the heights at the left
 constexpr double kFootPx = 20.0;    ///< for the lengths below
 constexpr double kHeadPx = 24.0;    ///< for where the ends point
-constexpr double kLegendPx = 26.0;
+constexpr double kLegendRowPx = 19.0;
+constexpr double kLegendPx = 2.0 * kLegendRowPx + 6.0;
 constexpr double kAboveMm = 1.6;  ///< shown over the highest point
 constexpr double kBesideMm = 0.5;
 constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest point
@@ -212,17 +213,17 @@ void paintLegend(QPainter& painter, const QRectF& area, shell::MaterialPalette p
     const QFontMetricsF metrics(painter.font());
     constexpr double kSquarePx = 13.0;
     constexpr double kApartPx = 12.0;
-    double x = area.left();
+    QRectF row(area.topLeft(), QSizeF(area.width(), kLegendRowPx));
+    double x = row.left();
     const auto word = [&](const QString& words) {
         painter.setPen(QColor(kWords));
         const double width = metrics.horizontalAdvance(words);
-        painter.drawText(QRectF(x, area.top(), width + 2.0, area.height()), Qt::AlignLeft | Qt::AlignVCenter, words);
+        painter.drawText(QRectF(x, row.top(), width + 2.0, row.height()), Qt::AlignLeft | Qt::AlignVCenter, words);
         x += width + kApartPx;
     };
-    const double y = area.center().y() - 0.5 * kSquarePx;
     for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
         const shell::MaterialLook look = shell::materialLook(material, palette);
-        const QRectF square(x, y, kSquarePx, kSquarePx);
+        const QRectF square(x, row.center().y() - 0.5 * kSquarePx, kSquarePx, kSquarePx);
         painter.fillRect(square, look.fill);
         if (look.pattern != Qt::NoBrush) {
             QColor ink = look.letter;
@@ -232,14 +233,13 @@ void paintLegend(QPainter& painter, const QRectF& area, shell::MaterialPalette p
         x += kSquarePx + 5.0;
         word(text::materialName(material));
     }
-    //: In the key of a picture: a line that shows the surface of the tooth before it was cut
-    const QString before = QCoreApplication::translate("Section", "before");
-    if (x + 18.0 + metrics.horizontalAdvance(before) > area.right())
-        return;
+    row.translate(0.0, kLegendRowPx);
+    x = row.left();
     painter.setPen(QPen(QColor(kSurface), 1.6));
-    painter.drawLine(QPointF(x, area.center().y()), QPointF(x + 13.0, area.center().y()));
-    x += 18.0;
-    word(before);
+    painter.drawLine(QPointF(x, row.center().y()), QPointF(x + kSquarePx, row.center().y()));
+    x += kSquarePx + 5.0;
+    //: In the key of a picture, beside a line
+    word(QCoreApplication::translate("Section", "surface before anything was cut"));
 }
 
 }  // namespace
@@ -273,7 +273,7 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     painter.setClipRect(area);
     paintLabels(painter, frame);
     paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
-    paintLegend(painter, QRectF(area.left() + 8.0, area.bottom() - kLegendPx, area.width() - 16.0, kLegendPx - 4.0),
+    paintLegend(painter, QRectF(area.left() + 8.0, area.bottom() - kLegendPx, area.width() - 16.0, kLegendPx),
                 scene.palette);
     painter.restore();
 }

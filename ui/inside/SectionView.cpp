@@ -70,16 +70,19 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     setFixedWidth(kWidthPx);
     m_canvas->setAccessibleName(tr("Picture of the section"));
 
-    const auto choice = [this](int degrees) {
+    // Named anew once there is a tooth.
+    const auto choice = [this](int degrees, const QString& name) {
         auto* button = new QPushButton(this);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
+        button->setAccessibleName(name);
+        button->setToolTip(tr("Cut the tooth in this direction, through the bur"));
         connect(button, &QPushButton::clicked, this, [this, degrees] { setAngle(degrees); });
         return button;
     };
-    m_alongY = choice(kAlongYDeg);
-    m_alongX = choice(0);
+    m_alongY = choice(kAlongYDeg, tr("Section along y"));
+    m_alongX = choice(0, tr("Section along x"));
     m_alongY->setObjectName(QStringLiteral("sectionAlongY"));
     m_alongX->setObjectName(QStringLiteral("sectionAlongX"));
     auto* planes = new QHBoxLayout;

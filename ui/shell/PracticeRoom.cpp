@@ -203,8 +203,8 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
     row->addWidget(barButton(actions.otherHand, true, frame));
     row->addWidget(barButton(actions.bringHome, true, frame));
     row->addWidget(barButton(actions.resetView, true, frame));
-    row->addWidget(barButton(actions.section, true, frame));
-    row->addWidget(barButton(actions.radiograph, true, frame));
+    row->addWidget(barButton(actions.section, false, frame));
+    row->addWidget(barButton(actions.radiograph, false, frame));
     row->addStretch(1);
     row->addWidget(pageButton(actions.grade, "filled", frame));
     return frame;
