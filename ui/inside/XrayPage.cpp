@@ -197,9 +197,8 @@ QWidget* XrayPage::makeControls(const Actions& actions)
         row->addLayout(block, 1);
         return made;
     };
-    m_angle =
-        slider(tr("Beam from the side"), tr("Turns the beam about the tooth; 0 shows its width from mesial to distal"),
-               -kMostAngleDeg, kMostAngleDeg, "beamAngle", m_angleText, QStringLiteral("−90°"));
+    m_angle = slider(tr("Beam from the side"), tr("Turns the beam about the tooth"), -kMostAngleDeg, kMostAngleDeg,
+                     "beamAngle", m_angleText, QStringLiteral("−90°"));
     m_tilt = slider(tr("Beam from above"), tr("Tilts the beam; 0 is level"), -kMostTiltDeg, kMostTiltDeg, "beamTilt",
                     m_tiltText, QStringLiteral("−45°"));
     m_exposure = slider(tr("Exposure"), tr("More radiation: a darker film with less grain"), -kMostSteps, kMostSteps,

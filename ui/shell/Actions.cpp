@@ -67,7 +67,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         add("view", tr("Turn the section"), tr("Turn the cut about the bur by 15 degrees"), {Qt::SHIFT | Qt::Key_X});
     radiograph = add("film", tr("X-ray"), tr("Show X-ray pictures of the tooth, before and now"), {Qt::Key_F});
     colourBlind = add("palette", tr("Colour-blind colours"),
-                      tr("Show materials in colours and patterns that everyone can tell apart"), {Qt::Key_P});
+                      tr("Show the section in colours and patterns that everyone can tell apart"), {Qt::Key_P});
     colourBlind->setCheckable(true);
 
     m_groups.push_back({tr("Window"), {}});
