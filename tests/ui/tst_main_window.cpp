@@ -612,7 +612,8 @@ void TestMainWindow::dentinOverThePulpIsTold()
     servo.tick = 5;
     servo.touching = true;
     servo.hasDepth = true;
-    servo.anchorMm = {0.0, 0.0, -2.0};
+    // Over the pulp, behind the lesion.
+    servo.anchorMm = {0.3, 1.3, -2.0};
     const auto reading = core::imaging::readDepth(tooth, pulp, servo.anchorMm);
     QVERIFY(reading.dentinOverPulpMm.value() > 0.5);
     publish(servo, {});

@@ -25,7 +25,6 @@ namespace {
 
 using namespace shell;
 
-constexpr int kWidthPx = 344;
 constexpr qint64 kPaintEveryMs = 33;
 constexpr double kStirMm = 0.005;  ///< a third of a pixel: less does not show
 constexpr int kHalfTurnDeg = 180;
@@ -67,7 +66,6 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
 {
     setProperty("kind", "bar");
     setAccessibleName(tr("Section through the bur"));
-    setFixedWidth(kWidthPx);
     m_canvas->setAccessibleName(tr("Picture of the section"));
 
     // Named anew once there is a tooth.

@@ -29,6 +29,9 @@ constexpr int kNoticeTopPx = 88;  ///< below the place of a message
 constexpr int kReplayBarPx = 140;
 constexpr int kReplaySteps = 1000;
 constexpr int kFastestReplay = 8;
+constexpr int kSectionPercent = 27;
+constexpr int kNarrowestSectionPx = 344;
+constexpr int kWidestSectionPx = 560;
 
 QFrame* bar(QWidget* parent)
 {
@@ -184,6 +187,9 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addWidget(barButton(actions.openRecording, false, frame));
     row->addWidget(barButton(actions.saveRecording, false, frame));
     row->addSpacing(kSpace4);
+    row->addWidget(barButton(actions.section, false, frame));
+    row->addWidget(barButton(actions.radiograph, false, frame));
+    row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.help, false, frame));
     row->addWidget(barButton(actions.fullScreen, false, frame));
     row->addWidget(barButton(actions.panel, false, frame));
@@ -203,8 +209,6 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions)
     row->addWidget(barButton(actions.otherHand, true, frame));
     row->addWidget(barButton(actions.bringHome, true, frame));
     row->addWidget(barButton(actions.resetView, true, frame));
-    row->addWidget(barButton(actions.section, false, frame));
-    row->addWidget(barButton(actions.radiograph, false, frame));
     row->addStretch(1);
     row->addWidget(pageButton(actions.grade, "filled", frame));
     return frame;
@@ -278,6 +282,13 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
     if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
         placeOverlays();
     return QWidget::eventFilter(watched, event);
+}
+
+void PracticeRoom::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    // A quarter of the room, so that on a large screen the section is large as well.
+    m_section->setFixedWidth(std::clamp(width() * kSectionPercent / 100, kNarrowestSectionPx, kWidestSectionPx));
 }
 
 void PracticeRoom::placeOverlays()
