@@ -61,7 +61,7 @@ Result<std::vector<Neighbour>> neighboursOf(const ToothAnatomy& anatomy)
     std::vector<Neighbour> neighbours;
     const auto add = [&](int fdi, bool mirrored, bool mesial) -> Status {
         teeth::BuildOptions options;
-        options.gridSide = anatomy.grid.side;
+        options.gridSide = terrain::kDefaultGridSide;
         options.seed = anatomy.seed;
         options.caries.reset();
         const auto built = teeth::buildTooth({fdi}, options);

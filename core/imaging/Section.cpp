@@ -141,7 +141,7 @@ std::optional<glm::dvec3> PulpChamber::nearest(glm::dvec3 pointMm) const
     const glm::vec3 point(pointMm);
     const auto half = static_cast<float>(m_halfCellMm);
     float least = std::numeric_limits<float>::max();
-    const Box* best = nullptr;
+    const Box* best = m_boxes.data();
     for (const Box& box : m_boxes) {
         const float dx = std::max(std::abs(point.x - box.x) - half, 0.0F);
         const float dy = std::max(std::abs(point.y - box.y) - half, 0.0F);
