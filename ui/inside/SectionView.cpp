@@ -26,6 +26,8 @@ namespace {
 using namespace shell;
 
 constexpr qint64 kPaintEveryMs = 33;
+/// Faster than that, the last digit is a blur.
+constexpr qint64 kFiguresEveryMs = 80;
 constexpr double kStirMm = 0.005;  ///< a third of a pixel: less does not show
 constexpr int kHalfTurnDeg = 180;
 constexpr int kAlongYDeg = 90;
@@ -200,15 +202,19 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     scene.tooth = tooth;
     if (tooth == nullptr || !isVisible())
         return;
-    const bool otherTooth = tooth->anatomy.get() != m_anatomy;
+    const bool otherTooth = tooth->anatomy != m_anatomy;
     const bool hasBur = servo.tick > 0 && servo.burIndex < core::drilling::burs().size();
     const bool stirred = otherTooth || revision != m_revision || hasBur != m_hasBur || servo.burIndex != m_bur ||
                          (hasBur && glm::length(servo.anchorMm - m_tipMm) > kStirMm);
+    if (!m_sinceFigures.isValid() || m_sinceFigures.elapsed() >= kFiguresEveryMs) {
+        m_sinceFigures.start();
+        showFigures(servo, reading);
+    }
     if (!stirred || (!otherTooth && m_sincePaint.isValid() && m_sincePaint.elapsed() < kPaintEveryMs))
         return;
     m_sincePaint.start();
     if (otherTooth) {
-        m_anatomy = tooth->anatomy.get();
+        m_anatomy = tooth->anatomy;
         nameSides();
     }
     m_revision = revision;
@@ -221,7 +227,6 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     scene.plane.throughMm = hasBur ? glm::dvec2(servo.anchorMm) : tooth->grid().middleMm();
     scene.downToPulpMm = hasBur ? reading.downToPulpMm : std::nullopt;
     m_canvas->update();
-    showFigures(servo, reading);
 }
 
 void SectionView::showFigures(const core::session::ServoState& servo, const core::imaging::DepthReading& reading)

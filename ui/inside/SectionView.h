@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include <QElapsedTimer>
 #include <QFrame>
 
@@ -55,12 +57,13 @@ private:
     shell::TabularLabel* m_dentin;
     shell::TabularLabel* m_down;
     shell::TabularLabel* m_nearest;
-    const core::terrain::ToothAnatomy* m_anatomy = nullptr;  ///< whose sides are named; compared, never read
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< whose sides are named
     std::uint64_t m_revision = 0;
     glm::dvec3 m_tipMm{0.0};
     std::uint8_t m_bur = 0;
     bool m_hasBur = false;
     QElapsedTimer m_sincePaint;
+    QElapsedTimer m_sinceFigures;
 };
 
 }  // namespace ui::inside
