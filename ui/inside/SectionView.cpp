@@ -25,7 +25,9 @@ namespace {
 
 using namespace shell;
 
-constexpr qint64 kPaintEveryMs = 33;
+constexpr qint64 kPaintEveryMs = 30;
+/// At most every second frame of the view: where that is slow, the section does not make it slower still.
+constexpr int kFramesBetween = 2;
 /// Faster than that, the last digit is a blur.
 constexpr qint64 kFiguresEveryMs = 80;
 constexpr double kStirMm = 0.005;  ///< a third of a pixel: less does not show
@@ -210,9 +212,13 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
         m_sinceFigures.start();
         showFigures(servo, reading);
     }
-    if (!stirred || (!otherTooth && m_sincePaint.isValid() && m_sincePaint.elapsed() < kPaintEveryMs))
+    ++m_framesSince;
+    const bool tooSoon =
+        m_sincePaint.isValid() && (m_sincePaint.elapsed() < kPaintEveryMs || m_framesSince < kFramesBetween);
+    if (!stirred || (!otherTooth && tooSoon))
         return;
     m_sincePaint.start();
+    m_framesSince = 0;
     if (otherTooth) {
         m_anatomy = tooth->anatomy;
         nameSides();

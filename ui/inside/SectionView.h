@@ -29,8 +29,8 @@ class SectionView : public QFrame
 public:
     explicit SectionView(QWidget* parent);
 
-    /// The tooth as the view has it now. Call as often as frames come: it paints 30 times a second at most, and only
-    /// when something that shows has changed.
+    /// The tooth as the view has it now. Call as often as frames come: it paints every second of them at
+    /// most, 30 times a second, and only when something that shows has changed.
     /// @param tooth     borrowed until the next call; null: none
     /// @param revision  another number whenever the tooth has changed
     void follow(const core::terrain::Tooth* tooth, std::uint64_t revision, const core::session::ServoState& servo,
@@ -63,6 +63,7 @@ private:
     std::uint8_t m_bur = 0;
     bool m_hasBur = false;
     QElapsedTimer m_sincePaint;
+    int m_framesSince = 0;
     QElapsedTimer m_sinceFigures;
 };
 
