@@ -87,6 +87,93 @@
     </message>
 </context>
 <context>
+    <name>Direction</name>
+    <message>
+        <source>distal</source>
+        <translation>distal</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>mesial</translation>
+    </message>
+    <message>
+        <source>labial</source>
+        <translation>labial</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>bukkal</translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation>palatinal</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>lingual</translation>
+    </message>
+    <message>
+        <source>distolabial</source>
+        <translation>distolabial</translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation>distobukkal</translation>
+    </message>
+    <message>
+        <source>distopalatal</source>
+        <translation>distopalatinal</translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation>distolingual</translation>
+    </message>
+    <message>
+        <source>mesiolabial</source>
+        <translation>mesiolabial</translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation>mesiobukkal</translation>
+    </message>
+    <message>
+        <source>mesiopalatal</source>
+        <translation>mesiopalatinal</translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation>mesiolingual</translation>
+    </message>
+    <message>
+        <source>Mesio-distal</source>
+        <translation>Mesiodistal</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>Entlang x</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Entlang y</translation>
+    </message>
+    <message>
+        <source>Labio-palatal</source>
+        <translation>Labiopalatinal</translation>
+    </message>
+    <message>
+        <source>Labio-lingual</source>
+        <translation>Labiolingual</translation>
+    </message>
+    <message>
+        <source>Bucco-palatal</source>
+        <translation>Bukkopalatinal</translation>
+    </message>
+    <message>
+        <source>Bucco-lingual</source>
+        <translation>Bukkolingual</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>The file is not there. Was it moved or renamed?</source>
@@ -331,6 +418,14 @@
     </message>
 </context>
 <context>
+    <name>Section</name>
+    <message>
+        <source>surface before anything was cut</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
+        <translation>Oberfläche vor dem ersten Schnitt</translation>
+    </message>
+</context>
+<context>
     <name>Surface</name>
     <message>
         <source>M</source>
@@ -340,7 +435,7 @@
     <message>
         <source>D</source>
         <extracomment>Letter for the distal side</extracomment>
-        <translation type="unfinished">D</translation>
+        <translation>D</translation>
     </message>
     <message>
         <source>La</source>
@@ -354,7 +449,7 @@
     <message>
         <source>P</source>
         <extracomment>Letters for the palatal side, then for the lingual one</extracomment>
-        <translation type="unfinished">P</translation>
+        <translation>P</translation>
     </message>
     <message>
         <source>L</source>
@@ -461,6 +556,153 @@
     <message>
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
         <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::SectionView</name>
+    <message>
+        <source>Section through the bur</source>
+        <translation>Schnitt durch den Bohrer</translation>
+    </message>
+    <message>
+        <source>Picture of the section</source>
+        <translation>Bild des Schnitts</translation>
+    </message>
+    <message>
+        <source>Cut the tooth in this direction, through the bur</source>
+        <translation>Den Zahn in dieser Richtung durch den Bohrer schneiden</translation>
+    </message>
+    <message>
+        <source>Section along y</source>
+        <translation>Schnitt entlang y</translation>
+    </message>
+    <message>
+        <source>Section along x</source>
+        <translation>Schnitt entlang x</translation>
+    </message>
+    <message>
+        <source>Angle of the section, degrees</source>
+        <translation>Winkel des Schnitts, Grad</translation>
+    </message>
+    <message>
+        <source>Turn the section about the bur (Shift+X: by 15 degrees)</source>
+        <translation>Den Schnitt um den Bohrer drehen (Umschalt+X: um 15 Grad)</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Depth below the old surface</source>
+        <translation>Tiefe unter alter Oberfläche</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was, straight up.</source>
+        <translation>Wie weit die Spitze senkrecht unter der ursprünglichen Oberfläche steht.</translation>
+    </message>
+    <message>
+        <source>Dentin left over the pulp</source>
+        <translation>Dentin über der Pulpa</translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there.</source>
+        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Ein Strich: dort liegt keine Pulpa.</translation>
+    </message>
+    <message>
+        <source>From the tip down to the pulp</source>
+        <translation>Spitze bis Pulpa, senkrecht</translation>
+    </message>
+    <message>
+        <source>Straight down from the tip of the bur. A dash: no pulp there.</source>
+        <translation>Von der Bohrerspitze senkrecht nach unten. Ein Strich: dort liegt keine Pulpa.</translation>
+    </message>
+    <message>
+        <source>From the tip to the nearest pulp</source>
+        <translation>Spitze bis nächste Pulpa</translation>
+    </message>
+    <message>
+        <source>The shortest way in any direction, also out of the plane of the picture.</source>
+        <translation>Der kürzeste Weg in irgendeiner Richtung, auch aus der Bildebene heraus.</translation>
+    </message>
+    <message>
+        <source>Section: %1</source>
+        <translation>Schnitt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::XrayPage</name>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>One tooth</source>
+        <translation>Ein Zahn</translation>
+    </message>
+    <message>
+        <source>The whole tooth with its root</source>
+        <translation>Der ganze Zahn mit Wurzel</translation>
+    </message>
+    <message>
+        <source>Bitewing</source>
+        <translation>Bissflügel</translation>
+    </message>
+    <message>
+        <source>Beam from the side</source>
+        <translation>Strahl von der Seite</translation>
+    </message>
+    <message>
+        <source>Turns the beam about the tooth</source>
+        <translation>Dreht den Strahl um den Zahn</translation>
+    </message>
+    <message>
+        <source>Beam from above</source>
+        <translation>Strahl von oben</translation>
+    </message>
+    <message>
+        <source>Tilts the beam; 0 is level</source>
+        <translation>Neigt den Strahl; 0 ist waagrecht</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>More radiation: a darker film with less grain</source>
+        <translation>Mehr Strahlung: ein dunklerer Film mit weniger Rauschen</translation>
+    </message>
+    <message>
+        <source>Simulated: a parallel beam, no scatter, no bone and no gums.</source>
+        <translation>Simuliert: paralleler Strahl, ohne Streuung, Knochen und Zahnfleisch.</translation>
+    </message>
+    <message>
+        <source>Save the picture …</source>
+        <translation>Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save both films side by side as a PNG file</source>
+        <translation>Beide Filme nebeneinander als PNG-Datei speichern</translation>
+    </message>
+    <message>
+        <source>X-ray: %1</source>
+        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>Röntgen: %1</translation>
+    </message>
+    <message>
+        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
+        <translation>Die Krone zwischen ihren beiden Nachbarn. Das sind gesunde Zähne von Cusp, die einander berühren.</translation>
+    </message>
+    <message>
+        <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
+        <translation>Ein Scan sagt nicht, welche Seite mesial ist; darum bekommt er keine Nachbarn.</translation>
     </message>
 </context>
 <context>
@@ -755,6 +997,38 @@
     <message>
         <source>Choose a tooth in the whole mouth, or go back to the flat arches</source>
         <translation>Einen Zahn im ganzen Mund wählen oder zurück zu den flachen Zahnbögen</translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Show a live cut through the bur, or put it away</source>
+        <translation>Einen mitlaufenden Schnitt durch den Bohrer zeigen oder wegräumen</translation>
+    </message>
+    <message>
+        <source>Turn the section</source>
+        <translation>Schnitt drehen</translation>
+    </message>
+    <message>
+        <source>Turn the cut about the bur by 15 degrees</source>
+        <translation>Den Schnitt um 15 Grad um den Bohrer drehen</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now</source>
+        <translation>Röntgenbilder des Zahns zeigen, vorher und jetzt</translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
+        <translation>Diese Übung erlaubt das nicht.</translation>
     </message>
 </context>
 <context>
@@ -1076,6 +1350,10 @@
         <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
         <translation>Das Bild konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation>Röntgenbilder speichern</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1104,7 +1382,7 @@
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1, %2</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
@@ -1334,6 +1612,14 @@
     <message>
         <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
         <translation>Das Handstück liegt auf der Krone auf: Tiefer kommt das Instrument nicht.</translation>
+    </message>
+    <message>
+        <source>Dentin over pulp</source>
+        <translation>Dentin über Pulpa</translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
+        <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,93 @@
     </message>
 </context>
 <context>
+    <name>Direction</name>
+    <message>
+        <source>distal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>labial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distolabial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distopalatal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mesiolabial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mesiopalatal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesio-distal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labio-palatal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labio-lingual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bucco-palatal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bucco-lingual</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>The file is not there. Was it moved or renamed?</source>
@@ -331,6 +418,14 @@
     </message>
 </context>
 <context>
+    <name>Section</name>
+    <message>
+        <source>surface before anything was cut</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Surface</name>
     <message>
         <source>M</source>
@@ -460,6 +555,153 @@
     </message>
     <message>
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::SectionView</name>
+    <message>
+        <source>Section through the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the tooth in this direction, through the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the section, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the section about the bur (Shift+X: by 15 degrees)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth below the old surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was, straight up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dentin left over the pulp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the tip down to the pulp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight down from the tip of the bur. A dash: no pulp there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the tip to the nearest pulp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shortest way in any direction, also out of the plane of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::XrayPage</name>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole tooth with its root</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bitewing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the beam about the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilts the beam; 0 is level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More radiation: a darker film with less grain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: a parallel beam, no scatter, no bone and no gums.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save both films side by side as a PNG file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray: %1</source>
+        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -754,6 +996,38 @@
     </message>
     <message>
         <source>Choose a tooth in the whole mouth, or go back to the flat arches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a live cut through the bur, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the cut about the bur by 15 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1076,6 +1350,10 @@
         <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1333,6 +1611,14 @@
     </message>
     <message>
         <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dentin over pulp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -11,6 +11,7 @@ namespace core::grading {
 namespace {
 
 using terrain::ColumnLayers;
+using terrain::hasPulp;
 using terrain::Material;
 using terrain::PerMaterial;
 using terrain::Tooth;
@@ -42,13 +43,6 @@ float endOf(const Tooth& tooth, std::size_t k)
 bool isCut(const Tooth& tooth, std::size_t k)
 {
     return wasSolid(*tooth.anatomy, k) && endOf(tooth, k) < tooth.anatomy->top[k];
-}
-
-bool hasPulp(const ToothAnatomy& anatomy, std::size_t k)
-{
-    const ColumnLayers& column = anatomy.layers[k];
-    return wasSolid(anatomy, k) && column.pulpRoof > column.pulpFloor && column.pulpRoof > anatomy.bottom[k] &&
-           column.pulpFloor < anatomy.top[k];
 }
 
 /// Down to here a column has to be cut to clear its decay; its top where it has none.

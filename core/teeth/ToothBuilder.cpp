@@ -429,4 +429,10 @@ Result<BuiltTooth> buildTooth(const ToothSource& source, const BuildOptions& opt
     return Builder(source, options).build();
 }
 
+bool isGenerated(const terrain::ToothAnatomy& anatomy)
+{
+    // A file's tooth bears the file's name, and a file called "36" cannot be asked for.
+    return anatomy.fdi != 0 && anatomy.name == std::to_string(anatomy.fdi);
+}
+
 }  // namespace core::teeth

@@ -82,6 +82,10 @@ struct BuiltTooth
     ToothReport report;
 };
 
+/// Whether our generator made this tooth, so that +x points from mesial to distal and y to the side buccalSign() tells.
+/// Nothing in a scan says which side is mesial, not even where someone said which tooth it is.
+[[nodiscard]] bool isGenerated(const terrain::ToothAnatomy& anatomy);
+
 /// Reads or generates the mesh, judges and places it, rasterises it, lays its tissues and puts a lesion into it.
 /// Some tens of milliseconds; any thread that may wait. On failure one sentence.
 [[nodiscard]] Result<BuiltTooth> buildTooth(const ToothSource& source, const BuildOptions& options);

@@ -122,6 +122,51 @@ PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high)
     return length;
 }
 
+MaterialSpans spansBetween(const ColumnLayers& column, float low, float high)
+{
+    MaterialSpans spans;
+    if (!(high > low))
+        return spans;
+    std::array<float, 7> ends{};
+    std::size_t count = 0;
+    const auto cutAt = [&](float z) {
+        if (z > low && z < high)
+            ends.at(count++) = z;
+    };
+    if (column.cariesRoof > column.cariesFloor) {
+        cutAt(column.cariesRoof);
+        cutAt(column.cariesFloor);
+    }
+    if (column.pulpRoof > column.pulpFloor) {
+        cutAt(column.pulpRoof);
+        cutAt(column.pulpFloor);
+    }
+    cutAt(column.dej);
+    ends.at(count++) = high;
+    std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count));
+    float from = low;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float to = ends.at(k);
+        if (!(to > from))
+            continue;
+        // The rule of materialAt() holds up to the upper end of a stretch, that end included.
+        const Material material = materialAt(column, to);
+        if (spans.count > 0 && spans.span.at(static_cast<std::size_t>(spans.count - 1)).material == material)
+            spans.span.at(static_cast<std::size_t>(spans.count - 1)).highMm = to;
+        else
+            spans.span.at(static_cast<std::size_t>(spans.count++)) = {material, from, to};
+        from = to;
+    }
+    return spans;
+}
+
+bool hasPulp(const ToothAnatomy& anatomy, std::size_t k)
+{
+    const ColumnLayers& column = anatomy.layers[k];
+    return anatomy.top[k] > anatomy.bottom[k] && column.pulpRoof > column.pulpFloor &&
+           column.pulpRoof > anatomy.bottom[k] && column.pulpFloor < anatomy.top[k];
+}
+
 PerMaterial volumes(const Tooth& tooth)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;

@@ -89,6 +89,30 @@ struct Tooth
 /// Length of each material in the part of a column between low and high (low <= high), mm.
 [[nodiscard]] PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high);
 
+/// A stretch of a column that is of one material, low < high.
+struct MaterialSpan
+{
+    Material material = Material::Enamel;
+    float lowMm = 0.0F;
+    float highMm = 0.0F;
+    bool operator==(const MaterialSpan&) const = default;
+};
+/// The stretches of a column from below upwards. Five interfaces make six of them at most.
+struct MaterialSpans
+{
+    std::array<MaterialSpan, 6> span{};
+    int count = 0;
+    [[nodiscard]] const MaterialSpan* begin() const { return span.data(); }
+    [[nodiscard]] const MaterialSpan* end() const { return span.data() + count; }
+};
+
+/// What the part of a column between low and high is made of; neighbouring spans differ in material. None when low >=
+/// high.
+[[nodiscard]] MaterialSpans spansBetween(const ColumnLayers& column, float low, float high);
+
+/// Whether column k of the uncut tooth holds pulp.
+[[nodiscard]] bool hasPulp(const ToothAnatomy& anatomy, std::size_t k);
+
 /// Volume of each material present, mm3. Sums run in index order: the same bits everywhere.
 [[nodiscard]] PerMaterial volumes(const Tooth& tooth);
 

@@ -26,6 +26,8 @@
 #include "lessons/DecayRemovalRubric.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
+#include "ui/inside/SectionView.h"
+#include "ui/inside/XrayPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/BusyCard.h"
@@ -69,11 +71,15 @@ private slots:
     void droppedFilesAreToldApart();
     void homeIsOfferedWhereAHandCanBeLed();
     void otherHandPanelAndFullScreen();
+    void theSectionIsShownAndTurned();
+    void theXrayPageOpensAndSaves();
+    void whatALessonLocksRests();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void spaceOnAFocusedButtonPressesIt();
 
     void figuresComeFromTheLoops();
+    void dentinOverThePulpIsTold();
     void depthBesideTheToothShowsADash();
     void aWallThatPressesIsTold();
     void aHandpieceOnTheCrownIsTold();
@@ -437,6 +443,83 @@ void TestMainWindow::otherHandPanelAndFullScreen()
     QVERIFY(!actions().fullScreen->isChecked());
 }
 
+void TestMainWindow::theSectionIsShownAndTurned()
+{
+    auto* section = child<ui::inside::SectionView>();
+    QVERIFY(!section->isVisible());
+    QVERIFY(!actions().turnSection->isEnabled());
+    const int widthAlone = m_window->view().width();
+    press(Qt::Key_X);
+    QVERIFY(section->isVisible());
+    QTRY_VERIFY(m_window->view().width() < widthAlone);
+    QCOMPARE(section->angleDeg(), 90);
+    press(Qt::Key_X, Qt::ShiftModifier);
+    QCOMPARE(section->angleDeg(), 105);
+    press(Qt::Key_X);
+    QVERIFY(!section->isVisible());
+}
+
+void TestMainWindow::theXrayPageOpensAndSaves()
+{
+    auto* page = child<ui::inside::XrayPage>();
+    press(Qt::Key_F);
+    QVERIFY(page->isVisible());
+    QTRY_VERIFY(page->isReady());
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("films.png");
+    child<QPushButton>("saveFilms")->click();
+    auto* dialog = m_window->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    emit dialog->fileSelected(path);
+    dialog->close();
+    QVERIFY(QImage(path).size() == page->bothFilms().size());
+    QVERIFY(message().contains("films.png"));
+    child<QPushButton>("saveFilms")->click();
+    dialog = m_window->findChildren<QFileDialog*>().back();
+    emit dialog->fileSelected(folder.filePath("nowhere/films.png"));
+    dialog->close();
+    QVERIFY(message().contains("could not be written"));
+    press(Qt::Key_Escape);
+    QVERIFY(!page->isVisible());
+    QVERIFY(m_window->view().isVisible());
+}
+
+void TestMainWindow::whatALessonLocksRests()
+{
+    press(Qt::Key_X);
+    QVERIFY(child<ui::inside::SectionView>()->isVisible());
+    const QString tip = actions().section->toolTip();
+    m_window->setAids(lessons::Aids::none());
+    QVERIFY(!child<ui::inside::SectionView>()->isVisible());
+    for (const QAction* aid : {actions().section, actions().turnSection, actions().radiograph}) {
+        QVERIFY(!aid->isEnabled());
+        QVERIFY(aid->toolTip().contains("does not allow"));
+    }
+    QVERIFY(!child<TabularLabel>("depthFigure")->isVisible());
+    QVERIFY(!child<TabularLabel>("dentinFigure")->isVisible());
+    press(Qt::Key_X);
+    press(Qt::Key_F);
+    QVERIFY(!child<ui::inside::SectionView>()->isVisible());
+    QVERIFY(!child<ui::inside::XrayPage>()->isVisible());
+    QVERIFY2(child<TabularLabel>("decayFigure")->isVisible(), "what is no aid stays");
+    // A section without the gauge tells no figures.
+    lessons::Aids aids;
+    aids.depthGauge = false;
+    m_window->setAids(aids);
+    QCOMPARE(actions().section->toolTip(), tip);
+    press(Qt::Key_X);
+    QVERIFY(child<ui::inside::SectionView>()->isVisible());
+    QVERIFY(!child<TabularLabel>("sectionNearest")->isVisible());
+    m_window->setAids({});
+    QVERIFY(child<TabularLabel>("sectionNearest")->isVisible());
+    QVERIFY(child<TabularLabel>("depthFigure")->isVisible());
+    // Locked while it is looked at, the page of films closes.
+    press(Qt::Key_F);
+    QVERIFY(child<ui::inside::XrayPage>()->isVisible());
+    m_window->setAids(lessons::Aids::none());
+    QVERIFY(!child<ui::inside::XrayPage>()->isVisible());
+}
+
 void TestMainWindow::helpListsEveryAction()
 {
     press(Qt::Key_F1);
@@ -521,6 +604,27 @@ void TestMainWindow::figuresComeFromTheLoops()
     QTRY_COMPARE(figure("materialFigure"), QString("Air"));
     QTRY_COMPARE(figure("depthFigure"), QString("–"));
     QTRY_COMPARE(figure("decayFigure"), QString("< 1"));
+}
+
+void TestMainWindow::dentinOverThePulpIsTold()
+{
+    const core::terrain::Tooth& tooth = *m_window->view().tooth();
+    const core::imaging::PulpChamber pulp(*tooth.anatomy);
+    ServoState servo;
+    servo.tick = 5;
+    servo.touching = true;
+    servo.hasDepth = true;
+    // Over the pulp, behind the lesion.
+    servo.anchorMm = {0.3, 1.3, -2.0};
+    const auto reading = core::imaging::readDepth(tooth, pulp, servo.anchorMm);
+    QVERIFY(reading.dentinOverPulpMm.value() > 0.5);
+    publish(servo, {});
+    QTRY_COMPARE(figure("dentinFigure"), QLocale().toString(*reading.dentinOverPulpMm, 'f', 2));
+    // Beside the pulp there is none over it.
+    servo.anchorMm = {4.2, 0.0, -2.0};
+    QVERIFY(!core::imaging::readDepth(tooth, pulp, servo.anchorMm).dentinOverPulpMm);
+    publish(servo, {});
+    QTRY_COMPARE(figure("dentinFigure"), QString("–"));
 }
 
 void TestMainWindow::depthBesideTheToothShowsADash()
@@ -1238,6 +1342,9 @@ void TestMainWindow::nothingIsClipped()
     publish({}, session);
     QTRY_COMPARE(window.findChild<TabularLabel*>("overcut")->text(), QLocale().toString(188.88, 'f', 2));
     check("practice");
+    a->section->trigger();
+    check("section");
+    a->section->trigger();
     const auto* figures = window.findChild<SidePanel*>()->findChild<QScrollArea*>();
     QVERIFY2(figures->widget()->width() <= figures->viewport()->width(),
              qPrintable(QString::number(figures->widget()->width())));
@@ -1253,6 +1360,9 @@ void TestMainWindow::nothingIsClipped()
     a->back->trigger();
     a->chooseTooth->trigger();
     check("teeth");
+    a->back->trigger();
+    a->radiograph->trigger();
+    check("xray");
     a->back->trigger();
     window.showScore(sheet(3.2, 40, 0.5), {});
     check("score");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "tests/support/SyntheticTooth.h"
 #include "ui/tooth/PatchInbox.h"
 
 using core::session::TilePatch;
@@ -15,6 +16,7 @@ private slots:
     void dropsPatchesOfAnOlderTooth();
     void keepsPatchesOfAToothToCome();
     void dropsAHalfGroupOfTheToothBefore();
+    void aPatchIsWrittenIntoATooth();
 };
 
 namespace {
@@ -83,6 +85,27 @@ void TestPatchInbox::dropsAHalfGroupOfTheToothBefore()
     inbox.take(patch(2, 4, true));
     QCOMPARE(inbox.complete().size(), std::size_t{1});
     QCOMPARE(inbox.complete()[0].tileX, std::uint16_t{4});
+}
+
+void TestPatchInbox::aPatchIsWrittenIntoATooth()
+{
+    core::terrain::Tooth tooth(support::makeBlock({.side = 70}));
+    core::session::TilePatch last = patch(1, 4, true, -1.5F);
+    last.tileY = 1;
+    last.top[0] = core::terrain::kEmptyTop;
+    ui::tooth::write(last, tooth);
+    const core::terrain::Grid& grid = tooth.grid();
+    // Tile 4 begins at node 64 of 70: what lies beyond the grid is nobody's.
+    QVERIFY(!tooth.isSolid(grid.index(64, 16)));
+    QCOMPARE(tooth.bottom[grid.index(64, 16)], core::terrain::kEmptyBottom);
+    QCOMPARE(tooth.top[grid.index(65, 16)], -1.5F);
+    QCOMPARE(tooth.top[grid.index(69, 31)], -1.5F);
+    QCOMPARE(tooth.top[grid.index(63, 16)], 0.0F);
+    QCOMPARE(tooth.top[grid.index(0, 17)], 0.0F);
+    // An undo brings the column back, its bottom as well.
+    last.top[0] = 0.0F;
+    ui::tooth::write(last, tooth);
+    QCOMPARE(tooth.bottom[grid.index(64, 16)], tooth.anatomy->bottom[grid.index(64, 16)]);
 }
 
 QTEST_APPLESS_MAIN(TestPatchInbox)

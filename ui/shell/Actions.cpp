@@ -14,6 +14,7 @@ namespace ui::shell {
 namespace {
 
 constexpr const char* kDrawing = "drawing";
+constexpr const char* kOwnTip = "ownTip";
 
 QString drawingOf(const QAction* action)
 {
@@ -60,6 +61,13 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     pauseReplay =
         add("pause", tr("Pause the replay"), tr("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
+
+    m_groups.push_back({tr("Seeing inside"), {}});
+    section = add("section", tr("Section"), tr("Show a live cut through the bur, or put it away"), {Qt::Key_X});
+    section->setCheckable(true);
+    turnSection =
+        add("view", tr("Turn the section"), tr("Turn the cut about the bur by 15 degrees"), {Qt::SHIFT | Qt::Key_X});
+    radiograph = add("film", tr("X-ray"), tr("Show X-ray pictures of the tooth, before and now"), {Qt::Key_F});
 
     m_groups.push_back({tr("View"), {}});
     resetView = add("view", tr("View from the start"), tr("Turn the tooth back to where it began"), {Qt::Key_V});
@@ -108,6 +116,13 @@ void Actions::showReplayPaused(bool paused)
 {
     pauseReplay->setText(paused ? tr("Resume the replay") : tr("Pause the replay"));
     pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
+}
+
+void Actions::setAllowed(QAction* aid, bool allowed)
+{
+    if (!aid->property(kOwnTip).isValid())
+        aid->setProperty(kOwnTip, aid->toolTip());
+    aid->setToolTip(allowed ? aid->property(kOwnTip).toString() : tr("This lesson does not allow it."));
 }
 
 QAction* Actions::add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys)

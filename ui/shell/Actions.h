@@ -30,6 +30,8 @@ public:
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
     /// What pauseReplay offers: to let the recording go on, or to hold it.
     void showReplayPaused(bool paused);
+    /// An aid that the lesson does not allow says so in its tooltip. Whether it is enabled is the window's business.
+    static void setAllowed(QAction* aid, bool allowed);
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
@@ -46,6 +48,9 @@ public:
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
+    QAction* section = nullptr;      ///< checkable: the cross-section is there
+    QAction* turnSection = nullptr;
+    QAction* radiograph = nullptr;
     QAction* turnRound = nullptr;
     // Of the view (ViewMenu); all but the last two checkable.
     QAction* mirror = nullptr;

@@ -25,6 +25,8 @@
 #include <QTimer>
 
 #include "core/drilling/Bur.h"
+#include "ui/inside/SectionView.h"
+#include "ui/inside/XrayPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -81,8 +83,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view->pane(), m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
-      m_messages(new MessageBar(m_pages)), m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
-      m_stereoCard(new StereoCard(m_room))
+      m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
+      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -90,8 +92,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     resize(firstSize(screen()->availableSize()));
     setAcceptDrops(true);
     setCentralWidget(m_pages);
-    for (QWidget* page :
-         {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage)})
+    for (QWidget* page : {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser),
+                          static_cast<QWidget*>(m_scorePage), static_cast<QWidget*>(m_xray)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
@@ -102,6 +104,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
+    });
+    connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
+        askForFile(
+            tr("Save the X-ray pictures"), FileKind::Picture,
+            [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
+            newFileName(QStringLiteral("png")));
     });
     connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
     connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
@@ -173,9 +181,15 @@ void MainWindow::connectActions()
     });
     on(m_actions->savePicture, [this] {
         askForFile(
-            m_actions->savePicture->text(), FileKind::Picture, [this](const QString& path) { savePicture(path); },
-            newFileName(QStringLiteral("png")));
+            m_actions->savePicture->text(), FileKind::Picture,
+            [this](const QString& path) { savePicture(path, m_view->picture()); }, newFileName(QStringLiteral("png")));
     });
+    on(m_actions->section, [this](bool visible) {
+        m_room->setSectionVisible(visible);
+        enableActions();
+    });
+    on(m_actions->turnSection, [this] { m_room->section().turn(); });
+    on(m_actions->radiograph, [this] { showXray(); });
     on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
@@ -192,6 +206,50 @@ void MainWindow::offerHome()
     enableActions();
 }
 
+void MainWindow::setAids(const lessons::Aids& aids)
+{
+    m_aids = aids;
+    Actions::setAllowed(m_actions->section, aids.section);
+    Actions::setAllowed(m_actions->turnSection, aids.section);
+    Actions::setAllowed(m_actions->radiograph, aids.radiograph);
+    Actions::setAllowed(m_actions->depthColours, aids.heatMap);
+    Actions::setAllowed(m_actions->mirror, aids.mirror);
+    m_viewMenu->setAllowed(aids);
+    m_room->panel().setDepthGauge(aids.depthGauge);
+    m_room->section().setFiguresShown(aids.depthGauge);
+    if (!aids.section) {
+        m_actions->section->setChecked(false);
+        m_room->setSectionVisible(false);
+    }
+    if (!aids.radiograph && m_pages->currentWidget() == m_xray)
+        goTo(m_room);
+    enableActions();
+}
+
+void MainWindow::showXray()
+{
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    if (tooth == nullptr)
+        return;
+    m_xray->setTooth(*tooth, text::toothTitle(*tooth->anatomy));
+    goTo(m_xray);
+}
+
+void MainWindow::savePicture(const QString& path, const QImage& picture)
+{
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit())
+        showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
+    else
+        m_messages->say({MessageBar::Kind::Error,
+                         tr("The picture could not be written. Choose another folder, or make room on the disk."),
+                         QFileInfo(path).fileName(),
+                         {},
+                         {},
+                         MessageBar::Topic::General,
+                         file.errorString()});
+}
+
 void MainWindow::connectView()
 {
     connect(m_view.get(), &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
@@ -201,8 +259,12 @@ void MainWindow::connectView()
             showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
                            "or press V."));
     });
-    connect(m_viewMenu, &ViewMenu::chosen, m_view.get(), &tooth::ToothView::setSettings);
-    m_view->setSettings(m_viewMenu->settings());
+    const auto take = [this](const tooth::ViewSettings& settings) {
+        m_view->setSettings(settings);
+        m_room->section().setColours(settings.look.palette);
+    };
+    connect(m_viewMenu, &ViewMenu::chosen, this, take);
+    take(m_viewMenu->settings());
     connect(m_viewMenu, &ViewMenu::stereoPageWanted, this, [this] {
         m_stereoCard->open(m_viewMenu->settings().presentation);
         placeOverlays();
@@ -219,7 +281,12 @@ void MainWindow::connectView()
 void MainWindow::takeFrame(const core::session::ServoState& servo)
 {
     takeSession();
-    m_room->panel().setFigures(servo, m_session);
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    const core::imaging::DepthReading reading = tooth != nullptr && m_pulp && servo.tick > 0
+                                                    ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm)
+                                                    : core::imaging::DepthReading{};
+    m_room->panel().setFigures(servo, m_session, reading);
+    m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -337,8 +404,13 @@ void MainWindow::enableActions()
     m_actions->bringHome->setEnabled(inRoom && mine && m_actions->bringHome->isVisible());
     for (QAction* action : m_viewMenu->actions())
         action->setEnabled(inRoom && m_view->isUsable());
+    m_actions->depthColours->setEnabled(m_actions->depthColours->isEnabled() && m_aids.heatMap);
+    m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
+    m_actions->section->setEnabled(inRoom && m_aids.section);
+    m_actions->turnSection->setEnabled(inRoom && m_aids.section && m_actions->section->isChecked());
+    m_actions->radiograph->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && m_aids.radiograph);
     m_actions->undo->setEnabled(inRoom && mine && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inRoom && mine && m_session.redoSteps > 0);
     m_actions->reload->setEnabled(mine);
@@ -375,6 +447,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
         m_ownGeneration = generation;
         m_savedWork = {};
     }
+    m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
     const QString title = text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
@@ -562,14 +635,14 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         key = QStringLiteral("folders/scan");
         break;
     case FileKind::Recording:
-        filter = tr("Recordings (%1)").arg(patternOf({recordingSuffix()}));
-        key = QStringLiteral("folders/recording");
         suffix = recordingSuffix();
+        filter = tr("Recordings (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/recording");
         break;
     case FileKind::Picture:
-        filter = tr("Pictures (%1)").arg(patternOf({QStringLiteral("png")}));
-        key = QStringLiteral("folders/picture");
         suffix = QStringLiteral("png");
+        filter = tr("Pictures (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/picture");
         break;
     }
     QString folder = memory().value(key).toString();
@@ -600,22 +673,6 @@ QString MainWindow::newFileName(const QString& suffix) const
     const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName();
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
     return QStringLiteral("%1-%2.%3").arg(tooth, now, suffix);
-}
-
-void MainWindow::savePicture(const QString& path)
-{
-    QSaveFile file(path);
-    const bool saved = file.open(QIODevice::WriteOnly) && m_view->picture().save(&file, "PNG") && file.commit();
-    if (saved)
-        showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
-    else
-        m_messages->say({MessageBar::Kind::Error,
-                         tr("The picture could not be written. Choose another folder, or make room on the disk."),
-                         QFileInfo(path).fileName(),
-                         {},
-                         {},
-                         MessageBar::Topic::General,
-                         file.errorString()});
 }
 
 void MainWindow::openFile(const QString& path)

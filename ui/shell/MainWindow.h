@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QElapsedTimer>
 #include <QList>
@@ -12,8 +13,10 @@
 #include <QStringList>
 
 #include "core/base/Result.h"
+#include "core/imaging/Section.h"
 #include "core/session/Links.h"
 #include "database/records.h"
+#include "lessons/Aids.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/text/Texts.h"
 
@@ -21,6 +24,10 @@ class QStackedWidget;
 
 namespace ui::tooth {
 class ToothView;
+}
+
+namespace ui::inside {
+class XrayPage;
 }
 
 namespace ui::shell {
@@ -80,6 +87,8 @@ public slots:
     void setSelfDrilling() { m_selfDrilling = true; }
     /// The device has a work area and a force: the user can ask to be led home over the tooth.
     void offerHome();
+    /// What the lesson allows; all of it to begin with. What it does not is put away and rests.
+    void setAids(const lessons::Aids& aids);
 
 signals:
     void toothChosen(int fdi);
@@ -132,12 +141,14 @@ private:
     void offerToStop(const QString& sentence);
     void enableActions();
     void placeOverlays();
+    void showXray();
+    void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
     void askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,
                     const QString& newName = {});
+    /// Tooth, day and time.
     [[nodiscard]] QString newFileName(const QString& suffix) const;
-    void savePicture(const QString& path);
     void openFile(const QString& path);
 
     core::session::UiLinks& m_links;
@@ -148,6 +159,7 @@ private:
     PracticeRoom* m_room;
     ToothChooser* m_chooser;
     ScorePage* m_scorePage;
+    inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;
     HelpOverlay* m_help;
@@ -160,6 +172,8 @@ private:
     core::terrain::PerMaterial m_savedWork{};       ///< what had been cut when it was last saved
     std::function<void()> m_afterSaving;            ///< what waits for the work to be saved
     core::session::SessionState m_session;
+    std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
+    lessons::Aids m_aids;
     Wish m_drillWish;
     Wish m_burWish;
     bool m_standsIn = false;  ///< the next tooth is not the one that was wanted

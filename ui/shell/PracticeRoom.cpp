@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/inside/SectionView.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/SidePanel.h"
@@ -29,6 +30,9 @@ constexpr int kNoticeTopPx = 88;  ///< below the place of a message
 constexpr int kReplayBarPx = 140;
 constexpr int kReplaySteps = 1000;
 constexpr int kFastestReplay = 8;
+constexpr int kSectionPercent = 27;
+constexpr int kNarrowestSectionPx = 344;
+constexpr int kWidestSectionPx = 560;
 
 QFrame* bar(QWidget* parent)
 {
@@ -50,9 +54,12 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     view->setAccessibleName(tr("Tooth"));
     view->installEventFilter(this);
     m_panel = new SidePanel(actions, this);
+    m_section = new inside::SectionView(this);
+    m_section->hide();
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(1);
+    middle->addWidget(m_section);
     middle->addWidget(view, 1);
     middle->addWidget(m_panel);
     auto* column = new QVBoxLayout(this);
@@ -182,6 +189,9 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addWidget(barButton(actions.openRecording, false, frame));
     row->addWidget(barButton(actions.saveRecording, false, frame));
     row->addSpacing(kSpace4);
+    row->addWidget(barButton(actions.section, false, frame));
+    row->addWidget(barButton(actions.radiograph, false, frame));
+    row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.help, false, frame));
     row->addWidget(barButton(actions.fullScreen, false, frame));
     row->addWidget(barButton(actions.panel, false, frame));
@@ -259,6 +269,11 @@ void PracticeRoom::setPanelVisible(bool visible)
     m_panel->setVisible(visible);
 }
 
+void PracticeRoom::setSectionVisible(bool visible)
+{
+    m_section->setVisible(visible);
+}
+
 QRect PracticeRoom::viewArea() const
 {
     return m_view->geometry();
@@ -269,6 +284,13 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
     if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
         placeOverlays();
     return QWidget::eventFilter(watched, event);
+}
+
+void PracticeRoom::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    // A quarter of the room, so that on a large screen the section is large as well.
+    m_section->setFixedWidth(std::clamp(width() * kSectionPercent / 100, kNarrowestSectionPx, kWidestSectionPx));
 }
 
 void PracticeRoom::placeOverlays()

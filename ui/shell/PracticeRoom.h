@@ -10,6 +10,10 @@ class QProgressBar;
 class QPushButton;
 class QToolButton;
 
+namespace ui::inside {
+class SectionView;
+}
+
 namespace ui::shell {
 
 class Actions;
@@ -27,6 +31,7 @@ public:
     PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* view, QWidget* parent);
 
     [[nodiscard]] SidePanel& panel() { return *m_panel; }
+    [[nodiscard]] inside::SectionView& section() { return *m_section; }
     /// @param title  "Tooth 36", or the file
     /// @param name   "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);
@@ -39,6 +44,8 @@ public:
     void setReplayTime(double playedS, double lengthS);
     /// Puts the side panel away, or shows it.
     void setPanelVisible(bool visible);
+    /// Shows the cross-section beside the tooth, or puts it away.
+    void setSectionVisible(bool visible);
     /// Where the tooth is, in this widget's coordinates.
     [[nodiscard]] QRect viewArea() const;
 
@@ -48,6 +55,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeTopBar(const Actions& actions);
@@ -59,6 +67,7 @@ private:
 
     QWidget* m_view;
     SidePanel* m_panel;
+    inside::SectionView* m_section;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
     QWidget* m_replay = nullptr;

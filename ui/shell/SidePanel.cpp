@@ -36,6 +36,9 @@ constexpr qint64 kWordsEveryMs = 80;
 constexpr double kSidewaysFromN = 0.15;
 /// In the air, less than this is the tremble of the bur (core::contact::BurVibration), and no push.
 constexpr double kTrembleN = 0.2;
+/// Dentin over the pulp: less than this wants a lining, and less than that harms the pulp (teeth.md, section 7).
+constexpr double kThinDentinMm = 1.0;
+constexpr double kHarmfulDentinMm = 0.5;
 
 std::size_t at(Material material)
 {
@@ -85,10 +88,14 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_depth.block->setToolTip(
         brokenIntoLines(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
                            "the tooth, where straight down says little.")));
-    m_decay = addFigure(pair, tr("Decay left"), "decayFigure");
+    m_dentin = addFigure(pair, tr("Dentin over pulp"), "dentinFigure");
+    m_dentin.block->setToolTip(
+        brokenIntoLines(tr("Sound dentin between the cut and the pulp straight below the tip. Two millimetres are "
+                           "wanted; less than half a millimetre harms the pulp.")));
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
     column->addLayout(pair);
+    m_decay = addFigure(column, tr("Decay left"), "decayFigure");
 
     m_health = new QLabel(content);
     m_health->setFont(typeface(kSmall, QFont::Medium));
@@ -175,7 +182,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     fill->addWidget(scroll);
 
     setPushForce(1.0);
-    setFigures({}, {});
+    setFigures({}, {}, {});
 }
 
 SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const QString& caption, const char* objectName,
@@ -206,7 +213,14 @@ void SidePanel::setFigure(const Figure& figure, const QString& words, const QStr
     figure.block->setAccessibleName(QStringLiteral("%1: %2 %3").arg(figure.caption, words, unit));
 }
 
-void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session)
+void SidePanel::setDepthGauge(bool shown)
+{
+    m_depth.block->setVisible(shown);
+    m_dentin.block->setVisible(shown);
+}
+
+void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
+                           const core::imaging::DepthReading& reading)
 {
     const double feltN = glm::length(servo.forceN);
     const double forceN = servo.touching || feltN > kTrembleN ? feltN : 0.0;
@@ -240,6 +254,15 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         setFigure(m_depth, text::number(servo.depthMm, 2), QStringLiteral("mm"));
     else
         setFigure(m_depth, dash(), QStringLiteral("mm"), quiet);
+    if (servo.touching && reading.dentinOverPulpMm) {
+        const double left = *reading.dentinOverPulpMm;
+        setFigure(m_dentin, text::number(left, 2), QStringLiteral("mm"),
+                  left < kHarmfulDentinMm ? tone.harmText
+                  : left < kThinDentinMm  ? tone.attentionText
+                                          : QColor());
+    } else {
+        setFigure(m_dentin, dash(), QStringLiteral("mm"), quiet);
+    }
 
     const double decay = session.wholeMm3.at(at(Material::Caries));
     if (decay > 0.0) {

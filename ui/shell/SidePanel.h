@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
+#include "core/imaging/Section.h"
 #include "core/session/Links.h"
 
 class QLabel;
@@ -28,7 +29,10 @@ public:
     SidePanel(const Actions& actions, QWidget* parent);
 
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
-    void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session);
+    void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
+                    const core::imaging::DepthReading& reading);
+    /// Without it neither depth nor the dentin left is told.
+    void setDepthGauge(bool shown);
     /// Shows this push force without announcing it.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_pushN; }
@@ -52,6 +56,7 @@ private:
     Figure m_material{};
     Figure m_force{};
     Figure m_depth{};
+    Figure m_dentin{};
     Figure m_decay{};
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;

@@ -70,6 +70,21 @@ QList<QAction*> ViewMenu::actions() const
     return all;
 }
 
+tooth::ViewSettings ViewMenu::settings() const
+{
+    tooth::ViewSettings shown = m_settings;
+    if (!m_aids.heatMap)
+        shown.look.depthColoursMm = 0.0;
+    shown.showsMirror = shown.showsMirror && m_aids.mirror;
+    return shown;
+}
+
+void ViewMenu::setAllowed(const lessons::Aids& aids)
+{
+    m_aids = aids;
+    emit chosen(settings());
+}
+
 QToolButton* ViewMenu::makeButton(QWidget* parent)
 {
     auto* button = new QToolButton(parent);
@@ -142,7 +157,7 @@ void ViewMenu::take()
     keep("stereoMode", static_cast<int>(m_lastStereo));
     keep("eyesApart", now.presentation.apart);
     keep("convergence", now.presentation.convergence);
-    emit chosen(m_settings);
+    emit chosen(settings());
 }
 
 void ViewMenu::setStereo(render::Stereo stereo, double apart, double convergence)

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QObject>
 
+#include "lessons/Aids.h"
 #include "ui/tooth/ViewSettings.h"
 
 class QAction;
@@ -22,9 +23,12 @@ class ViewMenu : public QObject
 public:
     explicit ViewMenu(Actions& actions, QWidget* window);
 
-    [[nodiscard]] const tooth::ViewSettings& settings() const { return m_settings; }
+    /// What is to be shown: what was chosen and is allowed.
+    [[nodiscard]] tooth::ViewSettings settings() const;
     /// All that the menu holds.
     [[nodiscard]] QList<QAction*> actions() const;
+    /// What a lesson does not allow is not shown, whatever was chosen.
+    void setAllowed(const lessons::Aids& aids);
     /// A button with the menu, for a bar.
     [[nodiscard]] QToolButton* makeButton(QWidget* parent);
     /// Of the two eyes: how far apart, and where the plane of the screen lies (render::Presentation).
@@ -40,7 +44,8 @@ private:
 
     Actions& m_actions;
     QMenu* m_menu;
-    tooth::ViewSettings m_settings;
+    tooth::ViewSettings m_settings;  ///< as chosen
+    lessons::Aids m_aids;
     render::Stereo m_lastStereo = render::Stereo::RedCyan;
 };
 

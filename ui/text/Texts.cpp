@@ -2,11 +2,15 @@
 #include "ui/text/Texts.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include "core/session/Links.h"
+#include "core/teeth/ToothTable.h"
 
 namespace ui::text {
 namespace {
@@ -269,6 +273,61 @@ QString toothTitle(const core::terrain::ToothAnatomy& tooth)
     if (tooth.fdi != 0 && (name.isEmpty() || name == QString::number(tooth.fdi)))
         return QCoreApplication::translate("Tooth", "Tooth %1").arg(tooth.fdi);
     return name.isEmpty() ? QCoreApplication::translate("Tooth", "Tooth without a name") : name;
+}
+
+QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad)
+{
+    const auto eighth = static_cast<int>(std::lround(angleRad / (std::numbers::pi / 4.0)));
+    const int sector = ((eighth % 8) + 8) % 8;
+    constexpr std::array<int, 8> kX{1, 1, 0, -1, -1, -1, 0, 1};
+    const int x = kX.at(static_cast<std::size_t>(sector));
+    const int y = kX.at(static_cast<std::size_t>((sector + 6) % 8));
+    if (!core::teeth::isGenerated(tooth)) {
+        const auto axis = [](int sign, QChar name) {
+            return sign == 0 ? QString() : (sign > 0 ? QStringLiteral("+") : QString(QChar(0x2212))) + name;
+        };
+        return QStringLiteral("%1 %2").arg(axis(x, u'x'), axis(y, u'y')).trimmed();
+    }
+    const bool front = tooth.fdi % 10 <= 3;
+    const bool upper = tooth.fdi / 10 == 2;
+    const bool outwards = static_cast<double>(y) * core::teeth::buccalSign(tooth.fdi) > 0.0;
+    // Whole words, as other languages join them in other ways.
+    const auto outer = [&](const QString& labial, const QString& buccal) { return front ? labial : buccal; };
+    const auto inner = [&](const QString& palatal, const QString& lingual) { return upper ? palatal : lingual; };
+    const auto say = [](const char* word) { return QCoreApplication::translate("Direction", word); };
+    if (y == 0)
+        return x > 0 ? say(QT_TRANSLATE_NOOP("Direction", "distal")) : say(QT_TRANSLATE_NOOP("Direction", "mesial"));
+    if (x == 0)
+        return outwards
+                   ? outer(say(QT_TRANSLATE_NOOP("Direction", "labial")), say(QT_TRANSLATE_NOOP("Direction", "buccal")))
+                   : inner(say(QT_TRANSLATE_NOOP("Direction", "palatal")),
+                           say(QT_TRANSLATE_NOOP("Direction", "lingual")));
+    if (x > 0)
+        return outwards ? outer(say(QT_TRANSLATE_NOOP("Direction", "distolabial")),
+                                say(QT_TRANSLATE_NOOP("Direction", "distobuccal")))
+                        : inner(say(QT_TRANSLATE_NOOP("Direction", "distopalatal")),
+                                say(QT_TRANSLATE_NOOP("Direction", "distolingual")));
+    return outwards ? outer(say(QT_TRANSLATE_NOOP("Direction", "mesiolabial")),
+                            say(QT_TRANSLATE_NOOP("Direction", "mesiobuccal")))
+                    : inner(say(QT_TRANSLATE_NOOP("Direction", "mesiopalatal")),
+                            say(QT_TRANSLATE_NOOP("Direction", "mesiolingual")));
+}
+
+QString planeAlongX(const core::terrain::ToothAnatomy& tooth)
+{
+    return core::teeth::isGenerated(tooth) ? QCoreApplication::translate("Direction", "Mesio-distal")
+                                           : QCoreApplication::translate("Direction", "Along x");
+}
+
+QString planeAlongY(const core::terrain::ToothAnatomy& tooth)
+{
+    if (!core::teeth::isGenerated(tooth))
+        return QCoreApplication::translate("Direction", "Along y");
+    if (tooth.fdi % 10 <= 3)
+        return tooth.fdi / 10 == 2 ? QCoreApplication::translate("Direction", "Labio-palatal")
+                                   : QCoreApplication::translate("Direction", "Labio-lingual");
+    return tooth.fdi / 10 == 2 ? QCoreApplication::translate("Direction", "Bucco-palatal")
+                               : QCoreApplication::translate("Direction", "Bucco-lingual");
 }
 
 QString burName(std::string_view id)

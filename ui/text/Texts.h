@@ -38,6 +38,15 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 /// "Tooth 36", or the file's name for a scan without a number.
 [[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
 
+/// Where a horizontal direction of the tooth frame points: "distal", "mesiobuccal"; of a scan, of which nobody knows
+/// the sides, "+x", "−x +y".
+/// @param angleRad  about +z, 0 along +x
+[[nodiscard]] QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad);
+/// The two planes people ask for, as directionName() would have them: "Mesio-distal" and "Bucco-lingual", or "Along x"
+/// and "Along y".
+[[nodiscard]] QString planeAlongX(const core::terrain::ToothAnatomy& tooth);
+[[nodiscard]] QString planeAlongY(const core::terrain::ToothAnatomy& tooth);
+
 /// "Pear, No. 330"; the id itself for a bur we have no word for.
 [[nodiscard]] QString burName(std::string_view id);
 

@@ -60,4 +60,22 @@ void PatchInbox::keepEarly(const core::session::TilePatch& patch)
     m_earlyGroup.clear();
 }
 
+void write(const core::session::TilePatch& patch, core::terrain::Tooth& tooth)
+{
+    using core::session::kTileSide;
+    const core::terrain::Grid& grid = tooth.grid();
+    for (int j = 0; j < kTileSide; ++j) {
+        for (int i = 0; i < kTileSide; ++i) {
+            const int x = patch.tileX * kTileSide + i;
+            const int y = patch.tileY * kTileSide + j;
+            if (!grid.contains(x, y))
+                continue;
+            const std::size_t k = grid.index(x, y);
+            const float top = patch.top.at(static_cast<std::size_t>(j * kTileSide + i));
+            tooth.top[k] = top;
+            tooth.bottom[k] = top <= core::terrain::kEmptyTop ? core::terrain::kEmptyBottom : tooth.anatomy->bottom[k];
+        }
+    }
+}
+
 }  // namespace ui::tooth

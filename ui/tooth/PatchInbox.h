@@ -31,4 +31,7 @@ private:
     std::vector<core::session::TilePatch> m_early;  ///< whole groups of a tooth to come, one patch a tile
 };
 
+/// Writes the heights of a tile into a tooth: the bottom of a column that is gone is empty as well.
+void write(const core::session::TilePatch& patch, core::terrain::Tooth& tooth);
+
 }  // namespace ui::tooth

@@ -134,6 +134,8 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
 {
     m_servo = m_links.servo.latest();
     m_control.setSurface(nullptr);
+    m_tooth.emplace(anatomy);
+    ++m_toothRevision;
     m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), operatingLight(m_leftHanded));
     m_surfaceIsNew = true;
     m_changes = {};
@@ -149,6 +151,8 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
 
 void ToothView::setHeights(const std::vector<float>& top)
 {
+    m_tooth = core::terrain::restored(m_tooth->anatomy, top);
+    ++m_toothRevision;
     m_surface->write(top);
     takeChanges();
 }
@@ -465,8 +469,11 @@ void ToothView::takePatches()
         m_inbox.take(patch);
     if (m_inbox.complete().empty() || !m_surface)
         return;
-    for (const core::session::TilePatch& patch : m_inbox.complete())
+    for (const core::session::TilePatch& patch : m_inbox.complete()) {
         m_surface->write(patch);
+        write(patch, *m_tooth);
+    }
+    ++m_toothRevision;
     m_inbox.complete().clear();
     takeChanges();
 }

@@ -81,6 +81,10 @@ public:
     [[nodiscard]] QWidget* pane();
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
+    /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
+    [[nodiscard]] const core::terrain::Tooth* tooth() const { return m_tooth ? &*m_tooth : nullptr; }
+    /// Grows whenever tooth() changes.
+    [[nodiscard]] std::uint64_t toothRevision() const { return m_toothRevision; }
 
 signals:
     /// Once a frame, with the newest state of the servo.
@@ -125,6 +129,8 @@ private:
     [[nodiscard]] render::Scene scene() const;
 
     core::session::UiLinks& m_links;
+    std::optional<core::terrain::Tooth> m_tooth;  ///< what m_surface draws, for those who look inside
+    std::uint64_t m_toothRevision = 0;
     std::unique_ptr<render::ToothSurface> m_surface;
     std::unique_ptr<render::ToothRenderer> m_renderer;
     std::unique_ptr<render::Presenter> m_presenter;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace lessons {
+
+/// Which aids to seeing a lesson allows. All of them unless it says otherwise; an exam allows none.
+struct Aids
+{
+    bool section = true;     ///< the live cross-section through the bur
+    bool depthGauge = true;  ///< depth and dentin left over the pulp, as figures
+    bool radiograph = true;  ///< the X-ray pictures before and now
+    bool heatMap = true;     ///< colours of depth on the tooth
+    bool mirror = true;      ///< the dental mirror
+
+    [[nodiscard]] static constexpr Aids none() { return {false, false, false, false, false}; }
+    bool operator==(const Aids&) const = default;
+};
+
+}  // namespace lessons

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include <QImage>
+
+#include "core/imaging/Radiograph.h"
+
+namespace ui::inside {
+
+/// Pixels of a film as it is shown: finer than half a cell of the usual grid.
+inline constexpr double kFilmPixelMm = 0.05;
+
+/// A developed film on a light box, in grey: white where no radiation came through. Needs no window and may be called
+/// on any thread; 30 to 100 ms at kFilmPixelMm, the longest for a bitewing.
+[[nodiscard]] QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth,
+                                       const core::imaging::Beam& beam, const core::imaging::FilmArea& area,
+                                       double pixelMm, const core::imaging::Exposure& exposure);
+
+}  // namespace ui::inside

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inside/SectionPainter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::inside {
+namespace {
+
+using core::imaging::Section;
+using core::imaging::SectionSample;
+using core::terrain::Material;
+using core::terrain::MaterialSpan;
+using core::terrain::ToothAnatomy;
+
+constexpr QRgb kGround = 0xFF15181A;
+constexpr QRgb kGrid = 0xFF2C3134;
+constexpr QRgb kOverTissue = 0x30000000;  ///< grid lines over the tooth
+constexpr QRgb kWords = 0xFFB6BDBF;
+constexpr QRgb kSurface = 0xFF56C7C9;  ///< the surface as it was
+constexpr QRgb kSteel = 0xE6AEB8BC;
+constexpr QRgb kBorder = 0xFF000000;
+constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
+constexpr QRgb kSteelEdge = 0xFF11140F;
+
+constexpr double kGutterPx = 30.0;  ///< for the heights at the left
+constexpr double kFootPx = 20.0;    ///< for the lengths below
+constexpr double kHeadPx = 24.0;    ///< for where the ends point
+constexpr double kLegendRowPx = 19.0;
+constexpr double kLegendPx = 2.0 * kLegendRowPx + 6.0;
+constexpr double kAboveMm = 1.6;  ///< shown over the highest point
+constexpr double kBesideMm = 0.5;
+constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest point
+constexpr double kLabelPx = 20.0;      ///< nearer than this, labels leave some out
+
+/// Millimetres of the plane on the paper.
+struct Frame
+{
+    QRectF plot;
+    double pxPerMm = 1.0;
+    double leftMm = 0.0;  ///< along the plane at the left edge
+    double topMm = 0.0;   ///< height at the upper edge
+
+    [[nodiscard]] double x(double alongMm) const { return plot.left() + (alongMm - leftMm) * pxPerMm; }
+    [[nodiscard]] double y(double heightMm) const { return plot.top() + (topMm - heightMm) * pxPerMm; }
+    [[nodiscard]] double rightMm() const { return leftMm + plot.width() / pxPerMm; }
+    [[nodiscard]] double bottomMm() const { return topMm - plot.height() / pxPerMm; }
+};
+
+/// The whole width of the tooth along the plane, wherever the plane lies: nothing jumps while the bur moves.
+Frame frameFor(const QRectF& plot, const SectionScene& scene)
+{
+    const ToothAnatomy& anatomy = *scene.tooth->anatomy;
+    const glm::dvec2 right = scene.plane.direction();
+    const int stride = std::max(1, anatomy.grid.side / core::terrain::kDefaultGridSide);
+    double low = 1.0e9;
+    double high = -1.0e9;
+    double top = -1.0e9;
+    for (int j = 0; j < anatomy.grid.side; j += stride) {
+        for (int i = 0; i < anatomy.grid.side; i += stride) {
+            const std::size_t k = anatomy.grid.index(i, j);
+            if (!(anatomy.top[k] > anatomy.bottom[k]))
+                continue;
+            const double along = glm::dot(anatomy.grid.nodeMm(i, j), right);
+            low = std::min(low, along);
+            high = std::max(high, along);
+            top = std::max(top, static_cast<double>(anatomy.top[k]));
+        }
+    }
+    if (low > high) {
+        low = -1.0;
+        high = 1.0;
+        top = 0.0;
+    }
+    Frame frame;
+    frame.plot = plot;
+    frame.pxPerMm = std::max(
+        1.0, std::min(plot.width() / (high - low + 2.0 * kBesideMm), plot.height() / (kAboveMm + kLeastDepthMm)));
+    frame.leftMm = 0.5 * (low + high) - 0.5 * plot.width() / frame.pxPerMm;
+    frame.topMm = top + kAboveMm;
+    return frame;
+}
+
+void paintGrid(QPainter& painter, const Frame& frame, const QColor& colour)
+{
+    painter.setPen(QPen(colour, 0));
+    for (double mm = std::ceil(frame.leftMm); mm <= frame.rightMm(); mm += 1.0)
+        painter.drawLine(QPointF(frame.x(mm), frame.plot.top()), QPointF(frame.x(mm), frame.plot.bottom()));
+    for (double mm = std::ceil(frame.bottomMm()); mm <= frame.topMm; mm += 1.0)
+        painter.drawLine(QPointF(frame.plot.left(), frame.y(mm)), QPointF(frame.plot.right(), frame.y(mm)));
+}
+
+void paintLabels(QPainter& painter, const Frame& frame)
+{
+    painter.setPen(QColor(kWords));
+    painter.setFont(shell::typeface(shell::kSmall));
+    const int every = frame.pxPerMm >= kLabelPx ? 1 : frame.pxPerMm >= kLabelPx / 2 ? 2 : 5;
+    const auto multiple = [every](double mm) { return static_cast<int>(std::lround(mm)) % every == 0; };
+    for (double mm = std::ceil(frame.bottomMm()); mm <= frame.topMm - 0.5; mm += 1.0)
+        if (const double y = frame.y(mm); multiple(mm) && y < frame.plot.bottom() - 5.0)
+            painter.drawText(QRectF(frame.plot.left() - kGutterPx, y - 8.0, kGutterPx - 6.0, 16.0),
+                             Qt::AlignRight | Qt::AlignVCenter, text::number(mm, 0));
+    const QString unit = QStringLiteral("mm");
+    for (double mm = std::ceil(frame.leftMm); mm <= frame.rightMm(); mm += 1.0)
+        if (const double x = frame.x(mm); multiple(mm) && x < frame.plot.right() - 10.0 && x > frame.plot.left() + 6.0)
+            painter.drawText(QRectF(x - 20.0, frame.plot.bottom() + 2.0, 40.0, 16.0), Qt::AlignCenter,
+                             text::number(mm, 0));
+    painter.drawText(QRectF(frame.plot.left() - kGutterPx, frame.plot.bottom() + 2.0, kGutterPx - 6.0, 16.0),
+                     Qt::AlignRight | Qt::AlignVCenter, unit);
+}
+
+/// Whether a pattern has ink at a pixel: strokes that rise to the right, or dots.
+bool hasInk(Qt::BrushStyle pattern, int x, int y)
+{
+    constexpr int kStrokesPx = 8;
+    constexpr int kDotsPx = 4;
+    if (pattern == Qt::BDiagPattern)
+        return (x + y) % kStrokesPx < 2;
+    return pattern != Qt::NoBrush && x % kDotsPx == 0 && (y + (x / kDotsPx % 2) * kDotsPx / 2) % kDotsPx == 0;
+}
+
+QRgb mixed(QRgb below, QRgb above, double share)
+{
+    const auto channel = [share](int from, int to) {
+        return static_cast<int>(std::lround(from + (to - from) * share));
+    };
+    return qRgba(channel(qRed(below), qRed(above)), channel(qGreen(below), qGreen(above)),
+                 channel(qBlue(below), qBlue(above)), channel(qAlpha(below), qAlpha(above)));
+}
+
+/// The materials, one column of device pixels to a sample: no seams, whatever the painter's scale. Pixel by pixel:
+/// a thousand rectangles take longer.
+QImage tissue(const Section& section, const Frame& frame, double pixelRatio, render::Palette palette)
+{
+    const int width = static_cast<int>(section.samples.size());
+    const int height = std::max(1, static_cast<int>(std::ceil(frame.plot.height() * pixelRatio)));
+    QImage image(width, height, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    auto* pixels = reinterpret_cast<QRgb*>(image.bits());
+    const qsizetype stride = image.bytesPerLine() / static_cast<qsizetype>(sizeof(QRgb));
+    std::array<shell::MaterialLook, core::terrain::kMaterialCount> looks;
+    for (std::size_t m = 0; m < looks.size(); ++m)
+        looks.at(m) = shell::materialLook(static_cast<Material>(m), palette);
+    const double scale = frame.pxPerMm * pixelRatio;
+    for (int x = 0; x < width; ++x) {
+        const SectionSample& sample = section.samples[static_cast<std::size_t>(x)];
+        const MaterialSpan* below = nullptr;
+        for (const MaterialSpan& span : sample.present) {
+            const shell::MaterialLook& look = looks.at(static_cast<std::size_t>(span.material));
+            const QRgb fill = look.fill.rgb();
+            const QRgb ink = mixed(fill, look.letter.rgb(), kInkShare);
+            const double top = (frame.topMm - static_cast<double>(span.highMm)) * scale;
+            const double bottom = (frame.topMm - static_cast<double>(span.lowMm)) * scale;
+            const int first = std::max(0, static_cast<int>(std::floor(top)));
+            const int last = static_cast<int>(std::min<double>(height, std::ceil(bottom))) - 1;
+            for (int y = first; y <= last; ++y) {
+                QRgb& pixel = pixels[y * stride + x];
+                const QRgb colour = hasInk(look.pattern, x, y) ? ink : fill;
+                const double share = std::min(bottom, y + 1.0) - std::max(top, static_cast<double>(y));
+                pixel = share >= 1.0 ? colour : mixed(pixel, colour, share);
+            }
+            // A thin dark line where two materials meet, so that a border is more than two colours.
+            const int border = static_cast<int>(std::floor(bottom));
+            if (below != nullptr && border >= 0 && border < height) {
+                QRgb& pixel = pixels[border * stride + x];
+                pixel = mixed(pixel, kBorder, kInkShare);
+            }
+            below = &span;
+        }
+    }
+    return image;
+}
+
+void paintSurface(QPainter& painter, const Section& section, const Frame& frame)
+{
+    QPainterPath path;
+    bool down = true;
+    for (std::size_t k = 0; k < section.samples.size(); ++k) {
+        const SectionSample& sample = section.samples[k];
+        if (sample.wasTooth) {
+            const QPointF here(frame.x(section.fromMm + static_cast<double>(k) * section.stepMm),
+                               frame.y(static_cast<double>(sample.originalTopMm)));
+            if (down)
+                path.moveTo(here);
+            else
+                path.lineTo(here);
+        }
+        down = !sample.wasTooth;
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(kSurface), 1.6));
+    painter.drawPath(path);
+}
+
+void paintBur(QPainter& painter, const Frame& frame, const SectionScene& scene)
+{
+    const double along = scene.plane.alongMm({scene.tipMm.x, scene.tipMm.y});
+    const auto at = [&](double radiusMm, double heightMm) {
+        return QPointF(frame.x(along + radiusMm), frame.y(scene.tipMm.z + heightMm));
+    };
+    if (scene.downToPulpMm && *scene.downToPulpMm > 0.0) {
+        painter.setPen(QPen(QColor(kSteelEdge), 1.4, Qt::DotLine));
+        painter.drawLine(at(0.0, 0.0), at(0.0, -*scene.downToPulpMm));
+    }
+    const double shankTop = frame.topMm - scene.tipMm.z + 1.0;
+    QPolygonF outline;
+    for (const core::drilling::Bur::Point& point : scene.bur->outline)
+        outline << at(point.radiusMm, point.heightMm);
+    const core::drilling::Bur::Point last = scene.bur->outline.back();
+    outline << at(scene.bur->shankRadiusMm, last.heightMm);
+    if (shankTop > last.heightMm)
+        outline << at(scene.bur->shankRadiusMm, shankTop) << at(-scene.bur->shankRadiusMm, shankTop);
+    outline << at(-scene.bur->shankRadiusMm, last.heightMm);
+    for (auto point = scene.bur->outline.rbegin(); point != scene.bur->outline.rend(); ++point)
+        outline << at(-point->radiusMm, point->heightMm);
+    painter.setBrush(QColor::fromRgba(kSteel));
+    painter.setPen(QPen(QColor(kSteelEdge), 1.2));
+    painter.drawPolygon(outline);
+}
+
+void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
+{
+    const ToothAnatomy& anatomy = *scene.tooth->anatomy;
+    painter.setPen(QColor(kWords));
+    painter.setFont(shell::typeface(shell::kSmall, QFont::Medium));
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                     QChar(0x2190) + QStringLiteral(" ") +
+                         text::directionName(anatomy, scene.plane.angleRad + std::numbers::pi));
+    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter,
+                     text::directionName(anatomy, scene.plane.angleRad) + QStringLiteral(" ") + QChar(0x2192));
+}
+
+void paintLegend(QPainter& painter, const QRectF& area, render::Palette palette)
+{
+    painter.setFont(shell::typeface(shell::kSmall));
+    const QFontMetricsF metrics(painter.font());
+    constexpr double kSquarePx = 13.0;
+    constexpr double kApartPx = 12.0;
+    QRectF row(area.topLeft(), QSizeF(area.width(), kLegendRowPx));
+    double x = row.left();
+    const auto word = [&](const QString& words) {
+        painter.setPen(QColor(kWords));
+        const double width = metrics.horizontalAdvance(words);
+        painter.drawText(QRectF(x, row.top(), width + 2.0, row.height()), Qt::AlignLeft | Qt::AlignVCenter, words);
+        x += width + kApartPx;
+    };
+    for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
+        const shell::MaterialLook look = shell::materialLook(material, palette);
+        const QRectF square(x, row.center().y() - 0.5 * kSquarePx, kSquarePx, kSquarePx);
+        painter.fillRect(square, look.fill);
+        if (look.pattern != Qt::NoBrush) {
+            QColor ink = look.letter;
+            ink.setAlphaF(static_cast<float>(kInkShare));
+            painter.fillRect(square, QBrush(ink, look.pattern));
+        }
+        x += kSquarePx + 5.0;
+        word(text::materialName(material));
+    }
+    row.translate(0.0, kLegendRowPx);
+    x = row.left();
+    painter.setPen(QPen(QColor(kSurface), 1.6));
+    painter.drawLine(QPointF(x, row.center().y()), QPointF(x + kSquarePx, row.center().y()));
+    x += kSquarePx + 5.0;
+    //: In the key of a picture, beside a line
+    word(QCoreApplication::translate("Section", "surface before anything was cut"));
+}
+
+}  // namespace
+
+void paintSection(QPainter& painter, const QRectF& area, const SectionScene& scene)
+{
+    painter.save();
+    painter.setClipRect(area, Qt::IntersectClip);
+    painter.fillRect(area, QColor(kGround));
+    const QRectF plot = area.adjusted(kGutterPx, kHeadPx, -8.0, -kFootPx - kLegendPx);
+    const Frame frame = frameFor(plot, scene);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    paintGrid(painter, frame, QColor(kGrid));
+
+    const double pixelRatio = painter.device()->devicePixelRatioF();
+    const int columns = std::max(2, static_cast<int>(std::ceil(plot.width() * pixelRatio)));
+    // A sample stands in the middle of its column of pixels.
+    const double halfPixelMm = 0.5 / (pixelRatio * frame.pxPerMm);
+    const double toMm = frame.leftMm + (2.0 * columns - 1.0) * halfPixelMm;
+    const Section section =
+        core::imaging::sectionOf(*scene.tooth, scene.plane, frame.leftMm + halfPixelMm, toMm, columns);
+    painter.setClipRect(plot, Qt::IntersectClip);
+    QImage materials = tissue(section, frame, pixelRatio, scene.palette);
+    materials.setDevicePixelRatio(pixelRatio);
+    painter.drawImage(plot.topLeft(), materials);
+    paintGrid(painter, frame, QColor::fromRgba(kOverTissue));
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintSurface(painter, section, frame);
+    if (scene.bur != nullptr)
+        paintBur(painter, frame, scene);
+    painter.setClipRect(area);
+    paintLabels(painter, frame);
+    paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
+    paintLegend(painter, QRectF(area.left() + 8.0, area.bottom() - kLegendPx, area.width() - 16.0, kLegendPx),
+                scene.palette);
+    painter.restore();
+}
+
+}  // namespace ui::inside

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QElapsedTimer>
+#include <QFrame>
+
+#include "core/imaging/Section.h"
+#include "core/session/Links.h"
+#include "ui/shell/MaterialLook.h"
+
+class QPushButton;
+class QSlider;
+
+namespace ui::shell {
+class TabularLabel;
+}
+
+namespace ui::inside {
+
+class SectionCanvas;
+
+/// Beside the tooth: the live cut through the bur, the plane chosen with two buttons or turned with a slider, and what
+/// is left to the pulp in figures.
+class SectionView : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit SectionView(QWidget* parent);
+
+    /// The tooth as the view has it now. Call as often as frames come: it paints every second of them at
+    /// most, 30 times a second, and only when something that shows has changed.
+    /// @param tooth     borrowed until the next call; null: none
+    /// @param revision  another number whenever the tooth has changed
+    void follow(const core::terrain::Tooth* tooth, std::uint64_t revision, const core::session::ServoState& servo,
+                const core::imaging::DepthReading& reading);
+    void setColours(render::Palette colours);
+    /// Without them the picture alone is there.
+    void setFiguresShown(bool shown);
+    /// Turns the plane about the bur, +15 degrees.
+    void turn();
+    [[nodiscard]] int angleDeg() const;
+
+private:
+    void setAngle(int degrees);
+    void nameSides();
+    void showFigures(const core::session::ServoState& servo, const core::imaging::DepthReading& reading);
+
+    SectionCanvas* m_canvas;
+    QWidget* m_figures;
+    QPushButton* m_alongX;
+    QPushButton* m_alongY;
+    QSlider* m_angle;
+    shell::TabularLabel* m_angleText;
+    shell::TabularLabel* m_depth;
+    shell::TabularLabel* m_dentin;
+    shell::TabularLabel* m_down;
+    shell::TabularLabel* m_nearest;
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< whose sides are named
+    std::uint64_t m_revision = 0;
+    glm::dvec3 m_tipMm{0.0};
+    std::uint8_t m_bur = 0;
+    bool m_hasBur = false;
+    QElapsedTimer m_sincePaint;
+    int m_framesSince = 0;
+    QElapsedTimer m_sinceFigures;
+};
+
+}  // namespace ui::inside

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inside/XrayPage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <QApplication>
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPointer>
+#include <QPushButton>
+#include <QSlider>
+#include <QThreadPool>
+#include <QVBoxLayout>
+
+#include "core/teeth/ToothBuilder.h"
+#include "ui/inside/RadiographPicture.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::inside {
+namespace {
+
+using namespace shell;
+using core::imaging::Neighbour;
+using core::imaging::XrayedTooth;
+
+constexpr int kMostAngleDeg = 90;
+constexpr int kMostTiltDeg = 45;
+constexpr int kStepsToDouble = 3;  ///< of the exposure
+constexpr int kMostSteps = 2 * kStepsToDouble;
+constexpr double kMarginMm = 1.0;
+/// The grain of the two films. Always the same two, so that a picture can be made again.
+constexpr std::uint64_t kGrainBefore = 1;
+constexpr std::uint64_t kGrainNow = 2;
+constexpr int kSavedGapPx = 16;
+constexpr int kSavedWordsPx = 32;
+constexpr int kSavedScale = 2;
+constexpr QRgb kFilmGround = 0xFF0B0C0D;
+constexpr QRgb kFilmWords = 0xFFB6BDBF;
+
+double radians(int degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
+
+}  // namespace
+
+/// A film with its caption, as large as there is room for.
+class FilmView : public QWidget
+{
+public:
+    FilmView(const QString& caption, QWidget* parent) : QWidget(parent), m_caption(caption)
+    {
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+        setMinimumSize(180, 180);
+        setAccessibleName(caption);
+    }
+    void setFilm(const QImage& film)
+    {
+        m_film = film;
+        update();
+    }
+    /// Where the left and the right edge of the film lie.
+    void setSides(const QString& left, const QString& right)
+    {
+        m_left = left;
+        m_right = right;
+        update();
+    }
+    /// Where the film lies.
+    [[nodiscard]] QRectF ground() const { return QRectF(rect()).adjusted(0, kCaptionPx, 0, 0); }
+    [[nodiscard]] const QImage& film() const { return m_film; }
+    [[nodiscard]] const QString& caption() const { return m_caption; }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+        painter.setPen(palette().color(QPalette::WindowText));
+        painter.setFont(typeface(kBody, QFont::DemiBold));
+        painter.drawText(QRect(0, 0, width(), kCaptionPx), Qt::AlignLeft | Qt::AlignVCenter, m_caption);
+        QPainterPath frame;
+        frame.addRoundedRect(ground(), kRadius, kRadius);
+        painter.fillPath(frame, QColor(kFilmGround));
+        if (m_film.isNull())
+            return;
+        QSizeF size(m_film.size());
+        size.scale(ground().size(), Qt::KeepAspectRatio);
+        QRectF where(QPointF(0, 0), size);
+        where.moveCenter(ground().center());
+        painter.setClipPath(frame);
+        painter.drawImage(where, m_film);
+        painter.setFont(typeface(kSmall));
+        painter.setPen(QColor(kFilmWords));
+        const QRectF words = ground().adjusted(kSpace2, kSpace2, -kSpace2, -kSpace2);
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, m_left);
+        painter.drawText(words, Qt::AlignRight | Qt::AlignTop, m_right);
+    }
+
+private:
+    static constexpr int kCaptionPx = 28;
+    QString m_caption;
+    QString m_left;
+    QString m_right;
+    QImage m_film;
+};
+
+XrayPage::XrayPage(const Actions& actions, QWidget* parent)
+    : Page(actions, tr("X-ray"), parent), m_before(new FilmView(tr("Before"), this)),
+      m_now(new FilmView(tr("Now"), this))
+{
+    m_before->setObjectName(QStringLiteral("filmBefore"));
+    m_now->setObjectName(QStringLiteral("filmNow"));
+    auto* films = new QHBoxLayout;
+    films->setContentsMargins(kSpace6, 0, 0, 0);
+    films->setSpacing(kSpace4);
+    films->addWidget(m_before, 1);
+    films->addWidget(m_now, 1);
+    body()->addLayout(films, 1);
+    body()->addWidget(makeControls(actions));
+    tellValues();
+}
+
+QWidget* XrayPage::makeControls(const Actions& actions)
+{
+    auto* holder = new QWidget(this);
+    auto* outer = new QVBoxLayout(holder);
+    outer->setContentsMargins(kSpace6, 0, 0, 0);
+    outer->setSpacing(kSpace4);
+    auto* card = new QFrame(holder);
+    card->setProperty("kind", "card");
+    outer->addWidget(card);
+    auto* row = new QHBoxLayout(card);
+    row->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
+    row->setSpacing(kSpace6);
+
+    const auto segment = [&](const QString& words, const QString& tip, const char* objectName) {
+        auto* button = new QPushButton(words, card);
+        button->setProperty("kind", "segment");
+        button->setCheckable(true);
+        button->setAutoExclusive(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setToolTip(brokenIntoLines(tip));
+        button->setObjectName(QString::fromLatin1(objectName));
+        connect(button, &QPushButton::toggled, this, [this](bool on) {
+            if (on)
+                develop();
+        });
+        return button;
+    };
+    auto* scenes = new QHBoxLayout;
+    scenes->setSpacing(kSpace2);
+    m_oneTooth = segment(tr("One tooth"), tr("The whole tooth with its root"), "oneTooth");
+    m_bitewing = segment(tr("Bitewing"), {}, "bitewing");
+    m_oneTooth->setChecked(true);
+    scenes->addWidget(m_oneTooth);
+    scenes->addWidget(m_bitewing);
+    row->addLayout(scenes);
+
+    const auto slider = [&](const QString& caption, const QString& tip, int low, int high, const char* objectName,
+                            TabularLabel*& value, const QString& widest) {
+        auto* block = new QGridLayout;
+        block->setVerticalSpacing(0);
+        auto* words = new QLabel(caption, card);
+        words->setFont(typeface(kSmall));
+        words->setForegroundRole(QPalette::PlaceholderText);
+        value = new TabularLabel(card);
+        value->setFont(typeface(kBody, QFont::Medium));
+        value->setAlignment(Qt::AlignRight);
+        value->setText(widest);
+        value->setFixedWidth(value->sizeHint().width());
+        auto* made = new QSlider(Qt::Horizontal, card);
+        made->setRange(low, high);
+        made->setFocusPolicy(Qt::TabFocus);
+        made->setAccessibleName(caption);
+        made->setToolTip(tip);
+        made->setStatusTip(tip);
+        made->setObjectName(QString::fromLatin1(objectName));
+        words->setBuddy(made);
+        connect(made, &QSlider::valueChanged, this, [this] {
+            tellValues();
+            develop();
+        });
+        block->addWidget(words, 0, 0);
+        block->addWidget(value, 0, 1, Qt::AlignRight);
+        block->addWidget(made, 1, 0, 1, 2);
+        row->addLayout(block, 1);
+        return made;
+    };
+    m_angle = slider(tr("Beam from the side"), tr("Turns the beam about the tooth"), -kMostAngleDeg, kMostAngleDeg,
+                     "beamAngle", m_angleText, QStringLiteral("−90°"));
+    m_tilt = slider(tr("Beam from above"), tr("Tilts the beam; 0 is level"), -kMostTiltDeg, kMostTiltDeg, "beamTilt",
+                    m_tiltText, QStringLiteral("−45°"));
+    m_exposure = slider(tr("Exposure"), tr("More radiation: a darker film with less grain"), -kMostSteps, kMostSteps,
+                        "exposure", m_exposureText, text::number(0.25, 2) + QStringLiteral("×"));
+    for (QSlider* angle : {m_angle, m_tilt})
+        angle->setPageStep(15);
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    auto* says = new QLabel(tr("Simulated: a parallel beam, no scatter, no bone and no gums."), holder);
+    says->setFont(typeface(kSmall));
+    says->setForegroundRole(QPalette::PlaceholderText);
+    buttons->addWidget(says);
+    buttons->addStretch(1);
+    m_save = new QPushButton(tr("Save the picture …"), holder);
+    m_save->setToolTip(tr("Save both films side by side as a PNG file"));
+    m_save->setFocusPolicy(Qt::TabFocus);
+    m_save->setAutoDefault(true);
+    m_save->setObjectName(QStringLiteral("saveFilms"));
+    connect(m_save, &QPushButton::clicked, this, &XrayPage::saveRequested);
+    buttons->addWidget(m_save);
+    m_back = pageButton(actions.back, "filled", holder);
+    buttons->addWidget(m_back);
+    outer->addLayout(buttons);
+    return holder;
+}
+
+void XrayPage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    m_back->setFocus();
+}
+
+void XrayPage::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    develop();
+}
+
+void XrayPage::setTooth(const core::terrain::Tooth& tooth, const QString& title)
+{
+    const bool another = !m_tooth || m_tooth->anatomy != tooth.anatomy;
+    m_tooth = tooth;
+    //: %1 is "Tooth 36" or a file name
+    setTitle(tr("X-ray: %1").arg(title));
+    if (another) {
+        m_neighbours.reset();
+        m_before->setFilm({});
+        m_now->setFilm({});
+    }
+    const bool ours = core::teeth::isGenerated(*tooth.anatomy);
+    m_bitewing->setEnabled(ours);
+    m_bitewing->setToolTip(
+        brokenIntoLines(ours ? tr("The crown between its two neighbours. They are sound teeth made by Cusp, and touch.")
+                             : tr("Nothing in a scan says which side is mesial, so it gets no neighbours.")));
+    if (!ours)
+        m_oneTooth->setChecked(true);
+    develop();
+}
+
+XrayPage::Wish XrayPage::wish() const
+{
+    Wish now;
+    now.beam.angleRad += radians(m_angle->value());
+    now.beam.tiltRad = -radians(m_tilt->value());  // from above, the beam falls
+    now.exposure = std::exp2(static_cast<double>(m_exposure->value()) / kStepsToDouble);
+    now.bitewing = m_bitewing->isChecked();
+    const QRectF room = m_now->ground();
+    now.widthToHeight = room.width() / std::max(1.0, room.height());
+    return now;
+}
+
+void XrayPage::tellValues()
+{
+    const auto degrees = [](int value) { return text::number(value, 0) + QStringLiteral("°"); };
+    m_angleText->setText(degrees(m_angle->value()));
+    m_tiltText->setText(degrees(m_tilt->value()));
+    m_exposureText->setText(text::number(wish().exposure, 2) + QStringLiteral("×"));
+}
+
+XrayPage::Films XrayPage::filmsOf(const core::terrain::Tooth& tooth, const Wish& wish,
+                                  std::shared_ptr<const std::vector<Neighbour>> neighbours)
+{
+    const core::terrain::Tooth whole(tooth.anatomy);
+    std::vector<XrayedTooth> teeth{{&whole}};
+    if (wish.bitewing && !neighbours)
+        if (auto made = core::imaging::neighboursOf(*tooth.anatomy))
+            neighbours = std::make_shared<const std::vector<Neighbour>>(std::move(*made));
+    if (wish.bitewing && neighbours)
+        for (const Neighbour& neighbour : *neighbours)
+            teeth.push_back(neighbour.xrayed());
+    core::imaging::FilmArea area = wish.bitewing ? core::imaging::bitewingArea(teeth, wish.beam)
+                                                 : core::imaging::shadowArea(teeth, wish.beam, kMarginMm);
+    // A film as wide as there is room for. A higher one would show roots that a bitewing has not.
+    const glm::dvec2 size = area.highMm - area.lowMm;
+    const double wider = 0.5 * std::max(0.0, size.y * wish.widthToHeight - size.x);
+    area.lowMm.x -= wider;
+    area.highMm.x += wider;
+    Films films;
+    films.before = radiographPicture(teeth, wish.beam, area, kFilmPixelMm, {wish.exposure, kGrainBefore});
+    teeth.front().tooth = &tooth;
+    films.now = radiographPicture(teeth, wish.beam, area, kFilmPixelMm, {wish.exposure, kGrainNow});
+    films.neighbours = std::move(neighbours);
+    return films;
+}
+
+void XrayPage::develop()
+{
+    if (!m_tooth)
+        return;
+    if (m_working) {
+        m_again = true;
+        return;
+    }
+    m_working = true;
+    const double right = wish().beam.angleRad - 0.5 * std::numbers::pi;
+    for (FilmView* view : {m_before, m_now})
+        view->setSides(text::directionName(*m_tooth->anatomy, right + std::numbers::pi),
+                       text::directionName(*m_tooth->anatomy, right));
+    m_save->setEnabled(false);
+    QThreadPool::globalInstance()->start(
+        [page = QPointer<XrayPage>(this), tooth = *m_tooth, wish = wish(), neighbours = m_neighbours] {
+            const Films films = filmsOf(tooth, wish, neighbours);
+            QMetaObject::invokeMethod(
+                qApp,
+                [page, films, of = tooth.anatomy.get()] {
+                    if (page)
+                        page->take(films, of);
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+void XrayPage::take(const Films& films, const core::terrain::ToothAnatomy* of)
+{
+    m_working = false;
+    if (m_tooth->anatomy.get() == of) {
+        m_before->setFilm(films.before);
+        m_now->setFilm(films.now);
+        m_neighbours = films.neighbours;
+        m_save->setEnabled(true);
+    }
+    if (std::exchange(m_again, false))
+        develop();
+}
+
+QImage XrayPage::bothFilms() const
+{
+    if (m_now->film().isNull())
+        return {};
+    const QSize film = m_now->film().size() * kSavedScale;
+    QImage both(2 * film.width() + 3 * kSavedGapPx, film.height() + kSavedGapPx + kSavedWordsPx, QImage::Format_RGB32);
+    both.fill(QColor(kFilmGround));
+    QPainter painter(&both);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setFont(typeface(kTitle));
+    painter.setPen(Qt::white);
+    int x = kSavedGapPx;
+    for (const FilmView* view : {m_before, m_now}) {
+        const QRect where(QPoint(x, kSavedGapPx), film);
+        painter.drawImage(where, view->film());
+        painter.drawText(QRect(x, where.bottom() + 1, film.width(), kSavedWordsPx), Qt::AlignCenter, view->caption());
+        x += film.width() + kSavedGapPx;
+    }
+    return both;
+}
+
+}  // namespace ui::inside

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QImage>
+
+#include "core/imaging/Bitewing.h"
+#include "ui/shell/Page.h"
+
+class QPushButton;
+class QSlider;
+
+namespace ui::shell {
+class TabularLabel;
+}
+
+namespace ui::inside {
+
+class FilmView;
+
+/// The X-ray pictures of the tooth: before anything was cut, and now, side by side; the beam and the exposure can be
+/// changed. Films are developed on a pool thread, the newest wish only.
+class XrayPage : public shell::Page
+{
+    Q_OBJECT
+public:
+    XrayPage(const shell::Actions& actions, QWidget* parent);
+
+    /// Shows this tooth, with the beam as it was left.
+    void setTooth(const core::terrain::Tooth& tooth, const QString& title);
+    /// Both films beside each other with words under them; null until they are developed.
+    [[nodiscard]] QImage bothFilms() const;
+    /// False while a film is being developed.
+    [[nodiscard]] bool isReady() const { return !m_working; }
+
+signals:
+    void saveRequested();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Wish
+    {
+        core::imaging::Beam beam;
+        double exposure = 1.0;
+        bool bitewing = false;
+        double widthToHeight = 1.0;  ///< of the room for a film
+    };
+    struct Films
+    {
+        QImage before;
+        QImage now;
+        std::shared_ptr<const std::vector<core::imaging::Neighbour>> neighbours;
+    };
+
+    QWidget* makeControls(const shell::Actions& actions);
+    [[nodiscard]] Wish wish() const;
+    void develop();
+    void take(const Films& films, const core::terrain::ToothAnatomy* of);
+    void tellValues();
+    static Films filmsOf(const core::terrain::Tooth& tooth, const Wish& wish,
+                         std::shared_ptr<const std::vector<core::imaging::Neighbour>> neighbours);
+
+    std::optional<core::terrain::Tooth> m_tooth;
+    std::shared_ptr<const std::vector<core::imaging::Neighbour>> m_neighbours;  ///< of m_tooth, once they were wanted
+    FilmView* m_before;
+    FilmView* m_now;
+    QPushButton* m_oneTooth = nullptr;
+    QPushButton* m_bitewing = nullptr;
+    QSlider* m_angle = nullptr;
+    QSlider* m_tilt = nullptr;
+    QSlider* m_exposure = nullptr;
+    shell::TabularLabel* m_angleText = nullptr;
+    shell::TabularLabel* m_tiltText = nullptr;
+    shell::TabularLabel* m_exposureText = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_back = nullptr;
+    bool m_working = false;
+    bool m_again = false;  ///< something was changed while a film was being developed
+};
+
+}  // namespace ui::inside
