@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <optional>
+#include <span>
 
 #include <QBuffer>
 #include <QCommandLineParser>
 #include <QImage>
+#include <QPainter>
 
 #include "app/Display.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
+#include "core/drilling/Bur.h"
+#include "core/imaging/Radiograph.h"
 #include "core/recording/Recording.h"
 #include "core/recording/Replay.h"
+#include "ui/inside/RadiographPicture.h"
+#include "ui/inside/SectionPainter.h"
 #include "ui/render/Canvas.h"
 #include "ui/render/Presenter.h"
 #include "ui/render/ToothRenderer.h"
@@ -21,7 +31,10 @@ namespace {
 
 constexpr int kLeastPx = 16;
 constexpr int kMostPx = 8192;
-constexpr int kAnyTooth = 36;  ///< where a recording brings its own
+constexpr QRgb kRoomGrey = 0xFF1C1E20;
+constexpr double kFilmMarginMm = 2.0;
+constexpr std::uint64_t kGrain = 1;  ///< of the film: every picture has the same
+constexpr int kAnyTooth = 36;        ///< where a recording brings its own
 
 /// What is to be drawn: a tooth whole or as an attempt left it, and where the bur was then.
 struct Subject
@@ -44,6 +57,10 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("NAME|AZ,EL,DIST"), QStringLiteral("start")});
     parser.addOption({QStringLiteral("size"), QStringLiteral("Of the picture in pixels; 1280x800 if not given."),
                       QStringLiteral("WxH"), QStringLiteral("1280x800")});
+    option("section",
+           "Draws, instead, the upright cut through the bur or the middle of the tooth, so many degrees from +x to +y.",
+           "ANGLE");
+    parser.addOption({QStringLiteral("xray"), QStringLiteral("Draws, instead, an X-ray picture from the side.")});
     option("stereo", "For two eyes: red-cyan, grey (for the same glasses), side-by-side or top-bottom.", "MODE");
     option("flip", "Turns the picture over: left-right, up-down or both.", "WHICH");
     option("show",
@@ -108,6 +125,42 @@ core::Result<Wishes> wishesOf(const QCommandLineParser& parser)
                                         what.toStdString() + "\"");
     }
     return wishes;
+}
+
+/// The upright cut through the bur, or through the middle of the tooth, on the room's dark grey.
+QImage sectionPicture(const Subject& subject, double degrees, QSize size, ui::render::Palette palette)
+{
+    QImage picture(size, QImage::Format_RGB32);
+    picture.fill(kRoomGrey);
+    ui::inside::SectionScene scene;
+    scene.tooth = &subject.tooth;
+    scene.plane.angleRad = degrees * std::numbers::pi / 180.0;
+    scene.plane.throughMm = subject.tooth.grid().middleMm();
+    scene.palette = palette;
+    if (subject.bur) {
+        scene.bur = &core::drilling::burs()[subject.bur->burIndex];
+        scene.tipMm = subject.bur->anchorMm;
+        scene.plane.throughMm = glm::dvec2(scene.tipMm);
+    }
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    ui::inside::paintSection(painter, QRectF(picture.rect()), scene);
+    return picture;
+}
+
+/// The whole shadow of the tooth on a film that fills the picture.
+QImage xrayPicture(const core::terrain::Tooth& tooth, QSize size)
+{
+    const core::imaging::XrayedTooth one{&tooth};
+    const core::imaging::Beam beam;
+    core::imaging::FilmArea area = core::imaging::shadowArea(std::span(&one, 1), beam, kFilmMarginMm);
+    const glm::dvec2 wide = area.highMm - area.lowMm;
+    const double pixelMm = std::max(wide.x / size.width(), wide.y / size.height());
+    const glm::dvec2 more = 0.5 * (glm::dvec2(size.width(), size.height()) * pixelMm - wide);
+    area = {area.lowMm - more, area.highMm + more};
+    return ui::inside::radiographPicture(std::span(&one, 1), beam, area, pixelMm, {1.0, kGrain})
+        .scaled(size)
+        .convertToFormat(QImage::Format_RGB32);
 }
 
 core::Result<Subject> subjectOf(const QString& recordingFile, const core::teeth::ToothSource& source,
@@ -179,6 +232,14 @@ int renderCommand(const QStringList& arguments)
     const auto wishes = wishesOf(parser);
     if (!wishes)
         return wrongUsage(QString::fromStdString(wishes.error().detail));
+    const bool wantsSection = parser.isSet(QStringLiteral("section"));
+    const bool wantsXray = parser.isSet(QStringLiteral("xray"));
+    bool isAngle = !wantsSection;
+    const double sectionDeg = wantsSection ? parser.value(QStringLiteral("section")).toDouble(&isAngle) : 0.0;
+    if (!isAngle || !(std::abs(sectionDeg) <= 360.0))
+        return wrongUsage(QStringLiteral("--section wants degrees from -360 to 360"));
+    if (wantsSection && wantsXray)
+        return wrongUsage(QStringLiteral("--section and --xray are two pictures; ask for one"));
     if (!hasDisplay()) {
         const int exitCode = runOnDisplay(QStringList{QStringLiteral("render")} + arguments, false);
         return exitCode >= 0 ? exitCode
@@ -189,6 +250,12 @@ int renderCommand(const QStringList& arguments)
     const auto subject = subjectOf(recording, source, *build);
     if (!subject)
         return failed(subject.error());
+    if (wantsSection || wantsXray) {
+        const QImage picture = wantsXray ? xrayPicture(subject->tooth, *size)
+                                         : sectionPicture(*subject, sectionDeg, *size, wishes->look.palette);
+        const core::Status saved = save(picture, out);
+        return saved ? kDone : failed(saved.error());
+    }
     const auto& anatomy = subject->tooth.anatomy;
     ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(false));
     surface.write(subject->tooth.top);

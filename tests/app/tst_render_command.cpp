@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdlib>
+
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
@@ -34,6 +39,11 @@ void TestRenderCommand::drawsATooth_data()
     QTest::newRow("from above") << QStringList{"--view", "occlusal", "--size", "400x300"} << QSize(400, 300);
     QTest::newRow("a direction of the mouth")
         << QStringList{"--view", "buccal", "--size", "300X300"} << QSize(300, 300);
+    QTest::newRow("a section") << QStringList{"--section", "90", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("an X-ray picture") << QStringList{"--xray", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("for two eyes") << QStringList{"--stereo", "grey", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("turned over, with a mirror")
+        << QStringList{"--flip", "both", "--show", "mirror,wet,light,depth", "--size", "400x300"} << QSize(400, 300);
     QTest::newRow("by angles") << QStringList{"--view", "-30,20,40", "--size", "64x64"} << QSize(64, 64);
 }
 
@@ -47,8 +57,12 @@ void TestRenderCommand::drawsATooth()
     const QImage picture(file);
     QCOMPARE(picture.size(), size);
     // The room is dark, the tooth in its middle is not.
-    QVERIFY(qGray(picture.pixel(2, 2)) < 80);
-    QVERIFY(qGray(picture.pixel(size.width() / 2, size.height() / 2)) > 100);
+    const int room = qGray(picture.pixel(2, 2));
+    QVERIFY(room < 80);
+    int brightest = 0;
+    for (int x = 0; x < size.width(); ++x)
+        brightest = std::max(brightest, qGray(picture.pixel(x, size.height() / 2)));
+    QVERIFY(brightest > room + 30);
 }
 
 void TestRenderCommand::drawsWhatAnAttemptLeft()
@@ -88,6 +102,11 @@ void TestRenderCommand::wrongUsage_data()
     QTest::newRow("huge") << QStringList{"--tooth", "36", "--out", "a.png", "--size", "100000x100000"};
     QTest::newRow("nowhere") << QStringList{"--tooth", "36", "--out", "a.png", "--view", "heaven"};
     QTest::newRow("half a place") << QStringList{"--tooth", "36", "--out", "a.png", "--view", "1,2"};
+    QTest::newRow("no angle") << QStringList{"--tooth", "36", "--out", "a.png", "--section", "east"};
+    QTest::newRow("two pictures") << QStringList{"--tooth", "36", "--out", "a.png", "--section", "0", "--xray"};
+    QTest::newRow("no such glasses") << QStringList{"--tooth", "36", "--out", "a.png", "--stereo", "blue"};
+    QTest::newRow("no such flip") << QStringList{"--tooth", "36", "--out", "a.png", "--flip", "over"};
+    QTest::newRow("nothing of that name") << QStringList{"--tooth", "36", "--out", "a.png", "--show", "halo"};
     QTest::newRow("a word too many") << QStringList{"36", "--tooth", "36", "--out", "a.png"};
 }
 
