@@ -1030,6 +1030,14 @@
         <source>This lesson does not allow it.</source>
         <translation>Diese Übung erlaubt das nicht.</translation>
     </message>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation>Nachbarzähne</translation>
+    </message>
+    <message>
+        <source>Show the teeth beside this one, and the gum</source>
+        <translation>Die Zähne daneben und das Zahnfleisch zeigen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>

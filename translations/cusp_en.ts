@@ -1030,6 +1030,14 @@
         <source>This lesson does not allow it.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the teeth beside this one, and the gum</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>

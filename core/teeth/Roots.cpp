@@ -78,6 +78,8 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
               const MeshDetail& detail)
 {
     const std::size_t n = cervix.size();
+    if (n == 0)
+        return;
     const glm::dvec3 centre = centreOf(builder, cervix);
     double facialZ = 0.0;
     for (const MeshBuilder::Index k : cervix)

@@ -6,7 +6,6 @@
 #include <QTest>
 
 #include "ui/tooth/Camera.h"
-#include "ui/tooth/MouthTurn.h"
 
 using ui::tooth::Camera;
 
@@ -15,8 +14,6 @@ class TestCamera : public QObject
     Q_OBJECT
 
 private slots:
-    void aTurnedMouthLooksAsFromAnotherSide();
-    void theMouthTurnsInSteps();
     void looksAlongYWithXToTheRight();
     void rayGoesThroughThePixelItCameFrom();
     void wholeSubjectFits_data();
@@ -177,32 +174,6 @@ void TestCamera::resetBringsBackTheStart()
     camera.reset();
     QVERIFY(glm::distance(camera.eyeMm(), eye) < 1e-12);
     QVERIFY(!camera.advance(0.016));
-}
-
-void TestCamera::aTurnedMouthLooksAsFromAnotherSide()
-{
-    ui::tooth::MouthTurn turn;
-    turn.set(50.0);
-    Camera inRoom;
-    inRoom.set(20.0, 40.0, 30.0);
-    Camera atTooth;
-    atTooth.set(turn.cameraAzimuthDeg(20.0), 40.0, 30.0);
-    for (const glm::dvec3 point : {glm::dvec3(3.0, 1.0, -2.0), glm::dvec3(-2.0, 4.0, 0.5)}) {
-        QVERIFY(glm::distance(inRoom.pixelOf(turn.toothToRoom(point)), atTooth.pixelOf(point)) < 1.0e-6);
-        QVERIFY(glm::distance(turn.roomToTooth(turn.toothToRoom(point)), point) < 1.0e-12);
-    }
-}
-
-void TestCamera::theMouthTurnsInSteps()
-{
-    ui::tooth::MouthTurn turn;
-    turn.step(1);
-    QCOMPARE(turn.deg, 15.0);
-    turn.set(22.0);
-    turn.step(-1);
-    QCOMPARE(turn.deg, 0.0);
-    turn.step(13);
-    QCOMPARE(turn.deg, -165.0);
 }
 
 QTEST_APPLESS_MAIN(TestCamera)

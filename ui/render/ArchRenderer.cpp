@@ -114,6 +114,8 @@ void ArchRenderer::draw(const ArchScene& scene)
     vector("eyeMm", glm::vec3(scene.eyeMm));
     vector("towardsLight", scene.towardsLight);
     vector("towardsSky", scene.towardsSky);
+    const glm::vec4 clipPlane(scene.clipPlane);
+    glUniform4fv(m_program.uniformLocation("clipPlane"), 1, glm::value_ptr(clipPlane));
     m_program.setUniformValue("dimmed", static_cast<float>(scene.dimmed));
     const int clipFromPiece = m_program.uniformLocation("clipFromPiece");
     const int sceneFromPiece = m_program.uniformLocation("sceneFromPiece");

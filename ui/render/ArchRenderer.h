@@ -33,6 +33,7 @@ struct ArchScene
     glm::vec3 towardsSky{0.0F, 0.0F, 1.0F};  ///< where the room is brightest
     int hoveredFdi = 0;                      ///< a little lighter
     int chosenFdi = 0;                       ///< tinted
+    glm::dvec4 clipPlane{0.0};               ///< scene frame; what is behind it is not drawn, unless it is zero
     double dimmed = 0.0;                     ///< 0 .. 1: how far all of it steps back behind something else
 };
 

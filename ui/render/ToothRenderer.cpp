@@ -18,6 +18,7 @@ namespace {
 
 /// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
 constexpr double kShankHidesTheWork = 0.82;
+constexpr double kNeighboursDimmed = 0.35;
 constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
 constexpr int kGlassCorners = 64;     ///< of the mirror's glass; glass.vert has the same
 
@@ -46,7 +47,7 @@ bool ToothRenderer::initialize(QString& reason)
     }
     if (!build(m_toothProgram, "tooth", reason) || !build(m_backdropProgram, "backdrop", reason) ||
         !build(m_metalProgram, "metal", reason) || !build(m_lineProgram, "line", reason) ||
-        !build(m_glassProgram, "glass", reason))
+        !build(m_glassProgram, "glass", reason) || !m_neighbours.initialize(reason))
         return false;
     m_nothing.create();
     m_toothLayout.create();
@@ -241,6 +242,16 @@ void ToothRenderer::draw(const Scene& scene)
 void ToothRenderer::drawSolids(const Scene& scene, const glm::dvec4& clipPlane)
 {
     m_clipPlane = glm::vec4(clipPlane);
+    if (!m_neighbours.pieces().empty()) {
+        ArchScene beside;
+        beside.eyeFromScene = scene.eyeFromTooth;
+        beside.clipFromEye = scene.clipFromEye;
+        beside.eyeMm = scene.eyeMm;
+        beside.towardsLight = scene.towardsLight;
+        beside.clipPlane = clipPlane;
+        beside.dimmed = kNeighboursDimmed;
+        m_neighbours.draw(beside);
+    }
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CULL_FACE);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -18,6 +19,7 @@
 #include <QOpenGLVertexArrayObject>
 #include <QString>
 
+#include "ui/render/ArchRenderer.h"
 #include "ui/render/Look.h"
 #include "ui/render/SolidMesh.h"
 #include "ui/render/ToothSurface.h"
@@ -63,6 +65,8 @@ public:
     void setSurface(const ToothSurface& surface);
     /// Uploads what a refresh() of that surface changed, and nothing else.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
+    /// What stands beside the tooth, in its frame; empty: nothing.
+    void setNeighbours(std::vector<core::teeth::ArchPiece> pieces) { m_neighbours.setPieces(std::move(pieces)); }
     /// Draws into the bound framebuffer, whole viewport. Without a surface: the empty room.
     void draw(const Scene& scene);
 
@@ -122,6 +126,7 @@ private:
     Map m_lowerLayers;
     std::vector<std::unique_ptr<Part>> m_burs;
     std::vector<std::unique_ptr<Part>> m_shanks;
+    ArchRenderer m_neighbours;
     Part m_handpiece;
     Part m_mirror;
     std::unique_ptr<QOpenGLFramebufferObject> m_reflection;  ///< what the dental mirror shows, as the eye sees it

@@ -59,6 +59,7 @@ public:
     void setLight(glm::vec3 towardsLight);
 
     [[nodiscard]] const core::terrain::ToothAnatomy& anatomy() const { return *m_anatomy; }
+    [[nodiscard]] const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomyPointer() const { return m_anatomy; }
     /// The lattice that is drawn.
     [[nodiscard]] const core::terrain::Grid& lattice() const { return m_lattice; }
     [[nodiscard]] bool isSolid(int i, int j) const { return m_nodes[m_lattice.index(i, j)] == Node::Solid; }

@@ -84,6 +84,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     burLight = choice("light", tr("Light on the handpiece"), tr("Let the handpiece light the cavity"), {Qt::Key_L});
     depthColours = choice("depth", tr("Colours of depth"),
                           tr("Colour the cut by its depth and tell it under the pointer"), {Qt::Key_K});
+    neighbours =
+        choice("mouth", tr("Neighbouring teeth"), tr("Show the teeth beside this one, and the gum"), {Qt::Key_N});
     handPlace = choice("ghost", tr("Where the hand is"), tr("Show faintly where the hand holds the bur"), {Qt::Key_B});
     distinctColours = choice("palette", tr("Colours for every eye"),
                              tr("Give each tissue a colour and a pattern that nobody confuses"), {Qt::Key_P});

@@ -57,6 +57,7 @@ public:
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;
     QAction* handPlace = nullptr;
+    QAction* neighbours = nullptr;
     QAction* distinctColours = nullptr;
     QAction* wetLook = nullptr;
     QAction* stereo = nullptr;

@@ -44,7 +44,8 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : {actions.resetView, actions.turnRound})
         m_menu->addAction(action);
     m_menu->addSeparator();
-    for (QAction* action : {actions.mirror, actions.burLight, actions.depthColours, actions.handPlace})
+    for (QAction* action :
+         {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours, actions.handPlace})
         m_menu->addAction(action);
     m_menu->addSeparator();
     for (QAction* action : {actions.distinctColours, actions.wetLook})
@@ -56,9 +57,9 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : {actions.savePicture, actions.reducedMotion})
         m_menu->addAction(action);
     read();
-    for (QAction* action :
-         {actions.mirror, actions.burLight, actions.depthColours, actions.handPlace, actions.distinctColours,
-          actions.wetLook, actions.stereo, actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
+    for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
+                            actions.handPlace, actions.distinctColours, actions.wetLook, actions.stereo,
+                            actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
         connect(action, &QAction::triggered, this, &ViewMenu::take);
     connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
 }
@@ -110,6 +111,7 @@ void ViewMenu::read()
     m_actions.burLight->setChecked(isOn("light"));
     m_actions.depthColours->setChecked(isOn("depth"));
     m_actions.handPlace->setChecked(isOn("hand"));
+    m_actions.neighbours->setChecked(isOn("neighbours"));
     m_actions.distinctColours->setChecked(isOn("distinct"));
     m_actions.wetLook->setChecked(isOn("wet"));
     m_actions.flipLeftRight->setChecked(isOn("flipLeftRight"));
@@ -139,6 +141,7 @@ void ViewMenu::take()
     now.presentation.flipUpDown = m_actions.flipUpDown->isChecked();
     now.showsHand = m_actions.handPlace->isChecked();
     now.showsMirror = m_actions.mirror->isChecked();
+    now.showsNeighbours = m_actions.neighbours->isChecked();
     now.movesLittle = m_actions.reducedMotion->isChecked();
     m_settings = now;
     QSettings kept = memory();
@@ -148,6 +151,7 @@ void ViewMenu::take()
     keep("light", now.look.burLight);
     keep("depth", now.look.depthColoursMm > 0.0);
     keep("hand", now.showsHand);
+    keep("neighbours", now.showsNeighbours);
     keep("distinct", now.look.palette == render::Palette::Distinct);
     keep("wet", now.look.isWet);
     keep("flipLeftRight", now.presentation.flipLeftRight);

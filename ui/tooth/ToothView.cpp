@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -12,7 +13,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMouseEvent>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
@@ -22,6 +22,9 @@
 #include <QWheelEvent>
 
 #include "core/drilling/Bur.h"
+#include "core/teeth/ToothBuilder.h"
+#include "ui/render/Driver.h"
+#include "ui/render/SharedArch.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -47,46 +50,6 @@ constexpr double kFineMmPerS = 0.4;
 constexpr double kSpeedUpAfterS = 0.2;
 constexpr double kSpeedUpForS = 0.8;
 
-QSurfaceFormat wantedFormat()
-{
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setSamples(kSamples);
-    return format;
-}
-
-/// What this computer draws with. Asked once: it cannot change while we run.
-struct Driver
-{
-    bool hasOpenGl33 = false;
-    bool isSoftware = false;  ///< every sample of every pixel costs processor time
-};
-const Driver& driver()
-{
-    static const Driver found = [] {
-        Driver asked;
-        QOpenGLContext context;
-        context.setFormat(wantedFormat());
-        if (!context.create())
-            return asked;
-        QOffscreenSurface surface;
-        surface.setFormat(context.format());
-        surface.create();
-        if (!context.makeCurrent(&surface))
-            return asked;
-        asked.hasOpenGl33 = !context.isOpenGLES() && context.format().version() >= qMakePair(3, 3);
-        const QByteArray name(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
-        for (const char* software : {"llvmpipe", "softpipe", "swrast", "Software"})
-            asked.isSoftware = asked.isSoftware || name.contains(software);
-        context.doneCurrent();
-        return asked;
-    }();
-    return found;
-}
-
 glm::dvec2 toGlm(QPointF point)
 {
     return {point.x(), point.y()};
@@ -96,8 +59,8 @@ glm::dvec2 toGlm(QPointF point)
 
 ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWidget(parent), m_links(links)
 {
-    QSurfaceFormat format = wantedFormat();
-    if (driver().isSoftware)
+    QSurfaceFormat format = render::wantedFormat();
+    if (render::driver().isSoftware)
         format.setSamples(0);
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
@@ -112,7 +75,7 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWi
     connect(&m_frame, &QTimer::timeout, this, &ToothView::advanceFrame);
     m_sinceFrame.start();
     m_frame.start(kFrameMs);
-    if (!driver().hasOpenGl33)
+    if (!render::driver().hasOpenGl33)
         fail(QStringLiteral("no context of version 3.3 with a core profile could be made"));
 }
 
@@ -144,9 +107,27 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     showWhole(m_camera, *m_surface);
     if (m_settings.showsMirror)
         m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    showNeighbours();
     takePatches();
     publishPointer();
     update();
+}
+
+/// The teeth beside a tooth of ours; what stands beside a scan nobody knows.
+void ToothView::showNeighbours()
+{
+    m_neighbours.clear();
+    m_neighboursAreNew = true;
+    const auto anatomy = m_surface ? m_surface->anatomyPointer() : nullptr;
+    if (!m_settings.showsNeighbours || !anatomy || !core::teeth::isGenerated(*anatomy))
+        return;
+    render::withArch(this, [this, anatomy](const render::ArchPointer& arch) {
+        if (!m_settings.showsNeighbours || !m_surface || m_surface->anatomyPointer() != anatomy)
+            return;
+        m_neighbours = arch->neighbours(anatomy->fdi);
+        m_neighboursAreNew = true;
+        update();
+    });
 }
 
 void ToothView::setHeights(const std::vector<float>& top)
@@ -192,7 +173,10 @@ void ToothView::setSettings(const ViewSettings& settings)
 {
     if (settings == m_settings)
         return;
+    const bool beside = settings.showsNeighbours != m_settings.showsNeighbours;
     m_settings = settings;
+    if (beside)
+        showNeighbours();
     if (!settings.showsMirror)
         m_mirror.reset();
     else if (!m_mirror && m_surface)
@@ -246,6 +230,7 @@ void ToothView::initializeGL()
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::leaveContext);
     m_renderer = std::make_unique<render::ToothRenderer>();
     m_surfaceIsNew = true;
+    m_neighboursAreNew = true;
     m_presenter = std::make_unique<render::Presenter>();
     if (QString reason; m_usable && (!m_renderer->initialize(reason) || !m_presenter->initialize(reason)))
         fail(reason);
@@ -271,6 +256,8 @@ void ToothView::paintGL()
         m_surfaceIsNew = false;
         m_changes = {};
     }
+    if (std::exchange(m_neighboursAreNew, false))
+        m_renderer->setNeighbours(m_neighbours);
     if (m_drillOn && !m_settings.movesLittle)
         m_turnRad += 0.9;
     drawScene();
@@ -283,8 +270,8 @@ void ToothView::paintGL()
 void ToothView::drawScene()
 {
     const render::Presentation& how = m_settings.presentation;
-    if (!driver().isSoftware || !m_smoothWanted || !how.isPlain()) {
-        const bool smooth = !driver().isSoftware || m_smoothWanted;
+    if (!render::driver().isSoftware || !m_smoothWanted || !how.isPlain()) {
+        const bool smooth = !render::driver().isSoftware || m_smoothWanted;
         m_presenter->draw(*m_renderer, scene(), how, m_camera.distanceMm(), smooth ? kSamples : 0);
         m_smooth = smooth;
         return;

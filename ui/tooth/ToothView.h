@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -14,6 +15,7 @@
 #include <QTimer>
 
 #include "core/session/Links.h"
+#include "core/teeth/Arch.h"
 #include "core/terrain/Tooth.h"
 #include "ui/render/ToothRenderer.h"
 #include "ui/render/ToothSurface.h"
@@ -120,6 +122,7 @@ private:
     void fail(const QString& detail);
     void leaveContext();
     void drawScene();
+    void showNeighbours();
     void drawForce(QPainter& painter);
     void drawMarks();
     [[nodiscard]] bool isOnMirror(QPointF position) const;
@@ -135,6 +138,8 @@ private:
     std::unique_ptr<render::ToothRenderer> m_renderer;
     std::unique_ptr<render::Presenter> m_presenter;
     ViewSettings m_settings;
+    std::vector<core::teeth::ArchPiece> m_neighbours;
+    bool m_neighboursAreNew = false;  ///< the renderer has not seen them
     std::optional<render::DentalMirror> m_mirror;
     bool m_mirrorHeld = false;
     QPointF m_pointer;  ///< where the mouse was last

@@ -11,9 +11,10 @@ struct ViewSettings
 {
     render::Look look;
     render::Presentation presentation;
-    bool showsHand = false;    ///< where the hand holds the bur, faintly
-    bool showsMirror = false;  ///< the dental mirror
-    bool movesLittle = false;  ///< reduced motion: what glides otherwise is there at once
+    bool showsHand = false;        ///< where the hand holds the bur, faintly
+    bool showsMirror = false;      ///< the dental mirror
+    bool showsNeighbours = false;  ///< the teeth beside one of ours, and their gum
+    bool movesLittle = false;      ///< reduced motion: what glides otherwise is there at once
     bool operator==(const ViewSettings&) const = default;
 };
 

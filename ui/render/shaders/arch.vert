@@ -6,6 +6,7 @@ layout(location = 2) in float open;
 layout(location = 3) in float tissue;
 
 uniform mat4 clipFromPiece;
+uniform vec4 clipPlane;       // scene frame; zero: nothing is cut off
 uniform mat4 sceneFromPiece;  // turns and mirrors, does not scale
 
 out vec3 positionMm;
@@ -21,5 +22,6 @@ void main()
     openHere = open;
     tissueHere = tissue;
     neckwards = clamp(-position.z / 9.0, 0.0, 1.0);
+    gl_ClipDistance[0] = dot(clipPlane, vec4(positionMm, 1.0));
     gl_Position = clipFromPiece * vec4(position, 1.0);
 }
