@@ -243,8 +243,8 @@ void TestArchRenderer::neighboursLeaveTheToothItself()
     int looked = 0;
     for (int k = 0; k < 400; ++k) {
         const double x = 0.35 * sizes.crownWidthMm * ((k % 20) / 9.5 - 1.0);
-        const int row = k / 20;
-        const double y = 0.30 * sizes.crownDepthMm * (row / 9.5 - 1.0);
+        const int line = k / 20;
+        const double y = 0.30 * sizes.crownDepthMm * (line / 9.5 - 1.0);
         // Its upper half, and where there is a tooth at all.
         if (!surface.isTooth({x, y}) || surface.heightMm({x, y}) < -0.5 * sizes.crownHeightMm)
             continue;
