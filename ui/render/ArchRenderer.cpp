@@ -11,6 +11,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "ui/render/Shaders.h"
+
 namespace ui::render {
 
 using core::teeth::ArchPiece;
@@ -26,24 +28,14 @@ bool ArchRenderer::initialize(QString& reason)
         reason = QStringLiteral("no OpenGL 3.3 core profile");
         return false;
     }
-    if (!build(m_program, "arch", reason) || !build(m_roomProgram, "backdrop", reason))
+    if (!buildProgram(m_program, "arch", "arch", reason) ||
+        !buildProgram(m_roomProgram, "backdrop", "backdrop", reason))
         return false;
     m_nothing.create();
     m_layout.create();
     m_vertices.create();
     m_indices.create();
     return true;
-}
-
-bool ArchRenderer::build(QOpenGLShaderProgram& program, const char* name, QString& reason)
-{
-    const QString path = QStringLiteral(":/render/") + QLatin1String(name);
-    const bool built = program.addShaderFromSourceFile(QOpenGLShader::Vertex, path + QStringLiteral(".vert")) &&
-                       program.addShaderFromSourceFile(QOpenGLShader::Fragment, path + QStringLiteral(".frag")) &&
-                       program.link();
-    if (!built)
-        reason = QStringLiteral("shader '%1': %2").arg(QLatin1String(name), program.log());
-    return built;
 }
 
 void ArchRenderer::setPieces(std::vector<ArchPiece> pieces)

@@ -68,7 +68,6 @@ private:
         std::size_t firstIndex = 0;
         int indices = 0;
     };
-    [[nodiscard]] bool build(QOpenGLShaderProgram& program, const char* name, QString& reason);
 
     QOpenGLShaderProgram m_program;
     QOpenGLShaderProgram m_roomProgram;

@@ -5,6 +5,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ui/render/Shaders.h"
+
 namespace ui::render {
 
 bool Presenter::initialize(QString& reason)
@@ -14,13 +16,7 @@ bool Presenter::initialize(QString& reason)
         return false;
     }
     m_nothing.create();
-    const bool built =
-        m_program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/render/backdrop.vert")) &&
-        m_program.addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/render/present.frag")) &&
-        m_program.link();
-    if (!built)
-        reason = QStringLiteral("shader 'present': %1").arg(m_program.log());
-    return built;
+    return buildProgram(m_program, "backdrop", "present", reason);
 }
 
 /// Both eyes look straight ahead, side by side, through one window in the plane of convergence: no toe-in, which would

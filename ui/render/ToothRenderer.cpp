@@ -13,6 +13,8 @@
 #include <QOpenGLContext>
 #include <QOpenGLPixelTransferOptions>
 
+#include "ui/render/Shaders.h"
+
 namespace ui::render {
 namespace {
 
@@ -45,9 +47,11 @@ bool ToothRenderer::initialize(QString& reason)
         reason = QStringLiteral("no OpenGL 3.3 core profile");
         return false;
     }
-    if (!build(m_toothProgram, "tooth", reason) || !build(m_backdropProgram, "backdrop", reason) ||
-        !build(m_metalProgram, "metal", reason) || !build(m_lineProgram, "line", reason) ||
-        !build(m_glassProgram, "glass", reason) || !m_neighbours.initialize(reason))
+    if (!buildProgram(m_toothProgram, "tooth", "tooth", reason) ||
+        !buildProgram(m_backdropProgram, "backdrop", "backdrop", reason) ||
+        !buildProgram(m_metalProgram, "metal", "metal", reason) ||
+        !buildProgram(m_lineProgram, "line", "line", reason) ||
+        !buildProgram(m_glassProgram, "glass", "glass", reason) || !m_neighbours.initialize(reason))
         return false;
     m_nothing.create();
     m_toothLayout.create();
@@ -61,17 +65,6 @@ bool ToothRenderer::initialize(QString& reason)
     upload(m_handpiece, handpieceMesh());
     upload(m_mirror, mirrorMesh());
     return true;
-}
-
-bool ToothRenderer::build(QOpenGLShaderProgram& program, const char* name, QString& reason)
-{
-    const QString path = QStringLiteral(":/render/") + QLatin1String(name);
-    const bool built = program.addShaderFromSourceFile(QOpenGLShader::Vertex, path + QStringLiteral(".vert")) &&
-                       program.addShaderFromSourceFile(QOpenGLShader::Fragment, path + QStringLiteral(".frag")) &&
-                       program.link();
-    if (!built)
-        reason = QStringLiteral("shader '%1': %2").arg(QLatin1String(name), program.log());
-    return built;
 }
 
 void ToothRenderer::upload(Part& part, const SolidMesh& mesh)

@@ -88,7 +88,6 @@ private:
         int bytesPerNode = 0;
     };
 
-    [[nodiscard]] bool build(QOpenGLShaderProgram& program, const char* name, QString& reason);
     void upload(Part& part, const SolidMesh& mesh);
     void write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format, QOpenGLTexture::PixelType type,
                const core::terrain::NodeRect& rect);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QOpenGLShaderProgram>
+#include <QString>
+
+namespace ui::render {
+
+/// Compiles and links a program from two of our shaders; a context must be current. False when the driver refuses one;
+/// `reason` then says which and why.
+/// @param vertex, fragment  file names without their ending
+[[nodiscard]] bool buildProgram(QOpenGLShaderProgram& program, const char* vertex, const char* fragment,
+                                QString& reason);
+
+}  // namespace ui::render
