@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -28,6 +29,8 @@ constexpr std::size_t kFarSample = 4;
 constexpr float kBowlShare = 0.5F;
 /// How far a shadow of the operating light is followed, mm: a 3 mm cusp under a light 55 degrees up throws 2.1 mm.
 constexpr float kShadowReachMm = 2.4F;
+/// Of the light that is brought up to date in haste, from what was cut.
+constexpr float kHurriedReachMm = 0.5F;
 /// Half-width of the light's own disc as a tangent: what makes the edge of a shadow soft.
 constexpr float kPenumbra = 0.5F;
 /// Depth below the whole surface at which a spot counts as cut, mm.
@@ -36,12 +39,15 @@ constexpr float kCutFullMm = 0.06F;
 constexpr double kCrownMm = 8.0;      ///< tallest part of a tooth that is taken for its crown
 constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
 constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
-constexpr int kLightBlur = 2;         ///< nodes around one that its light is averaged over
+constexpr int kLightBlur = 3;         ///< nodes around one that its light is averaged over
 constexpr float kEnamelAloneMm = 0.5F;
 constexpr int kRimRings = 3;            ///< beyond the last solid node, in which layers are known
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
 constexpr int kFlankReach = 5;          ///< how far, nodes
+constexpr int kFissureReach = 5;        ///< along a fissure to each side, nodes
+constexpr float kGrooveFrom = 1.0F;     ///< bend across less that along, 1/mm, from which a groove is a fissure
+constexpr float kGrooveFull = 3.0F;
 
 std::uint8_t toByte(float value)
 {
@@ -64,6 +70,7 @@ ToothSurface::ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> an
     takeAnatomy();
     findResting();
     smoothFlanks();
+    smoothFissures();
     spreadLayers();
     m_written = wholeOf(m_lattice);
     refresh();
@@ -165,6 +172,63 @@ void ToothSurface::findResting()
                 m_beside[next] = 1;
                 reached.push_back(next);
             }
+        }
+    }
+}
+
+/// A fissure is hardly wider than a cell: its bottom would go up and down as the lattice happens to meet it, like a
+/// rope. Where the surface is bent like a groove its heights are averaged along the groove.
+void ToothSurface::smoothFissures()
+{
+    const int side = m_lattice.side;
+    const auto cell = static_cast<float>(m_lattice.cellMm);
+    constexpr int kAround = kFissureReach + 1;
+    const std::vector<float> whole = m_flankTop;
+    const auto calm = [&](int i, int j) {
+        constexpr std::array<float, 3> kWeight{0.25F, 0.5F, 0.25F};
+        float sum = 0.0F;
+        for (int dj = -1; dj <= 1; ++dj)
+            for (int di = -1; di <= 1; ++di)
+                sum += kWeight[static_cast<std::size_t>(di + 1)] * kWeight[static_cast<std::size_t>(dj + 1)] *
+                       whole[m_lattice.index(i + di, j + dj)];
+        return sum;
+    };
+    for (int j = kAround; j < side - kAround; ++j) {
+        for (int i = kAround; i < side - kAround; ++i) {
+            bool inside = true;
+            for (int dj = -kAround; dj <= kAround && inside; ++dj)
+                for (int di = -kAround; di <= kAround && inside; ++di)
+                    inside = whole[m_lattice.index(i + di, j + dj)] > m_wholeBottom[m_lattice.index(i + di, j + dj)];
+            if (!inside)
+                continue;
+            // Second derivatives over two cells, and their principal directions.
+            const float here = calm(i, j);
+            const float area = 4.0F * cell * cell;
+            const float xx = (calm(i + 2, j) + calm(i - 2, j) - 2.0F * here) / area;
+            const float yy = (calm(i, j + 2) + calm(i, j - 2) - 2.0F * here) / area;
+            const float xy =
+                (calm(i + 2, j + 2) - calm(i + 2, j - 2) - calm(i - 2, j + 2) + calm(i - 2, j - 2)) / (4.0F * area);
+            const float half = 0.5F * (xx + yy);
+            const float apart = std::sqrt(0.25F * (xx - yy) * (xx - yy) + xy * xy);
+            const float groove = glm::smoothstep(kGrooveFrom, kGrooveFull, half + apart - std::abs(half - apart));
+            if (groove <= 0.0F)
+                continue;
+            const float angle = 0.5F * std::atan2(2.0F * xy, xx - yy);
+            const glm::vec2 along(-std::sin(angle), std::cos(angle));
+            float sum = 0.0F;
+            float weights = 0.0F;
+            for (int t = -kFissureReach; t <= kFissureReach; ++t) {
+                const glm::vec2 at = glm::vec2(i, j) + static_cast<float>(t) * along;
+                const glm::vec2 low = glm::floor(at);
+                const glm::vec2 part = at - low;
+                const float* row = whole.data() + m_lattice.index(static_cast<int>(low.x), static_cast<int>(low.y));
+                const float height =
+                    glm::mix(glm::mix(row[0], row[1], part.x), glm::mix(row[side], row[side + 1], part.x), part.y);
+                const float weight = std::exp(-0.12F * static_cast<float>(t * t));
+                sum += weight * height;
+                weights += weight;
+            }
+            m_flankTop[m_lattice.index(i, j)] = glm::mix(whole[m_lattice.index(i, j)], sum / weights, groove);
         }
     }
 }
@@ -354,13 +418,13 @@ void ToothSurface::softenDecay(const std::vector<std::uint8_t>& caries)
             }
             depth /= found;
             m_lowerLayers[k].y = found / weights;
-            if (open > 0.5F * found) {
-                here.x = m_wholeTop[k] + kAboveOpenMm;
-                here.y = m_wholeTop[k] - depth;
-            } else {
-                here.x = middle / found + 0.5F * depth;
-                here.y = middle / found - 0.5F * depth;
-            }
+            m_lowerLayers[k].w = open / weights;
+            // Between columns that are open and such that are not, the roof rises out of the tooth bit by bit: its way
+            // through the surface is then a line and not their corners.
+            const float closed = middle / found;
+            const float isOpen = glm::smoothstep(0.25F, 0.75F, open / found);
+            here.x = glm::mix(closed + 0.5F * depth, m_wholeTop[k] + kAboveOpenMm, isOpen);
+            here.y = glm::mix(closed - 0.5F * depth, m_wholeTop[k] - depth, isOpen);
         }
     }
 }
@@ -373,11 +437,16 @@ void ToothSurface::write(const core::session::TilePatch& patch)
     const int last = std::min((x + core::session::kTileSide - 1) / m_stride, m_lattice.side - 1);
     const int firstRow = (y + m_stride - 1) / m_stride;
     const int lastRow = std::min((y + core::session::kTileSide - 1) / m_stride, m_lattice.side - 1);
-    for (int j = firstRow; j <= lastRow; ++j)
-        for (int i = first; i <= last; ++i)
-            m_top[m_lattice.index(i, j)] =
+    for (int j = firstRow; j <= lastRow; ++j) {
+        for (int i = first; i <= last; ++i) {
+            float& here = m_top[m_lattice.index(i, j)];
+            const float now =
                 patch.top[static_cast<std::size_t>((j * m_stride - y) * core::session::kTileSide + (i * m_stride - x))];
-    m_written = united(m_written, {first, firstRow, last + 1, lastRow + 1});
+            if (here != now)
+                m_written = united(m_written, {i, j, i + 1, j + 1});
+            here = now;
+        }
+    }
 }
 
 void ToothSurface::write(const std::vector<float>& top)
@@ -390,13 +459,18 @@ void ToothSurface::write(const std::vector<float>& top)
 
 void ToothSurface::setLight(glm::vec3 towardsLight)
 {
-    m_relit = m_relit || towardsLight != m_towardsLight;
+    if (towardsLight != m_towardsLight)
+        m_lightDue = wholeOf(m_lattice);
     m_towardsLight = towardsLight;
 }
 
-ToothSurface::Changes ToothSurface::refresh()
+ToothSurface::Changes ToothSurface::refresh(bool hurried)
 {
     Changes changes;
+    const auto reached = [&](float mm) {
+        return grown(changes.heights, static_cast<int>(std::ceil(mm / static_cast<float>(m_lattice.cellMm))) + 2,
+                     m_lattice);
+    };
     if (!m_written.isEmpty()) {
         sew(m_written);
         changes.heights = grown(m_written, SteepGround::kReach, m_lattice);
@@ -404,16 +478,15 @@ ToothSurface::Changes ToothSurface::refresh()
         m_steep->draw(m_solidTop, changes.heights, m_drawnTop, m_shifts);
         smoothRim(changes.heights);
         smoothOutline(changes.heights);
-        buildTriangles(changes.heights);
+        changes.triangles = buildTriangles(changes.heights);
         changes.normals = bendNormals(grown(changes.heights, core::terrain::kCalmReach + 1, m_lattice));
-        const int reach = static_cast<int>(std::ceil(kShadowReachMm / static_cast<float>(m_lattice.cellMm)));
-        changes.light = grown(changes.heights, reach + 2, m_lattice);
+        m_lightDue = united(m_lightDue, reached(kShadowReachMm));
     }
-    if (m_relit)
-        changes.light = wholeOf(m_lattice);
-    changes.light = shineLight(changes.light);
+    if (hurried && !changes.heights.isEmpty())
+        changes.light = shineLight(reached(kHurriedReachMm));
+    else if (!hurried && !m_lightDue.isEmpty())
+        changes.light = shineLight(std::exchange(m_lightDue, {}));
     m_written = {};
-    m_relit = false;
     return changes;
 }
 
@@ -694,8 +767,9 @@ NodeRect ToothSurface::shineLight(const NodeRect& rect)
     return changed;
 }
 
-void ToothSurface::buildTriangles(const NodeRect& rect)
+std::vector<ToothSurface::Stretch> ToothSurface::buildTriangles(const NodeRect& rect)
 {
+    std::vector<Stretch> changed;
     const int cells = m_lattice.side - 1;
     const auto tileOf = [](int cell) { return cell / kTileCells; };
     const int lastTileX = std::min(tileOf(rect.endI - 1), m_tilesPerSide - 1);
@@ -705,14 +779,18 @@ void ToothSurface::buildTriangles(const NodeRect& rect)
             const std::size_t tile = static_cast<std::size_t>(tileY * m_tilesPerSide + tileX);
             std::size_t at = tile * kTileIndices;
             const std::size_t begin = at;
+            Stretch differs{at + kTileIndices, at};
             const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
                 // Three rim nodes lie in both surfaces: nothing to see there.
                 if (m_nodes[a] != Node::Solid && m_nodes[b] != Node::Solid && m_nodes[c] != Node::Solid)
                     return;
                 if (m_nodes[a] == Node::Empty || m_nodes[b] == Node::Empty || m_nodes[c] == Node::Empty)
                     return;
-                for (const std::size_t node : {a, b, c})
+                for (const std::size_t node : {a, b, c}) {
+                    if (m_indices[at] != node)
+                        differs = {std::min(differs.begin, at), at + 1};
                     m_indices[at++] = static_cast<std::uint32_t>(node);
+                }
             };
             for (int j = tileY * kTileCells; j < std::min((tileY + 1) * kTileCells, cells); ++j) {
                 for (int i = tileX * kTileCells; i < std::min((tileX + 1) * kTileCells, cells); ++i) {
@@ -731,8 +809,11 @@ void ToothSurface::buildTriangles(const NodeRect& rect)
                 }
             }
             m_indexCounts[tile] = static_cast<int>(at - begin);
+            if (differs.begin < differs.end)
+                changed.push_back(differs);
         }
     }
+    return changed;
 }
 
 float ToothSurface::pickHeight(int i, int j) const

@@ -38,12 +38,19 @@ public:
     /// Square tile of cells that shares one stretch of the index buffer.
     static constexpr int kTileIndices = kTileCells * kTileCells * 6;
 
-    /// What the last refresh() changed.
+    /// Part of indices().
+    struct Stretch
+    {
+        std::size_t begin = 0;
+        std::size_t end = 0;  ///< one past the last
+    };
+    /// What a refresh() changed.
     struct Changes
     {
-        core::terrain::NodeRect heights;  ///< heights, places and triangles
+        core::terrain::NodeRect heights;  ///< heights and places
         core::terrain::NodeRect normals;
         core::terrain::NodeRect light;
+        std::vector<Stretch> triangles;
     };
 
     /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0
@@ -53,8 +60,11 @@ public:
     void write(const core::session::TilePatch& patch);
     /// The same for the whole top map, over the anatomy's grid.
     void write(const std::vector<float>& top);
-    /// Brings everything derived up to date and says what that was.
-    Changes refresh();
+    /// Brings everything derived up to date and says what that was. Hurried, the light further than half a millimetre
+    /// from what was written is left for the next time without haste: it changes little, and takes the longest.
+    Changes refresh(bool hurried = false);
+    /// Light was left for later.
+    [[nodiscard]] bool isBehind() const { return !m_lightDue.isEmpty(); }
     /// Moves the operating light; the next refresh() reports all shading as changed.
     void setLight(glm::vec3 towardsLight);
 
@@ -105,7 +115,7 @@ public:
         return m_upperLayers;
     }  ///< roof, floor, dej, pulp
     /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion. z: the
-    /// uncut surface, mm. w: nothing.
+    /// uncut surface, mm. w: share of columns around whose decay is open.
     [[nodiscard]] const std::vector<glm::vec4>& lowerLayers() const { return m_lowerLayers; }
     /// Triangles of the upper surface, tile by tile; the lower surface has the same ones turned over.
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
@@ -119,6 +129,7 @@ private:
     void takeAnatomy();
     void findResting();
     void smoothFlanks();
+    void smoothFissures();
     void spreadLayers();
     void softenDecay(const std::vector<std::uint8_t>& caries);
     void sew(const core::terrain::NodeRect& written);
@@ -126,7 +137,7 @@ private:
     void smoothOutline(const core::terrain::NodeRect& rect);
     [[nodiscard]] core::terrain::NodeRect bendNormals(const core::terrain::NodeRect& rect);
     [[nodiscard]] core::terrain::NodeRect shineLight(const core::terrain::NodeRect& rect);
-    void buildTriangles(const core::terrain::NodeRect& rect);
+    [[nodiscard]] std::vector<Stretch> buildTriangles(const core::terrain::NodeRect& rect);
     template <class Value>
     bool meanAround(int i, int j, const std::vector<std::uint8_t>& marked, Value&& value, glm::vec4& mean) const;
     template <class Use>
@@ -146,7 +157,7 @@ private:
     std::vector<float> m_wholeTop;
     std::vector<float> m_wholeBottom;
     std::vector<float> m_top;
-    std::vector<float> m_flankTop;     ///< whole top as drawn: freed of the lattice's steps at the flanks
+    std::vector<float> m_flankTop;     ///< whole top as drawn: freed of the lattice's steps at flanks, fissures
     std::vector<float> m_flankBottom;  ///< likewise from below
     std::vector<float> m_flankDej;     ///< enamel-dentin junction, so that thin enamel at a flank has no streaks
     std::vector<Node> m_nodes;
@@ -177,7 +188,7 @@ private:
     glm::dvec3 m_lowestMm{0.0};
     glm::dvec3 m_highestMm{0.0};
     core::terrain::NodeRect m_written;
-    bool m_relit = false;
+    core::terrain::NodeRect m_lightDue;
 };
 
 }  // namespace ui::render
