@@ -41,6 +41,7 @@ private slots:
     void burStandsOnItsTip();
     void lightFromTheOtherSideChangesTheShading();
     void surfacesCanBeExchanged();
+    void whatIsKeptLooksAsIfDrawnAnew();
 
 private:
     QImage draw(const Scene& scene);
@@ -333,6 +334,60 @@ void TestToothRenderer::surfacesCanBeExchanged()
     draw(scene());
     show(support::syntheticMolar(1024));
     QCOMPARE(pictures::difference(first, draw(scene()), 0).pixels, 0);
+}
+
+/// What is kept of the pictures before must not show: all of it drawn anew looks the same, whatever has changed.
+void TestToothRenderer::whatIsKeptLooksAsIfDrawnAnew()
+{
+    show(m_tooth);
+    m_camera.set(20.0, 50.0, m_camera.fittingMm());
+    Scene seen = scene();
+    seen.keepsStill = true;
+    seen.instrumentShown = true;
+    const auto compare = [&](const char* when) {
+        const QImage kept = draw(seen);
+        Scene whole = seen;
+        whole.keepsStill = false;
+        const int differing = pictures::difference(kept, draw(whole), 2).pixels;
+        QVERIFY2(differing == 0, qPrintable(QString("%1: %2 pixels").arg(when).arg(differing)));
+    };
+    const auto cut = [&](glm::dvec2 at, float floorMm, bool hurried) {
+        m_surface->write(pictures::cutTile(*m_tooth, at, floorMm));
+        m_renderer->update(*m_surface, m_surface->refresh(hurried));
+    };
+    compare("first");
+    seen.tipMm = {1.0, 0.5, -2.0};
+    compare("the bur moved");
+    cut({0.0, 0.5}, -4.0F, false);
+    compare("cut");
+    cut({1.4, 0.5}, -3.0F, true);
+    cut({1.4, 0.5}, -3.6F, true);
+    compare("cut in haste");
+    QVERIFY(m_surface->isBehind());
+    m_renderer->update(*m_surface, m_surface->refresh());
+    QVERIFY(!m_surface->isBehind());
+    compare("light caught up");
+    cut({-4.0, 3.0}, -20.0F, false);
+    compare("cut through the flank");
+    m_camera.set(-60.0, 15.0, m_camera.fittingMm());
+    seen.eyeFromTooth = m_camera.view();
+    seen.eyeMm = m_camera.eyeMm();
+    compare("turned");
+    seen.mirror = ui::render::DentalMirror{{-10.0, 4.0, 2.0}, glm::normalize(glm::dvec3(0.4, -0.8, 0.4))};
+    seen.look.burLight = true;
+    compare("mirror and light");
+    cut({-2.0, -1.0}, -4.0F, false);
+    compare("cut before the mirror");
+    // Everything back: what stood there at first shows again.
+    std::vector<float> whole(m_tooth->top.begin(), m_tooth->top.end());
+    m_surface->write(whole);
+    m_renderer->update(*m_surface, m_surface->refresh());
+    compare("taken back");
+    seen.look.isWet = true;
+    compare("wet");
+    seen.eye = 1;
+    compare("the other eye");
+    m_camera.reset();
 }
 
 QTEST_MAIN(TestToothRenderer)

@@ -24,6 +24,7 @@ bool Presenter::initialize(QString& reason)
 Scene Presenter::seenBy(int eye, const Scene& scene, const Presentation& how, double focusMm)
 {
     Scene seen = scene;
+    seen.eye = eye > 0 ? 1 : 0;
     const double aside = 0.5 * eye * how.apart * focusMm;
     seen.eyeFromTooth = glm::translate(glm::dmat4(1.0), glm::dvec3(-aside, 0.0, 0.0)) * scene.eyeFromTooth;
     seen.clipFromEye[2][0] -= scene.clipFromEye[0][0] * aside / (how.convergence * focusMm);
@@ -54,14 +55,15 @@ void Presenter::draw(ToothRenderer& renderer, const Scene& scene, const Presenta
             format.setSamples(samples);
             format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
             eye.drawn = std::make_unique<QOpenGLFramebufferObject>(size, format);
-            eye.resolved = std::make_unique<QOpenGLFramebufferObject>(size);
+            eye.resolved = samples > 0 ? std::make_unique<QOpenGLFramebufferObject>(size) : nullptr;
         }
         eye.drawn->bind();
         glViewport(0, 0, size.width(), size.height());
         Scene seen = pictures == 2 ? seenBy(2 * k - 1, scene, how, focusMm) : scene;
         seen.sizePx = glm::vec2(size.width(), size.height());
         renderer.draw(seen);
-        QOpenGLFramebufferObject::blitFramebuffer(eye.resolved.get(), eye.drawn.get());
+        if (eye.resolved)
+            QOpenGLFramebufferObject::blitFramebuffer(eye.resolved.get(), eye.drawn.get());
     }
     m_samples = samples;
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
@@ -73,7 +75,8 @@ void Presenter::draw(ToothRenderer& renderer, const Scene& scene, const Presenta
     m_program.setUniformValue("flip", how.flipLeftRight ? 1.0F : 0.0F, how.flipUpDown ? 1.0F : 0.0F);
     for (int k = 0; k < pictures; ++k) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(k));
-        glBindTexture(GL_TEXTURE_2D, m_eyes[static_cast<std::size_t>(k)].resolved->texture());
+        const Pictures& eye = m_eyes[static_cast<std::size_t>(k)];
+        glBindTexture(GL_TEXTURE_2D, (eye.resolved ? eye.resolved : eye.drawn)->texture());
     }
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_DEPTH_TEST);

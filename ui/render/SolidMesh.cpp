@@ -65,7 +65,7 @@ void sweep(SolidMesh& mesh, std::span<const Ring> rings)
                 const float angle = 2.0F * kPi * static_cast<float>(a) / kAround;
                 const glm::vec3 outwards = -std::cos(angle) * up + std::sin(angle) * side;
                 mesh.vertices.push_back({rings[ring].centre + rings[ring].radius * outwards,
-                                         n.x * outwards + n.y * along[ring], rings[piece].finish});
+                                         n.x * outwards + n.y * along[ring], rings[piece].finish, angle});
             }
         }
         for (std::uint32_t a = 0; a < kAround; ++a) {

@@ -17,7 +17,8 @@ struct MetalVertex
 {
     glm::vec3 position;
     glm::vec3 normal;
-    float finish;  ///< 0 polished steel, 1 dark grip, 2 cutting blades
+    float finish;    ///< 0 polished steel, 1 dark grip, 2 cutting blades
+    float aboutRad;  ///< angle about the axis of a turned part, from 0 up to and including the whole circle
 };
 
 /// Triangles of the instrument, counter-clockwise seen from outside.

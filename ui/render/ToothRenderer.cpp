@@ -22,9 +22,33 @@ namespace {
 constexpr double kShankHidesTheWork = 0.82;
 constexpr double kNeighboursDimmed = 0.35;
 constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
+constexpr double kLampReachMm = 9.0;  ///< about the bur; burlight.frag has the same
+constexpr double kPenumbra = 0.14;    ///< likewise
+constexpr double kSoftestMm = 0.08;   ///< likewise
+constexpr int kFreeUnit = 8;          ///< of a texture besides those of ToothMaps
 constexpr int kGlassCorners = 64;     ///< of the mirror's glass; glass.vert has the same
 
-enum Unit : int { kPlaces, kHeights, kNormals, kLight, kUpperLayers, kLowerLayers };
+/// What throws a shadow: a round rod, as burlight.frag has it.
+struct Rod
+{
+    glm::dvec3 fromMm;  ///< frame of the handpiece
+    glm::dvec3 toMm;
+    double radiusMm;
+};
+constexpr std::size_t kRods = 5;
+
+/// Bur, shank, head of the handpiece, its neck and its handle: those of SolidMesh, rounded off.
+std::array<Rod, kRods> rodsOf(const core::drilling::Bur& bur, double liftMm)
+{
+    const double chuck = core::drilling::kChuckMm + liftMm;
+    const double head = bur.headLengthMm;
+    const double round = std::min(bur.headRadiusMm, 0.5 * head);
+    return {{{{0.0, 0.0, round}, {0.0, 0.0, head - 0.5 * round}, bur.headRadiusMm},
+             {{0.0, 0.0, head + kNeckMm + liftMm + 2.0}, {0.0, 0.0, chuck}, 0.8},
+             {{0.0, 0.0, chuck + 4.0}, {0.0, 0.0, chuck + 5.0}, 4.2},
+             {{2.5, 0.0, chuck + 4.9}, {20.0, 0.0, chuck + 9.0}, 3.1},
+             {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6}}};
+}
 
 void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, const char* name, const glm::mat4& matrix)
 {
@@ -34,6 +58,38 @@ void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, con
 void setVector(QOpenGLShaderProgram& program, const char* name, glm::vec3 v)
 {
     program.setUniformValue(name, v.x, v.y, v.z);
+}
+
+/// How far a way towards the light passes a rod by, from its middle line, less what is in its penumbra; mm.
+double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& towardsLight)
+{
+    const glm::dvec3 way = rod.toMm - rod.fromMm;
+    const glm::dvec3 away = from - rod.fromMm;
+    const double e = glm::dot(way, way);
+    const double b = glm::dot(towardsLight, way);
+    const double c = glm::dot(towardsLight, away);
+    const double f = glm::dot(way, away);
+    const double on = std::clamp((b * std::max((b * f - c * e) / std::max(e - b * b, 1.0e-4), 0.0) + f) / e, 0.0, 1.0);
+    const double along = std::max(b * on - c, 0.0);
+    return glm::length(away + towardsLight * along - way * on) - rod.radiusMm - kPenumbra * along - kSoftestMm;
+}
+
+/// Whether a rod may keep light from something in a box.
+bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
+{
+    const glm::dvec3 low(box.low);
+    const glm::dvec3 high(box.high);
+    const double radius = 0.5 * glm::length(high - low);
+    if (clearanceMm(0.5 * (low + high), rod, towardsLight) > (1.0 + kPenumbra) * radius)
+        return false;
+    // Beside a rod that is thick for the box, the nearest corner tells.
+    const auto isClear = [&](int corner) {
+        const glm::dvec3 at((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                            (corner & 4) != 0 ? high.z : low.z);
+        return clearanceMm(at, rod, towardsLight) > 0.0;
+    };
+    constexpr std::array<int, 8> kCorners{0, 1, 2, 3, 4, 5, 6, 7};
+    return rod.radiusMm < radius || !std::all_of(kCorners.begin(), kCorners.end(), isClear);
 }
 
 }  // namespace
@@ -51,11 +107,12 @@ bool ToothRenderer::initialize(QString& reason)
         !buildProgram(m_backdropProgram, "backdrop", "backdrop", reason) ||
         !buildProgram(m_metalProgram, "metal", "metal", reason) ||
         !buildProgram(m_lineProgram, "line", "line", reason) ||
-        !buildProgram(m_glassProgram, "glass", "glass", reason) || !m_neighbours.initialize(reason))
+        !buildProgram(m_glassProgram, "glass", "glass", reason) ||
+        !buildProgram(m_burLightProgram, "backdrop", "burlight", reason) ||
+        !buildProgram(m_brightenProgram, "brighten", "brighten", reason) || !m_neighbours.initialize(reason) ||
+        !m_maps.initialize())
         return false;
     m_nothing.create();
-    m_toothLayout.create();
-    m_triangles.create();
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
         m_burs.push_back(std::make_unique<Part>());
         upload(*m_burs.back(), burMesh(bur));
@@ -86,125 +143,36 @@ void ToothRenderer::upload(Part& part, const SolidMesh& mesh)
     };
     attribute(0, 3, offsetof(MetalVertex, position));
     attribute(1, 3, offsetof(MetalVertex, normal));
-    attribute(2, 1, offsetof(MetalVertex, finish));
+    attribute(2, 2, offsetof(MetalVertex, finish));
 }
 
 void ToothRenderer::setSurface(const ToothSurface& surface)
 {
-    const core::terrain::Grid& lattice = surface.lattice();
-    if (!m_lattice || m_lattice->side != lattice.side) {
-        const auto make = [&](Map& map, QOpenGLTexture::TextureFormat format, int bytesPerNode) {
-            map.texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
-            map.texture->setFormat(format);
-            map.texture->setSize(lattice.side, lattice.side);
-            map.texture->setMipLevels(1);
-            map.texture->allocateStorage();
-            map.texture->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
-            map.texture->setWrapMode(QOpenGLTexture::ClampToEdge);
-            map.bytesPerNode = bytesPerNode;
-        };
-        make(m_places, QOpenGLTexture::RG32F, 8);
-        make(m_tops, QOpenGLTexture::R32F, 4);
-        make(m_bottoms, QOpenGLTexture::R32F, 4);
-        make(m_topNormals, QOpenGLTexture::RG16_SNorm, 4);
-        make(m_bottomNormals, QOpenGLTexture::RG16_SNorm, 4);
-        make(m_light, QOpenGLTexture::RGBA8_UNorm, 4);
-        make(m_upperLayers, QOpenGLTexture::RGBA32F, 16);
-        make(m_lowerLayers, QOpenGLTexture::RGBA32F, 16);
-    }
-    m_lattice = lattice;
+    m_maps.setSurface(surface);
     m_crownMm = glm::vec3(surface.crownMiddleMm());
     m_crownRadiusMm = static_cast<float>(surface.crownRadiusMm());
-
-    const core::terrain::NodeRect all = wholeOf(lattice);
-    write(m_upperLayers, surface.upperLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
-    write(m_lowerLayers, surface.lowerLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
-    const QOpenGLVertexArrayObject::Binder bound(&m_toothLayout);
-    m_triangles.bind();
-    m_triangles.allocate(surface.indices().data(), static_cast<int>(surface.indices().size() * sizeof(std::uint32_t)));
-    m_uploadedBytes += surface.indices().size() * sizeof(std::uint32_t);
-    writeHeights(surface, all);
-    writeNormals(surface, all);
-    writeLight(surface, all);
-    writeTriangles(surface, {});
+    ++m_surfaces;
 }
 
 void ToothRenderer::update(const ToothSurface& surface, const ToothSurface::Changes& changes)
 {
-    if (!m_lattice)
+    if (m_maps.isEmpty())
         return;
-    if (!changes.heights.isEmpty()) {
-        writeHeights(surface, changes.heights);
-        const QOpenGLVertexArrayObject::Binder bound(&m_toothLayout);
-        writeTriangles(surface, changes.heights);
-    }
-    if (!changes.normals.isEmpty())
-        writeNormals(surface, changes.normals);
-    if (!changes.light.isEmpty())
-        writeLight(surface, changes.light);
-}
-
-void ToothRenderer::write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format,
-                          QOpenGLTexture::PixelType type, const core::terrain::NodeRect& rect)
-{
-    QOpenGLPixelTransferOptions rows;
-    rows.setAlignment(4);
-    rows.setRowLength(m_lattice->side);
-    const auto first = static_cast<std::ptrdiff_t>(m_lattice->index(rect.beginI, rect.beginJ)) * map.bytesPerNode;
-    map.texture->setData(rect.beginI, rect.beginJ, 0, rect.endI - rect.beginI, rect.endJ - rect.beginJ, 1, format, type,
-                         static_cast<const std::byte*>(nodes) + first, &rows);
-    m_uploadedBytes += static_cast<std::uint64_t>(rect.endI - rect.beginI) *
-                       static_cast<std::uint64_t>(rect.endJ - rect.beginJ) *
-                       static_cast<std::uint64_t>(map.bytesPerNode);
-}
-
-void ToothRenderer::writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect)
-{
-    write(m_places, surface.places().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, rect);
-    write(m_tops, surface.tops().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
-    write(m_bottoms, surface.bottoms().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
-}
-
-void ToothRenderer::writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect)
-{
-    write(m_topNormals, surface.topNormals().data(), QOpenGLTexture::RG, QOpenGLTexture::Int16, rect);
-    write(m_bottomNormals, surface.bottomNormals().data(), QOpenGLTexture::RG, QOpenGLTexture::Int16, rect);
-}
-
-void ToothRenderer::writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect)
-{
-    write(m_light, surface.light().data(), QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, rect);
-}
-
-/// Rewrites the tiles of the index buffer that a rectangle touches, and lists again which tiles hold triangles.
-void ToothRenderer::writeTriangles(const ToothSurface& surface, const core::terrain::NodeRect& rect)
-{
-    const int side = surface.tilesPerSide();
-    constexpr int kBytes = ToothSurface::kTileIndices * static_cast<int>(sizeof(std::uint32_t));
-    m_triangles.bind();
-    if (!rect.isEmpty()) {
-        const int lastX = std::min((rect.endI - 1) / ToothSurface::kTileCells, side - 1);
-        const int lastY = std::min((rect.endJ - 1) / ToothSurface::kTileCells, side - 1);
-        for (int y = std::max(0, rect.beginJ - 1) / ToothSurface::kTileCells; y <= lastY; ++y) {
-            for (int x = std::max(0, rect.beginI - 1) / ToothSurface::kTileCells; x <= lastX; ++x) {
-                const int tile = y * side + x;
-                m_triangles.write(
-                    tile * kBytes,
-                    surface.indices().data() + static_cast<std::ptrdiff_t>(tile) * ToothSurface::kTileIndices, kBytes);
-                m_uploadedBytes += kBytes;
-            }
-        }
-    }
-    m_drawCounts.clear();
-    m_drawOffsets.clear();
-    for (std::size_t tile = 0; tile < surface.indexCounts().size(); ++tile) {
-        if (surface.indexCounts()[tile] == 0)
+    m_maps.update(surface, changes);
+    for (StillPicture& still : m_stills) {
+        if (!still.view())
             continue;
-        m_drawCounts.push_back(surface.indexCounts()[tile]);
-        // OpenGL takes an offset into its own buffer as a pointer.
-        // NOLINTNEXTLINE(performance-no-int-to-ptr)
-        m_drawOffsets.push_back(reinterpret_cast<const void*>(tile * static_cast<std::size_t>(kBytes)));
+        const glm::dmat4 clipFromTooth = still.view()->clipFromEye * still.view()->eyeFromTooth;
+        for (const core::terrain::NodeRect& rect : {changes.heights, changes.normals, changes.light})
+            if (!rect.isEmpty())
+                still.spoil(pixelsOf(m_maps.boxOf(rect), clipFromTooth, still.size()));
     }
+}
+
+void ToothRenderer::setNeighbours(std::vector<core::teeth::ArchPiece> pieces)
+{
+    m_neighbours.setPieces(std::move(pieces));
+    ++m_surfaces;
 }
 
 void ToothRenderer::draw(const Scene& scene)
@@ -217,9 +185,9 @@ void ToothRenderer::draw(const Scene& scene)
     glDepthMask(GL_TRUE);
     if (scene.mirror)
         drawReflection(scene);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    drawBackdrop(scene);
-    drawSolids(scene, glm::dvec4(0.0));
+    drawStill(scene, glm::dvec4(0.0));
+    drawLightOfBur(scene);
+    showNearestFronts();
     if (scene.mirror)
         drawMirror(scene);
     if (scene.instrumentShown && scene.burIndex < m_burs.size())
@@ -231,39 +199,94 @@ void ToothRenderer::draw(const Scene& scene)
     glDisable(GL_BLEND);
 }
 
-/// What hides and is hidden like any solid. Of it only what lies before a plane, unless that is zero.
-void ToothRenderer::drawSolids(const Scene& scene, const glm::dvec4& clipPlane)
+/// Tooth and room: of the tooth only what lies before a plane, unless that is zero.
+void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
 {
     m_clipPlane = glm::vec4(clipPlane);
+    GLint bound = 0;
+    GLint samples = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+    glGetIntegerv(GL_SAMPLES, &samples);
+    const auto target = static_cast<GLuint>(bound);
+    const QSize size(static_cast<int>(scene.sizePx.x), static_cast<int>(scene.sizePx.y));
+    const QRect all(QPoint(), size);
+    if (!scene.keepsStill) {
+        drawRoom(scene, all);
+        return;
+    }
+    StillView view{scene.eyeFromTooth, scene.clipFromEye, clipPlane, scene.towardsLight, scene.look, m_surfaces};
+    view.look.burLight = false;
+    StillPicture& still = m_stills[static_cast<std::size_t>((scene.eye != 0 ? 2 : 0) + (m_isMirrored ? 1 : 0))];
+    if (samples > 0) {
+        // A fine picture is worth more than the one kept, which takes its smooth edges over.
+        drawRoom(scene, all);
+        still.take(size, view);
+        copyPixels(target, still.framebuffer(), size);
+    } else {
+        QRect part = still.takeSpoilt();
+        if (!still.holds(size, view)) {
+            still.take(size, view);
+            part = all;
+        }
+        if (!part.isEmpty()) {
+            glBindFramebuffer(GL_FRAMEBUFFER, still.framebuffer());
+            drawRoom(scene, part);
+        }
+        copyPixels(still.framebuffer(), target, size);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
+void ToothRenderer::copyPixels(GLuint from, GLuint to, QSize size)
+{
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+}
+
+/// All of it, but only these pixels.
+void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
+{
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.x(), part.y(), part.width(), part.height());
+    glClear(GL_DEPTH_BUFFER_BIT);
+    drawBackdrop(scene);
     if (!m_neighbours.pieces().empty()) {
         ArchScene beside;
         beside.eyeFromScene = scene.eyeFromTooth;
         beside.clipFromEye = scene.clipFromEye;
         beside.eyeMm = scene.eyeMm;
         beside.towardsLight = scene.towardsLight;
-        beside.clipPlane = clipPlane;
+        beside.clipPlane = glm::dvec4(m_clipPlane);
         beside.dimmed = kNeighboursDimmed;
         m_neighbours.draw(beside);
     }
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    if (m_lattice)
-        drawTooth(scene);
+    if (!m_maps.isEmpty())
+        drawTooth(scene, part);
+    glDisable(GL_SCISSOR_TEST);
 }
 
-/// The scene as it stands behind the glass: its mirror image, seen by the same eye. Half as fine as the picture.
+/// The scene as it stands behind the glass: its mirror image, seen by the same eye. Half as fine as the picture, unless
+/// that has smooth edges.
 void ToothRenderer::drawReflection(const Scene& scene)
 {
     GLint target = 0;
+    GLint samples = 0;
     std::array<GLint, 4> viewport{};
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
+    glGetIntegerv(GL_SAMPLES, &samples);
     glGetIntegerv(GL_VIEWPORT, viewport.data());
-    const QSize size(std::max(1, viewport[2] / 2), std::max(1, viewport[3] / 2));
-    if (!m_reflection || m_reflection->size() != size)
-        m_reflection = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
-    m_reflection->bind();
+    const int coarse = samples > 0 ? 1 : 2;
+    const QSize size(std::max(1, viewport[2] / coarse), std::max(1, viewport[3] / coarse));
+    if (!m_reflected || m_reflected->size() != size || m_reflected->format().samples() != samples) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setSamples(samples);
+        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+        m_reflected = std::make_unique<QOpenGLFramebufferObject>(size, format);
+        m_reflection = samples > 0 ? std::make_unique<QOpenGLFramebufferObject>(size) : nullptr;
+    }
+    m_reflected->bind();
     glViewport(0, 0, size.width(), size.height());
     Scene seen = scene;
     seen.eyeFromTooth = scene.eyeFromTooth * scene.mirror->imageMatrix();
@@ -271,12 +294,12 @@ void ToothRenderer::drawReflection(const Scene& scene)
     seen.sizePx = glm::vec2(size.width(), size.height());
     seen.ghostMm.reset();
     seen.mirror.reset();
-    glClear(GL_DEPTH_BUFFER_BIT);
-    drawBackdrop(seen);
     m_isMirrored = true;
     glEnable(GL_CLIP_DISTANCE0);
     const glm::dvec3& normal = scene.mirror->normal;
-    drawSolids(seen, glm::dvec4(normal, -glm::dot(normal, scene.mirror->centreMm)));
+    drawStill(seen, glm::dvec4(normal, -glm::dot(normal, scene.mirror->centreMm)));
+    drawLightOfBur(seen);
+    showNearestFronts();
     if (seen.instrumentShown && seen.burIndex < m_burs.size())
         drawInstrument(seen);
     glDisable(GL_CLIP_DISTANCE0);
@@ -284,6 +307,8 @@ void ToothRenderer::drawReflection(const Scene& scene)
     m_clipPlane = glm::vec4(0.0F);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
+    if (m_reflection)
+        QOpenGLFramebufferObject::blitFramebuffer(m_reflection.get(), m_reflected.get());
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
     glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
@@ -309,7 +334,7 @@ void ToothRenderer::drawMirror(const Scene& scene)
     m_glassProgram.setUniformValue("sizePx", scene.sizePx.x, scene.sizePx.y);
     m_glassProgram.setUniformValue("reflection", 0);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, m_reflection->texture());
+    glBindTexture(GL_TEXTURE_2D, (m_reflection ? m_reflection : m_reflected)->texture());
     glDrawArrays(GL_TRIANGLE_FAN, 0, kGlassCorners);
 }
 
@@ -369,49 +394,127 @@ void ToothRenderer::drawBackdrop(const Scene& scene)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void ToothRenderer::drawTooth(const Scene& scene)
+/// Sets what every program that draws lattice nodes shares.
+void ToothRenderer::useTooth(QOpenGLShaderProgram& program, const Scene& scene)
 {
-    const QOpenGLVertexArrayObject::Binder bound(&m_toothLayout);
-    m_toothProgram.bind();
-    setMatrix(*this, m_toothProgram, "clipFromTooth", glm::mat4(scene.clipFromEye * scene.eyeFromTooth));
-    setVector(m_toothProgram, "eyeMm", glm::vec3(scene.eyeMm));
-    setVector(m_toothProgram, "towardsLight", scene.towardsLight);
-    setVector(m_toothProgram, "tipMm", glm::vec3(scene.tipMm));
-    const bool shadow = scene.instrumentShown && scene.burIndex < m_burs.size();
-    const double radius = shadow ? core::drilling::burs()[scene.burIndex].headRadiusMm : 0.0;
-    m_toothProgram.setUniformValue("burShadowMm", static_cast<float>(1.3 * radius));
-    glUniform4fv(m_toothProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
+    program.bind();
+    setMatrix(*this, program, "clipFromTooth", glm::mat4(scene.clipFromEye * scene.eyeFromTooth));
+    setVector(program, "eyeMm", glm::vec3(scene.eyeMm));
+    setVector(program, "towardsLight", scene.towardsLight);
+    glUniform4fv(program.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
+    showNearestFronts();
+}
+
+void ToothRenderer::showNearestFronts()
+{
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+}
+
+void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
+{
+    useTooth(m_toothProgram, scene);
     m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
     m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
     m_toothProgram.setUniformValue("depthColoursMm", static_cast<float>(scene.look.depthColoursMm));
-    const glm::dvec3 towardsHandle(std::cos(scene.handAzimuthRad), std::sin(scene.handAzimuthRad), 0.0);
-    const glm::dvec3 lampMm =
-        scene.tipMm + towardsHandle * kLampAsideMm + glm::dvec3(0.0, 0.0, core::drilling::kChuckMm + scene.liftMm);
-    setVector(m_toothProgram, "burLampMm", glm::vec3(lampMm));
-    m_toothProgram.setUniformValue("burLamp", scene.look.burLight && shadow ? 1.0F : 0.0F);
-    m_toothProgram.setUniformValue("places", int{kPlaces});
-    m_toothProgram.setUniformValue("heights", int{kHeights});
-    m_toothProgram.setUniformValue("normals", int{kNormals});
-    m_toothProgram.setUniformValue("light", int{kLight});
-    m_toothProgram.setUniformValue("upperLayers", int{kUpperLayers});
-    m_toothProgram.setUniformValue("lowerLayers", int{kLowerLayers});
-    setVector(m_toothProgram, "lattice",
-              glm::vec3(glm::vec2(m_lattice->originMm), static_cast<float>(1.0 / m_lattice->cellMm)));
-    m_places.texture->bind(kPlaces);
-    m_light.texture->bind(kLight);
-    m_upperLayers.texture->bind(kUpperLayers);
-    m_lowerLayers.texture->bind(kLowerLayers);
+    const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
+    const QSize size(static_cast<int>(scene.sizePx.x), static_cast<int>(scene.sizePx.y));
+    const auto isSeen = [&](const Box& box) { return pixelsOf(box, clipFromTooth, size).intersects(part); };
+    glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
+    m_toothProgram.setUniformValue("facing", 1.0F);
+    m_maps.bind(m_toothProgram, ToothMaps::Side::Upper);
+    m_maps.draw(m_maps.select(ToothMaps::Side::Upper, isSeen));
+    glFrontFace(m_isMirrored ? GL_CCW : GL_CW);
+    m_toothProgram.setUniformValue("facing", -1.0F);
+    m_maps.bind(m_toothProgram, ToothMaps::Side::Lower);
+    m_maps.draw(m_maps.select(ToothMaps::Side::Lower, isSeen));
+    glFrontFace(GL_CCW);
+}
 
-    const auto surface = [&](Map& heights, Map& normals, float facing, GLenum front) {
-        heights.texture->bind(kHeights);
-        normals.texture->bind(kNormals);
-        m_toothProgram.setUniformValue("facing", facing);
-        glFrontFace(m_isMirrored == (front == GL_CCW) ? GL_CW : GL_CCW);
-        glMultiDrawElements(GL_TRIANGLES, m_drawCounts.data(), GL_UNSIGNED_INT, m_drawOffsets.data(),
-                            static_cast<GLsizei>(m_drawCounts.size()));
-    };
-    surface(m_tops, m_topNormals, 1.0F, GL_CCW);
-    surface(m_bottoms, m_bottomNormals, -1.0F, GL_CW);
+/// What bur and handpiece change of the light, for each node that they reach. It is the same for every eye.
+void ToothRenderer::findLightOfBur(const Scene& scene)
+{
+    const BurLight wanted{scene.tipMm,         scene.handAzimuthRad, scene.liftMm, scene.burIndex,
+                          scene.look.burLight, scene.towardsLight,   m_surfaces,   m_maps.uploadedBytes()};
+    const QSize size(m_maps.side(), m_maps.side());
+    if (m_burLight == wanted)
+        return;
+    m_burLight = wanted;
+    const glm::dmat4 toothFromPart = toothFromBur(scene, scene.tipMm);
+    std::array<Rod, kRods> rods = rodsOf(core::drilling::burs()[scene.burIndex], scene.liftMm);
+    std::array<glm::vec4, kRods> from{};
+    std::array<glm::vec3, kRods> to{};
+    for (std::size_t k = 0; k < kRods; ++k) {
+        rods[k].fromMm = glm::dvec3(toothFromPart * glm::dvec4(rods[k].fromMm, 1.0));
+        rods[k].toMm = glm::dvec3(toothFromPart * glm::dvec4(rods[k].toMm, 1.0));
+        from[k] = glm::vec4(glm::vec3(rods[k].fromMm), static_cast<float>(rods[k].radiusMm));
+        to[k] = glm::vec3(rods[k].toMm);
+    }
+    const glm::dvec3 towardsLight(scene.towardsLight);
+    const glm::dvec2 tip(scene.tipMm);
+    m_reached = m_maps.select(ToothMaps::Side::Upper, [&](const Box& box) {
+        const glm::dvec2 nearest = glm::clamp(tip, glm::dvec2(box.low), glm::dvec2(box.high));
+        return (scene.look.burLight && glm::distance(nearest, tip) < kLampReachMm) ||
+               std::any_of(rods.begin(), rods.end(),
+                           [&](const Rod& rod) { return isShadowed(box, rod, towardsLight); });
+    });
+    if (m_reached.nodes.isEmpty())
+        return;
+
+    GLint target = 0;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    if (!m_burLightMap || m_burLightMap->size() != size)
+        m_burLightMap = std::make_unique<QOpenGLFramebufferObject>(size);
+    m_burLightMap->bind();
+    glViewport(0, 0, size.width(), size.height());
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(m_reached.nodes.x(), m_reached.nodes.y(), m_reached.nodes.width(), m_reached.nodes.height());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    m_burLightProgram.bind();
+    setVector(m_burLightProgram, "towardsLight", scene.towardsLight);
+    glUniform4fv(m_burLightProgram.uniformLocation("castFrom"), kRods, glm::value_ptr(from[0]));
+    glUniform3fv(m_burLightProgram.uniformLocation("castTo"), kRods, glm::value_ptr(to[0]));
+    setVector(m_burLightProgram, "tipMm", glm::vec3(scene.tipMm));
+    const double headMm = core::drilling::kChuckMm + scene.liftMm;
+    const glm::dvec3 lampMm = glm::dvec3(toothFromPart * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
+    setVector(m_burLightProgram, "burLampMm", glm::vec3(lampMm));
+    m_burLightProgram.setUniformValue("burLamp", scene.look.burLight ? 1.0F : 0.0F);
+    m_maps.bind(m_burLightProgram, ToothMaps::Side::Upper);
+    {
+        const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+}
+
+/// Multiplies that upon what is drawn already: it moves with the bur, and the rest does not.
+void ToothRenderer::drawLightOfBur(const Scene& scene)
+{
+    if (m_maps.isEmpty() || !scene.instrumentShown || scene.burIndex >= m_burs.size())
+        return;
+    findLightOfBur(scene);
+    if (m_reached.nodes.isEmpty())
+        return;
+    useTooth(m_brightenProgram, scene);
+    m_maps.bind(m_brightenProgram, ToothMaps::Side::Upper);
+    m_brightenProgram.setUniformValue("burLight", kFreeUnit);
+    glActiveTexture(GL_TEXTURE0 + kFreeUnit);
+    glBindTexture(GL_TEXTURE_2D, m_burLightMap->texture());
+    glActiveTexture(GL_TEXTURE0);
+    glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_DST_COLOR, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    m_maps.draw(m_reached);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
     glFrontFace(GL_CCW);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -15,13 +15,14 @@
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
-#include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
 #include <QString>
 
 #include "ui/render/ArchRenderer.h"
 #include "ui/render/Look.h"
 #include "ui/render/SolidMesh.h"
+#include "ui/render/StillPicture.h"
+#include "ui/render/ToothMaps.h"
 #include "ui/render/ToothSurface.h"
 
 namespace ui::render {
@@ -48,6 +49,11 @@ struct Scene
     std::optional<DentalMirror> mirror;
     bool mirrorHandleLeft = true;  ///< the mirror is held by the other hand than the handpiece
     Look look;
+
+    int eye = 0;  ///< of two: 0 the left one or the only one, 1 the right one
+    /// Keep what does not move from picture to picture: right for a software driver, which draws slowly and copies
+    /// quickly.
+    bool keepsStill = false;
 };
 
 /// Draws a ToothSurface, the bur and the handpiece with OpenGL 3.3 core. The context given to initialize() must be
@@ -66,13 +72,13 @@ public:
     /// Uploads what a refresh() of that surface changed, and nothing else.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
     /// What stands beside the tooth, in its frame; empty: nothing.
-    void setNeighbours(std::vector<core::teeth::ArchPiece> pieces) { m_neighbours.setPieces(std::move(pieces)); }
+    void setNeighbours(std::vector<core::teeth::ArchPiece> pieces);
     /// Draws into the bound framebuffer, whole viewport. Without a surface: the empty room.
     void draw(const Scene& scene);
 
     /// Bytes of textures and buffers written by setSurface() and update() so far. For the test: no picture shows
     /// whether update() left out what had not changed.
-    [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }
+    [[nodiscard]] std::uint64_t uploadedBytes() const { return m_maps.uploadedBytes(); }
 
 private:
     struct Part
@@ -82,20 +88,28 @@ private:
         QOpenGLBuffer indices{QOpenGLBuffer::IndexBuffer};
         int count = 0;
     };
-    struct Map
+    /// Everything that decides what the bur changes of the light.
+    struct BurLight
     {
-        std::unique_ptr<QOpenGLTexture> texture;
-        int bytesPerNode = 0;
+        glm::dvec3 tipMm;
+        double handAzimuthRad;
+        double liftMm;
+        std::size_t burIndex;
+        bool lamp;
+        glm::vec3 towardsLight;
+        std::uint64_t surfaces;
+        std::uint64_t uploadedBytes;
+        bool operator==(const BurLight&) const = default;
     };
 
     void upload(Part& part, const SolidMesh& mesh);
-    void write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format, QOpenGLTexture::PixelType type,
-               const core::terrain::NodeRect& rect);
-    void writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect);
-    void writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect);
-    void writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect);
-    void writeTriangles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
-    void drawSolids(const Scene& scene, const glm::dvec4& clipPlane);
+    void drawStill(const Scene& scene, const glm::dvec4& clipPlane);
+    void drawRoom(const Scene& scene, const QRect& part);
+    void copyPixels(GLuint from, GLuint to, QSize size);
+    void useTooth(QOpenGLShaderProgram& program, const Scene& scene);
+    void showNearestFronts();
+    void findLightOfBur(const Scene& scene);
+    void drawLightOfBur(const Scene& scene);
     void drawReflection(const Scene& scene);
     void drawMirror(const Scene& scene);
     void drawGhost(const Scene& scene);
@@ -103,41 +117,37 @@ private:
     void drawPart(Part& part);
     [[nodiscard]] static glm::dmat4 toothFromBur(const Scene& scene, const glm::dvec3& tipMm);
     void drawBackdrop(const Scene& scene);
-    void drawTooth(const Scene& scene);
+    void drawTooth(const Scene& scene, const QRect& part);
     void drawInstrument(const Scene& scene);
     void drawCue(const Scene& scene);
 
     QOpenGLShaderProgram m_toothProgram;
+    QOpenGLShaderProgram m_burLightProgram;
+    QOpenGLShaderProgram m_brightenProgram;
     QOpenGLShaderProgram m_backdropProgram;
     QOpenGLShaderProgram m_metalProgram;
     QOpenGLShaderProgram m_lineProgram;
     QOpenGLShaderProgram m_glassProgram;
     QOpenGLVertexArrayObject m_nothing;  ///< for pictures without vertices
-    QOpenGLVertexArrayObject m_toothLayout;
-    QOpenGLBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
-    Map m_places;
-    Map m_tops;
-    Map m_bottoms;
-    Map m_topNormals;
-    Map m_bottomNormals;
-    Map m_light;
-    Map m_upperLayers;
-    Map m_lowerLayers;
+    ToothMaps m_maps;
     std::vector<std::unique_ptr<Part>> m_burs;
     std::vector<std::unique_ptr<Part>> m_shanks;
     ArchRenderer m_neighbours;
     Part m_handpiece;
     Part m_mirror;
-    std::unique_ptr<QOpenGLFramebufferObject> m_reflection;  ///< what the dental mirror shows, as the eye sees it
+    std::unique_ptr<QOpenGLFramebufferObject> m_reflected;   ///< what the dental mirror shows, as the eye sees it
+    std::unique_ptr<QOpenGLFramebufferObject> m_reflection;  ///< the same to be read, where that has several samples
     bool m_isMirrored = false;                               ///< what is drawn is a mirror image: its front faces turn
     glm::vec4 m_clipPlane{0.0F};                             ///< tooth frame; what is behind it is not drawn
 
-    std::optional<core::terrain::Grid> m_lattice;
+    /// Of each eye, straight and in the mirror.
+    std::array<StillPicture, 4> m_stills;
+    std::optional<BurLight> m_burLight;                       ///< what m_burLightMap holds
+    std::unique_ptr<QOpenGLFramebufferObject> m_burLightMap;  ///< a pixel a node, from burlight.frag
+    ToothMaps::Selection m_reached;                           ///< by the bur's light and shadow
+    std::uint64_t m_surfaces = 0;                             ///< teeth and neighbours that came so far
     glm::vec3 m_crownMm{0.0F};
     float m_crownRadiusMm = 1.0F;
-    std::vector<int> m_drawCounts;           ///< of each tile with triangles
-    std::vector<const void*> m_drawOffsets;  ///< in bytes
-    std::uint64_t m_uploadedBytes = 0;
 };
 
 }  // namespace ui::render

@@ -33,7 +33,8 @@ namespace {
 
 constexpr int kFrameMs = 16;
 constexpr int kSamples = 4;
-constexpr int kStillMs = 120;  ///< without a change before a software driver is asked for smooth edges
+constexpr int kLightLagMs = 150;  ///< by which light far from a cut may be behind
+constexpr int kStillMs = 120;     ///< without a change before a software driver is asked for smooth edges
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr double kTiltPerPixel = 0.006;  ///< of the mirror's normal
@@ -309,6 +310,7 @@ render::Scene ToothView::scene() const
     scene.look = m_settings.look;
     scene.mirror = m_mirror;
     scene.mirrorHandleLeft = !m_leftHanded;
+    scene.keepsStill = render::driver().isSoftware;
     if (m_settings.showsHand && scene.instrumentShown)
         scene.ghostMm = m_servo.deviceMm;
     return scene;
@@ -420,6 +422,8 @@ void ToothView::advanceFrame()
     if (m_servo.burIndex != before.burIndex && m_servo.burIndex < core::drilling::burs().size())
         m_control.setBurRadius(core::drilling::burs()[m_servo.burIndex].headRadiusMm);
     takePatches();
+    if (m_surface && m_surface->isBehind() && m_sinceLight.elapsed() >= kLightLagMs)
+        takeChanges();
     moveByKeys(seconds);
     publishPointer();
     if (m_camera.advance(m_settings.movesLittle ? kAtOnceS : seconds))
@@ -462,12 +466,15 @@ void ToothView::takePatches()
     }
     ++m_toothRevision;
     m_inbox.complete().clear();
-    takeChanges();
+    takeChanges(m_sinceLight.isValid() && m_sinceLight.elapsed() < kLightLagMs);
 }
 
-void ToothView::takeChanges()
+void ToothView::takeChanges(bool hurried)
 {
-    const render::ToothSurface::Changes changes = m_surface->refresh();
+    const render::ToothSurface::Changes changes = m_surface->refresh(hurried);
+    if (!hurried)
+        m_sinceLight.start();
+    m_changes.triangles.insert(m_changes.triangles.end(), changes.triangles.begin(), changes.triangles.end());
     m_changes.heights = united(m_changes.heights, changes.heights);
     m_changes.normals = united(m_changes.normals, changes.normals);
     m_changes.light = united(m_changes.light, changes.light);

@@ -112,7 +112,7 @@ protected:
 private:
     void advanceFrame();
     void takePatches();
-    void takeChanges();
+    void takeChanges(bool hurried = false);
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
     void pushAt(QPointF position);
@@ -153,6 +153,7 @@ private:
     bool m_smoothWanted = false;                               ///< of the next picture
     bool m_smooth = false;                                     ///< the picture shown has smooth edges
     QElapsedTimer m_sincePaint;
+    QElapsedTimer m_sinceLight;               ///< was brought up to date everywhere
     bool m_surfaceIsNew = false;              ///< the renderer has not seen it
     render::ToothSurface::Changes m_changes;  ///< since the last picture
     bool m_usable = true;

@@ -18,20 +18,16 @@ const vec3 kGrey = vec3(0.299, 0.587, 0.114);
 void main()
 {
     vec2 at = mix(0.5 + 0.5 * place, 0.5 - 0.5 * place, flip);
-    vec3 seen;
-    if (stereo == 3) {
-        seen = at.x < 0.5 ? texture(leftEye, vec2(2.0 * at.x, at.y)).rgb
-                          : texture(rightEye, vec2(2.0 * at.x - 1.0, at.y)).rgb;
-    } else if (stereo == 4) {
-        seen = at.y >= 0.5 ? texture(leftEye, vec2(at.x, 2.0 * at.y - 1.0)).rgb
-                           : texture(rightEye, vec2(at.x, 2.0 * at.y)).rgb;
-    } else {
-        seen = texture(leftEye, at).rgb;
-        if (stereo != 0) {
-            vec3 right = texture(rightEye, at).rgb;
-            seen = stereo == 1 ? clamp(kLeft * seen + kRight * right, 0.0, 1.0)
-                               : vec3(dot(kGrey, seen), vec2(dot(kGrey, right)));
-        }
-    }
+    // Each eye is read once, whatever the mode: a software driver runs both sides of every branch.
+    bool beside = stereo == 3;
+    bool above = stereo == 4;
+    vec2 size = vec2(beside ? 2.0 : 1.0, above ? 2.0 : 1.0);
+    vec3 left = texture(leftEye, at * size - vec2(0.0, above ? 1.0 : 0.0)).rgb;
+    vec3 right = texture(rightEye, at * size - vec2(beside ? 1.0 : 0.0, 0.0)).rgb;
+    vec3 seen = (beside && at.x >= 0.5) || (above && at.y < 0.5) ? right : left;
+    if (stereo == 1)
+        seen = clamp(kLeft * left + kRight * right, 0.0, 1.0);
+    if (stereo == 2)
+        seen = vec3(dot(kGrey, left), vec2(dot(kGrey, right)));
     colour = vec4(seen, 1.0);
 }

@@ -7,20 +7,14 @@ in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
 in float cutMm;       // below the uncut surface
 in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
-uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around
+uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut, mm; share of open ones
 
 uniform float facing;          // 1 upper surface, -1 lower
 uniform vec3 eyeMm;
 uniform vec3 towardsLight;
-uniform vec3 tipMm;            // of the bur
-uniform float burShadowMm;     // radius of its soft shadow, 0: none
-uniform vec3 burLampMm;        // the handpiece's own light
-uniform float burLamp;         // 1 on, 0 off
 uniform bool distinct;         // colours and patterns that nobody confuses
 uniform float wet;             // 1 under a film of water
 uniform float depthColoursMm;  // end of the scale of depths, 0: not coloured
-uniform sampler2D heights;     // as drawn, mm
-uniform vec3 lattice;          // as in the vertex shader
 
 out vec4 colour;
 
@@ -48,20 +42,6 @@ float dots(vec3 at)
     return 1.0 - smoothstep(0.16, 0.22, length(cell));
 }
 
-/// How much of the handpiece's light arrives: what stands between takes it away, softly.
-float burLightAt(vec3 from)
-{
-    float side = float(textureSize(heights, 0).x);
-    vec3 way = burLampMm - from;
-    float open = 1.0;
-    for (int k = 1; k <= 10; ++k) {
-        vec3 at = from + way * (0.012 * float(k * k) + 0.01);
-        float ground = texture(heights, ((at.xy - lattice.xy) * lattice.z + 0.5) / side).r;
-        open = min(open, 1.0 - smoothstep(0.0, 0.25 + 0.02 * float(k * k), ground - at.z));
-    }
-    return open;
-}
-
 void main()
 {
     vec3 normal = normalize(vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0))));
@@ -72,10 +52,10 @@ void main()
 
     // Materials, first match wins: decay, pulp, enamel, dentin. Edges a few hundredths of a millimetre soft.
     vec4 upper = texture(upperLayers, onLattice);
-    vec2 lower = texture(lowerLayers, onLattice).rg;
+    vec4 lower = texture(lowerLayers, onLattice);
     float z = positionMm.z;
     float enamelMm = z - upper.z;
-    float inDecay = smoothstep(-0.05, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
+    float inDecay = smoothstep(-0.12, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
                     smoothstep(0.3, 0.7, lower.y);
     float inPulp = smoothstep(0.0, 0.06, min(upper.w - z, z - lower.x));
     float isEnamel = smoothstep(-0.03, 0.03, enamelMm);
@@ -85,6 +65,8 @@ void main()
     enamel = mix(mix(kDentin, enamel, 0.6), enamel, smoothstep(0.0, 1.5, enamelMm));
     vec3 base = mix(kDentin, enamel, isEnamel);
     base = mix(base, kPulp, inPulp);
+    // Around an open lesion what still holds is stained.
+    base = mix(base, kDecayEdge, 0.8 * smoothstep(0.0, 0.35, lower.w) * smoothstep(0.0, 0.12, z - upper.y));
     base = mix(base, mix(kDecayEdge, kDecay, smoothstep(0.15, 0.8, inDecay)), smoothstep(0.0, 0.5, inDecay));
     if (distinct) {
         vec3 at = positionMm;
@@ -104,9 +86,9 @@ void main()
 
     // Fissures are stained a little, and hold less light than the map of the sky can tell.
     float crevice = clamp(2.0 * shade.a - 1.0, -1.0, 1.0);
-    float stain = smoothstep(0.12, 0.5, crevice) * (1.0 - cut);
+    float stain = smoothstep(0.06, 0.34, crevice) * (1.0 - cut);
     base *= mix(vec3(1.0), vec3(0.50, 0.38, 0.26), stain);
-    float open = shade.r * sqrt(shade.r) * (1.0 - 0.35 * smoothstep(0.05, 0.6, crevice));
+    float open = shade.r * sqrt(shade.r) * (1.0 - 0.35 * smoothstep(0.03, 0.42, crevice));
 
     base *= 1.0 - 0.12 * wet;
 
@@ -117,24 +99,10 @@ void main()
     float lamp = max((dot(normal, towardsLight) + 0.35) / 1.35, 0.0);
     lamp *= lamp * 0.35 + 0.65;
     lamp *= mix(0.24, 1.0, shade.g);
-    if (burShadowMm > 0.0 && facing > 0.0) {
-        float below = max(tipMm.z - positionMm.z, 0.0);
-        vec2 away = positionMm.xy - (tipMm.xy - towardsLight.xy / towardsLight.z * below * 0.5);
-        float radius = burShadowMm + 0.35 * below;
-        float near = max(1.0 - dot(away, away) / (3.0 * radius * radius), 0.0);
-        lamp *= 1.0 - 0.6 * near * near * burShadowMm / (burShadowMm + 0.3 * below);
-    }
-    float own = 0.0;  // of the handpiece's light
-    if (burLamp > 0.0 && facing > 0.0) {
-        vec3 way = burLampMm - positionMm;
-        float away2 = dot(way, way);
-        own = max(dot(normal, way) * inversesqrt(away2), 0.0) * 90.0 / (away2 + 20.0);
-        own *= smoothstep(9.0, 2.0, length(positionMm.xy - tipMm.xy)) * burLightAt(positionMm + normal * 0.05);
-    }
     vec3 warm = mix(vec3(1.0, 0.90, 0.78), vec3(1.0), smoothstep(0.0, 0.6, lamp));
     float head = facingEye * mix(open, 1.0, 0.35);
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * normal.z) * open;
-    vec3 lit = base * (0.72 * lamp * mix(open, 1.0, 0.5) * kLamp * warm + 0.22 * head + 0.27 * sky + 0.45 * own);
+    vec3 lit = base * (0.72 * lamp * mix(open, 1.0, 0.5) * kLamp * warm + 0.22 * head + 0.27 * sky);
     // Light bounced about in a cavity takes the colour of its walls, and so does what wanders within them into a shadow.
     lit += base * base * ((1.0 - open) * 0.10 + (1.0 - shade.g) * 0.10) * vec3(1.0, 0.90, 0.74);
 

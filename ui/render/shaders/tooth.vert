@@ -11,6 +11,7 @@ uniform sampler2D light;    // openness to the sky, operating light, cut, crevic
 uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
 uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
 
+invariant gl_Position;  // as in brighten.vert
 out vec3 positionMm;
 out vec2 across;     // x, y of the normal
 out vec4 shadeHere;

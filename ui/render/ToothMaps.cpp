@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/render/ToothMaps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <glm/common.hpp>
+
+#include <QOpenGLPixelTransferOptions>
+
+namespace ui::render {
+QRect pixelsOf(const Box& box, const glm::dmat4& clipFromTooth, QSize size)
+{
+    const QRect all(QPoint(), size);
+    glm::dvec2 low(std::numeric_limits<double>::max());
+    glm::dvec2 high(std::numeric_limits<double>::lowest());
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 clip = clipFromTooth * glm::dvec4((corner & 1) != 0 ? box.high.x : box.low.x,
+                                                           (corner & 2) != 0 ? box.high.y : box.low.y,
+                                                           (corner & 4) != 0 ? box.high.z : box.low.z, 1.0);
+        // Beside the eye or behind it: anywhere.
+        if (clip.w < 0.1)
+            return all;
+        const glm::dvec2 at = glm::dvec2(clip) / clip.w;
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    const auto pixel = [](double clip, int count) {
+        return static_cast<int>(std::floor(std::clamp(0.5 + 0.5 * clip, -1.0, 2.0) * count));
+    };
+    const QPoint first(pixel(low.x, size.width()) - 1, pixel(low.y, size.height()) - 1);
+    const QPoint last(pixel(high.x, size.width()) + 1, pixel(high.y, size.height()) + 1);
+    return QRect(first, last).intersected(all);
+}
+
+ToothMaps::ToothMaps() = default;
+ToothMaps::~ToothMaps() = default;
+
+bool ToothMaps::initialize()
+{
+    if (!initializeOpenGLFunctions())
+        return false;
+    m_layout.create();
+    m_triangles.create();
+    return true;
+}
+
+void ToothMaps::setSurface(const ToothSurface& surface)
+{
+    const core::terrain::Grid& lattice = surface.lattice();
+    if (!m_lattice || m_lattice->side != lattice.side) {
+        const auto make = [&](Map& map, QOpenGLTexture::TextureFormat format, int bytesPerNode) {
+            map.texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+            map.texture->setFormat(format);
+            map.texture->setSize(lattice.side, lattice.side);
+            map.texture->setMipLevels(1);
+            map.texture->allocateStorage();
+            map.texture->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
+            map.texture->setWrapMode(QOpenGLTexture::ClampToEdge);
+            map.bytesPerNode = bytesPerNode;
+        };
+        make(m_places, QOpenGLTexture::RG32F, 8);
+        make(m_tops, QOpenGLTexture::R32F, 4);
+        make(m_bottoms, QOpenGLTexture::R32F, 4);
+        make(m_topNormals, QOpenGLTexture::RG16_SNorm, 4);
+        make(m_bottomNormals, QOpenGLTexture::RG16_SNorm, 4);
+        make(m_light, QOpenGLTexture::RGBA8_UNorm, 4);
+        make(m_upperLayers, QOpenGLTexture::RGBA32F, 16);
+        make(m_lowerLayers, QOpenGLTexture::RGBA32F, 16);
+    }
+    m_lattice = lattice;
+    m_tilesPerSide = surface.tilesPerSide();
+
+    const core::terrain::NodeRect all = wholeOf(lattice);
+    write(m_upperLayers, surface.upperLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
+    write(m_lowerLayers, surface.lowerLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
+    const QOpenGLVertexArrayObject::Binder bound(&m_layout);
+    m_triangles.bind();
+    m_triangles.allocate(surface.indices().data(), static_cast<int>(surface.indices().size() * sizeof(std::uint32_t)));
+    m_uploadedBytes += surface.indices().size() * sizeof(std::uint32_t);
+    writeHeights(surface, all);
+    writeNormals(surface, all);
+    writeLight(surface, all);
+    m_tiles.assign(surface.indexCounts().size(), {});
+    measureTiles(surface, all);
+}
+
+void ToothMaps::update(const ToothSurface& surface, const ToothSurface::Changes& changes)
+{
+    if (!m_lattice)
+        return;
+    if (!changes.heights.isEmpty()) {
+        writeHeights(surface, changes.heights);
+        measureTiles(surface, changes.heights);
+        const QOpenGLVertexArrayObject::Binder bound(&m_layout);
+        m_triangles.bind();
+        for (const ToothSurface::Stretch& stretch : changes.triangles) {
+            const std::size_t bytes = (stretch.end - stretch.begin) * sizeof(std::uint32_t);
+            m_triangles.write(static_cast<int>(stretch.begin * sizeof(std::uint32_t)),
+                              surface.indices().data() + stretch.begin, static_cast<int>(bytes));
+            m_uploadedBytes += bytes;
+        }
+    }
+    if (!changes.normals.isEmpty())
+        writeNormals(surface, changes.normals);
+    if (!changes.light.isEmpty())
+        writeLight(surface, changes.light);
+}
+
+void ToothMaps::write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format, QOpenGLTexture::PixelType type,
+                      const core::terrain::NodeRect& rect)
+{
+    QOpenGLPixelTransferOptions rows;
+    rows.setAlignment(4);
+    rows.setRowLength(m_lattice->side);
+    const auto first = static_cast<std::ptrdiff_t>(m_lattice->index(rect.beginI, rect.beginJ)) * map.bytesPerNode;
+    map.texture->setData(rect.beginI, rect.beginJ, 0, rect.endI - rect.beginI, rect.endJ - rect.beginJ, 1, format, type,
+                         static_cast<const std::byte*>(nodes) + first, &rows);
+    m_uploadedBytes += static_cast<std::uint64_t>(rect.endI - rect.beginI) *
+                       static_cast<std::uint64_t>(rect.endJ - rect.beginJ) *
+                       static_cast<std::uint64_t>(map.bytesPerNode);
+}
+
+void ToothMaps::writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+{
+    write(m_places, surface.places().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, rect);
+    write(m_tops, surface.tops().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
+    write(m_bottoms, surface.bottoms().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
+}
+
+void ToothMaps::writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+{
+    write(m_topNormals, surface.topNormals().data(), QOpenGLTexture::RG, QOpenGLTexture::Int16, rect);
+    write(m_bottomNormals, surface.bottomNormals().data(), QOpenGLTexture::RG, QOpenGLTexture::Int16, rect);
+}
+
+void ToothMaps::writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+{
+    write(m_light, surface.light().data(), QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, rect);
+}
+
+/// Counts and boxes of the tiles that a rectangle of nodes touches.
+void ToothMaps::measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+{
+    constexpr int kCells = ToothSurface::kTileCells;
+    const int lastX = std::min((rect.endI - 1) / kCells, m_tilesPerSide - 1);
+    const int lastY = std::min((rect.endJ - 1) / kCells, m_tilesPerSide - 1);
+    for (int y = std::max(0, rect.beginJ - 1) / kCells; y <= lastY; ++y) {
+        for (int x = std::max(0, rect.beginI - 1) / kCells; x <= lastX; ++x) {
+            const auto index = static_cast<std::size_t>(y * m_tilesPerSide + x);
+            Tile& tile = m_tiles[index];
+            tile.count = surface.indexCounts()[index];
+            tile.mostCount = std::max(tile.mostCount, tile.count);
+            constexpr float kMost = std::numeric_limits<float>::max();
+            tile.upper = tile.lower = {glm::vec3(kMost), glm::vec3(-kMost)};
+            const std::uint32_t* corner = surface.indices().data() + index * ToothSurface::kTileIndices;
+            for (int k = 0; k < tile.count; ++k) {
+                const std::uint32_t node = corner[k];
+                const glm::vec3 above(surface.places()[node], surface.tops()[node]);
+                const glm::vec3 below(surface.places()[node], surface.bottoms()[node]);
+                tile.upper = {glm::min(tile.upper.low, above), glm::max(tile.upper.high, above)};
+                tile.lower = {glm::min(tile.lower.low, below), glm::max(tile.lower.high, below)};
+            }
+            if (tile.count > 0) {
+                tile.lowestMm = std::min(tile.lowestMm, tile.lower.low.z);
+                tile.highestMm = std::max(tile.highestMm, tile.upper.high.z);
+            }
+        }
+    }
+}
+
+Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
+{
+    constexpr int kCells = ToothSurface::kTileCells;
+    const auto cell = static_cast<float>(m_lattice->cellMm);
+    float low = std::numeric_limits<float>::max();
+    float high = std::numeric_limits<float>::lowest();
+    const int lastX = std::min((rect.endI - 1) / kCells, m_tilesPerSide - 1);
+    const int lastY = std::min((rect.endJ - 1) / kCells, m_tilesPerSide - 1);
+    for (int y = std::max(0, rect.beginJ - 1) / kCells; y <= lastY; ++y) {
+        for (int x = std::max(0, rect.beginI - 1) / kCells; x <= lastX; ++x) {
+            const Tile& tile = m_tiles[static_cast<std::size_t>(y * m_tilesPerSide + x)];
+            // Where a column is gone, what was below it is gone as well.
+            low = std::min(low, tile.count < tile.mostCount ? tile.lowestMm : tile.upper.low.z);
+            high = std::max(high, tile.highestMm);
+        }
+    }
+    // Drawn nodes stand up to half a cell aside, and triangles reach to the next ones.
+    const glm::vec2 first = glm::vec2(m_lattice->nodeMm(rect.beginI, rect.beginJ)) - 1.5F * cell;
+    const glm::vec2 last = glm::vec2(m_lattice->nodeMm(rect.endI - 1, rect.endJ - 1)) + 1.5F * cell;
+    return {{first, std::min(low, high)}, {last, high}};
+}
+
+ToothMaps::Selection ToothMaps::select(Side side, const std::function<bool(const Box&)>& isWanted) const
+{
+    constexpr int kCells = ToothSurface::kTileCells;
+    Selection chosen;
+    chosen.side = side;
+    for (std::size_t index = 0; index < m_tiles.size(); ++index) {
+        const Tile& tile = m_tiles[index];
+        if (tile.count == 0 || !isWanted(side == Side::Upper ? tile.upper : tile.lower))
+            continue;
+        chosen.counts.push_back(tile.count);
+        // OpenGL takes an offset into its own buffer as a pointer.
+        const std::size_t bytes = index * ToothSurface::kTileIndices * sizeof(std::uint32_t);
+        chosen.offsets.push_back(reinterpret_cast<const void*>(bytes));  // NOLINT(performance-no-int-to-ptr)
+        const int x = static_cast<int>(index) % m_tilesPerSide;
+        const int y = static_cast<int>(index) / m_tilesPerSide;
+        chosen.nodes = chosen.nodes.united(QRect(x * kCells, y * kCells, kCells + 1, kCells + 1));
+    }
+    return chosen;
+}
+
+void ToothMaps::bind(QOpenGLShaderProgram& program, Side side)
+{
+    const bool upper = side == Side::Upper;
+    const std::array<std::pair<const char*, Map*>, 6> maps{{{"places", &m_places},
+                                                            {"heights", upper ? &m_tops : &m_bottoms},
+                                                            {"normals", upper ? &m_topNormals : &m_bottomNormals},
+                                                            {"light", &m_light},
+                                                            {"upperLayers", &m_upperLayers},
+                                                            {"lowerLayers", &m_lowerLayers}}};
+    for (std::size_t unit = 0; unit < maps.size(); ++unit) {
+        maps[unit].second->texture->bind(static_cast<uint>(unit));
+        program.setUniformValue(maps[unit].first, static_cast<int>(unit));
+    }
+    program.setUniformValue("lattice", static_cast<float>(m_lattice->originMm.x),
+                            static_cast<float>(m_lattice->originMm.y), static_cast<float>(1.0 / m_lattice->cellMm));
+}
+
+void ToothMaps::draw(const Selection& tiles)
+{
+    const QOpenGLVertexArrayObject::Binder bound(&m_layout);
+    glMultiDrawElements(GL_TRIANGLES, tiles.counts.data(), GL_UNSIGNED_INT, tiles.offsets.data(),
+                        static_cast<GLsizei>(tiles.counts.size()));
+}
+
+}  // namespace ui::render

@@ -1,0 +1,80 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What bur and handpiece change of the light on the upper surface: the shadow they throw under the operating light, and
+// the light of the handpiece itself. One pixel a lattice node: half of how many times as bright it then looks.
+uniform sampler2D places;   // x, y as drawn, mm
+uniform sampler2D heights;  // as drawn, mm
+uniform sampler2D normals;  // x, y of the unit normal
+uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
+uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
+uniform vec3 towardsLight;
+uniform vec3 tipMm;         // of the bur
+uniform vec4 castFrom[5];   // what throws the shadow: beginnings of round rods, mm, and their radius
+uniform vec3 castTo[5];     // and their ends
+uniform vec3 burLampMm;     // the handpiece's own light
+uniform float burLamp;      // 1 on, 0 off
+
+out vec4 colour;
+
+const float kPenumbra = 0.14;  // half its width a millimetre of height: the operating light is 20 cm wide, 70 cm away
+
+/// Share of the operating light that a rod keeps from a point.
+float shadowOf(vec3 from, vec3 begin, vec3 end, float radius)
+{
+    vec3 rod = end - begin;
+    vec3 away = from - begin;
+    float e = dot(rod, rod);
+    float b = dot(towardsLight, rod);
+    float c = dot(towardsLight, away);
+    float f = dot(rod, away);
+    float along = max((b * f - c * e) / max(e - b * b, 1.0e-4), 0.0);
+    float on = clamp((b * along + f) / e, 0.0, 1.0);
+    along = max(b * on - c, 0.0);
+    float near = length(away + towardsLight * along - rod * on);
+    float soft = kPenumbra * along + 0.08;
+    return min(1.0, radius / soft) * (1.0 - smoothstep(radius - soft, radius + soft, near));
+}
+
+/// How much of the handpiece's light arrives at a slope (z of its normal): what stands between takes it away, softly.
+float burLightAt(vec3 from, float slope)
+{
+    float side = float(textureSize(heights, 0).x);
+    vec3 way = burLampMm - from;
+    float open = 1.0;
+    for (int k = 1; k <= 10; ++k) {
+        vec3 at = from + way * (0.012 * float(k * k) + 0.01);
+        float ground = textureLod(heights, ((at.xy - lattice.xy) * lattice.z + 0.5) / side, 0.0).r;
+        open = min(open, 1.0 - smoothstep(0.0, 0.25 + 0.02 * float(k * k), (ground - at.z) * slope));  // beside a flank the way up is no way through
+    }
+    return open;
+}
+
+void main()
+{
+    ivec2 node = ivec2(gl_FragCoord.xy);
+    vec3 positionMm = vec3(texelFetch(places, node, 0).rg, texelFetch(heights, node, 0).r);
+    vec2 across = texelFetch(normals, node, 0).rg;
+    vec3 normal = vec3(across, sqrt(max(1.0 - dot(across, across), 0.0)));
+    vec4 shade = texelFetch(light, node, 0);
+
+    // The light that is there, as tooth.frag has it.
+    float open = shade.r * sqrt(shade.r);
+    float lamp = max((dot(normal, towardsLight) + 0.35) / 1.35, 0.0);
+    lamp *= lamp * 0.35 + 0.65;
+    lamp *= 0.72 * mix(0.24, 1.0, shade.g) * mix(open, 1.0, 0.5);
+    float head = 0.18 * normal.z * mix(open, 1.0, 0.35);  // of an eye above, as most are
+    float all = lamp + head + 0.22 * open + 0.04;
+
+    float arrives = 1.0;
+    for (int k = 0; k < 5; ++k)
+        arrives *= 1.0 - shadowOf(positionMm, castFrom[k].xyz, castTo[k], castFrom[k].w);
+    float now = all - 0.85 * lamp * (1.0 - arrives);
+    if (burLamp > 0.0) {
+        vec3 way = burLampMm - positionMm;
+        float away2 = dot(way, way);
+        float own = max(dot(normal, way) * inversesqrt(away2), 0.0) * 90.0 / (away2 + 20.0);
+        own *= smoothstep(9.0, 2.0, length(positionMm.xy - tipMm.xy)) * burLightAt(positionMm + normal * 0.05, normal.z);
+        now += 0.45 * own;
+    }
+    colour = vec4(0.5 * sqrt(now / all));
+}
