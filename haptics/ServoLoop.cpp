@@ -2,6 +2,7 @@
 #include "haptics/ServoLoop.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace haptics {
 namespace {
@@ -126,6 +127,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     m_missedPeriods += static_cast<std::uint64_t>(std::max<std::int64_t>(0, dt / m_period - 1));
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
     const DeviceSample sample = m_device.exchange(m_tick->state().forceN);
+    const auto taken = std::chrono::steady_clock::now().time_since_epoch();
     if (m_tick->tooth() != nullptr) {
         if (sample.present)
             watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
@@ -144,8 +146,11 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
             sendPatches();
     }
 
+    const ServoState& state = m_tick->state();
+    m_trail[m_nextPose++ % m_trail.size()] = {std::chrono::nanoseconds(taken).count(), state.deviceMm, state.anchorMm};
     ServoState& out = m_stateOut.back();
-    out = m_tick->state();
+    out = state;
+    out.trail = m_trail;
     out.toothGeneration = m_generation;
     out.missedPeriods = m_missedPeriods;
     out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U);

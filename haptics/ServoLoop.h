@@ -51,6 +51,8 @@ private:
     std::uint64_t m_generation = 0;
     std::uint64_t m_serial = 0;
     std::uint64_t m_missedPeriods = 0;
+    std::array<core::session::Pose, 16> m_trail{};
+    std::size_t m_nextPose = 0;
     std::uint32_t m_health = 0;
     std::array<float, 4> m_lateS{};  ///< what the device told last
     std::size_t m_nextLate = 0;

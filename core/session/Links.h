@@ -27,6 +27,14 @@ enum Health : std::uint32_t {
     kLedHome = 1U << 6U,         ///< the hand is led home over the tooth (contact::WorkArea)
 };
 
+/// Where the bur was at one moment.
+struct Pose
+{
+    std::int64_t takenNs = 0;  ///< steady clock, when the device was read; 0: never
+    glm::dvec3 deviceMm{0.0};  ///< as in ServoState
+    glm::dvec3 anchorMm{0.0};
+};
+
 /// Newest state of the servo. Servo thread writes, ui reads.
 struct ServoState
 {
@@ -48,6 +56,9 @@ struct ServoState
     terrain::PerMaterial removedMm3{};  ///< since the tooth was handed over whole
     terrain::PerMaterial brokenMm3{};   ///< of it, what broke off
     std::uint32_t health = 0;
+    /// Where the bur has been of late, a pose a tick, as a ring: what is drawn at some moment is found between two of
+    /// them. Empty where no device is read.
+    std::array<Pose, 16> trail{};
 };
 
 /// Side of the square tiles in which cut heights travel and are remembered.

@@ -97,6 +97,7 @@ class TestServoLoop : public QObject
     Q_OBJECT
 private slots:
     void countersCount();
+    void eachTickLeavesItsPose();
     void tickNeitherAllocatesNorLocks();
     void lostDeviceMeansNoForceWithinTenMs_data();
     void lostDeviceMeansNoForceWithinTenMs();
@@ -143,6 +144,31 @@ void TestServoLoop::countersCount()
     }
     QVERIFY(support::allocationsOnThisThread() > allocations);
     QVERIFY(support::locksOnThisThread() > locks);
+}
+
+void TestServoLoop::eachTickLeavesItsPose()
+{
+    Bare rig;
+    rig.give(block(), 1);
+    const std::size_t count = ServoState{}.trail.size();
+    const auto begin = std::chrono::steady_clock::now().time_since_epoch();
+    for (std::size_t k = 0; k < count + 5; ++k) {
+        rig.device.tipMm = {0.01F * static_cast<float>(k), 0.0F, 4.0F};
+        rig.servo.tick(1ms);
+    }
+    const auto end = std::chrono::steady_clock::now().time_since_epoch();
+    std::map<std::int64_t, Pose> byTime;
+    const ServoState& told = rig.state.latest();
+    for (const Pose& pose : told.trail)
+        byTime[pose.takenNs] = pose;
+    QCOMPARE(byTime.size(), count);
+    QVERIFY(byTime.begin()->first >= std::chrono::nanoseconds(begin).count());
+    QVERIFY(byTime.rbegin()->first <= std::chrono::nanoseconds(end).count());
+    // The last ones, each where the device was then.
+    std::size_t tick = 5;
+    for (const auto& [takenNs, pose] : byTime)
+        QCOMPARE(pose.deviceMm.x, static_cast<double>(0.01F * static_cast<float>(tick++)));
+    QVERIFY(byTime.rbegin()->second.anchorMm == told.anchorMm);
 }
 
 void TestServoLoop::tickNeitherAllocatesNorLocks()

@@ -2,6 +2,7 @@
 #include "ui/tooth/ToothView.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -261,6 +262,10 @@ void ToothView::paintGL()
         m_renderer->setNeighbours(m_neighbours);
     if (m_drillOn && !m_settings.movesLittle)
         m_turnRad += 0.9;
+    m_servo = m_links.servo.latest();
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    m_pose = poseAt(m_servo, m_clock.momentFor(std::chrono::nanoseconds(now).count()));
+    m_paintedForceN = glm::length(m_servo.forceN);
     drawScene();
     drawMarks();
     m_smoothWanted = false;
@@ -303,8 +308,8 @@ render::Scene ToothView::scene() const
     scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0 && !m_instrumentHidden;
     scene.liftMm = m_liftMm;
     scene.burIndex = m_servo.burIndex;
-    scene.tipMm = m_servo.anchorMm;
-    scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_servo.anchorMm)) : 0.0;
+    scene.tipMm = m_pose.anchorMm;
+    scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_pose.anchorMm)) : 0.0;
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
     scene.look = m_settings.look;
@@ -312,7 +317,7 @@ render::Scene ToothView::scene() const
     scene.mirrorHandleLeft = !m_leftHanded;
     scene.keepsStill = render::driver().isSoftware;
     if (m_settings.showsHand && scene.instrumentShown)
-        scene.ghostMm = m_servo.deviceMm;
+        scene.ghostMm = m_pose.deviceMm;
     return scene;
 }
 
@@ -340,8 +345,8 @@ void ToothView::drawMarks()
         drawForce(painter);
         if (!scene().instrumentShown)
             continue;
-        const glm::dvec2 hand = m_camera.pixelOf(m_servo.deviceMm);
-        const glm::dvec2 bur = m_camera.pixelOf(m_servo.anchorMm);
+        const glm::dvec2 hand = m_camera.pixelOf(m_pose.deviceMm);
+        const glm::dvec2 bur = m_camera.pixelOf(m_pose.anchorMm);
         if (!QRectF(QPointF(), size).contains(hand.x, hand.y))
             paintArrowOut(painter, size, {bur.x, bur.y}, {hand.x, hand.y});
         if (m_settings.look.depthColoursMm <= 0.0 || !m_surface)
@@ -379,7 +384,7 @@ void ToothView::drawForce(QPainter& painter)
     if (!scene().instrumentShown || (!pushing && !m_servo.touching && !m_forceTold))
         return;
     // An arc beside the tip: its whole length is the set force.
-    const glm::dvec2 tip = m_camera.pixelOf(m_servo.anchorMm);
+    const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
     constexpr double kRadiusPx = 44.0;
     constexpr double kHalfDeg = 42.0;
     const QRectF box(tip.x - kRadiusPx, tip.y - kRadiusPx, 2.0 * kRadiusPx, 2.0 * kRadiusPx);
@@ -419,7 +424,7 @@ void ToothView::advanceFrame()
     m_sinceFrame.start();
     const core::session::ServoState before = m_servo;
     m_servo = m_links.servo.latest();
-    if (m_servo.burIndex != before.burIndex && m_servo.burIndex < core::drilling::burs().size())
+    if (m_servo.burIndex < core::drilling::burs().size())
         m_control.setBurRadius(core::drilling::burs()[m_servo.burIndex].headRadiusMm);
     takePatches();
     if (m_surface && m_surface->isBehind() && m_sinceLight.elapsed() >= kLightLagMs)
@@ -439,12 +444,10 @@ void ToothView::advanceFrame()
         update();
     }
     // Below a hundredth of a newton and two micrometres nothing shows.
-    const bool moved = glm::distance(m_servo.anchorMm, m_paintedAnchorMm) > 0.002;
+    const bool moved = glm::distance(m_servo.anchorMm, m_pose.anchorMm) > 0.002;
     const bool pressed = std::abs(glm::length(m_servo.forceN) - m_paintedForceN) > 0.01;
     if (moved || pressed || m_servo.burIndex != before.burIndex || m_servo.touching != before.touching ||
         (m_servo.tick > 0) != (before.tick > 0)) {
-        m_paintedAnchorMm = m_servo.anchorMm;
-        m_paintedForceN = glm::length(m_servo.forceN);
         update();
     }
     if (m_usable && !m_smooth && m_sincePaint.isValid() && m_sincePaint.elapsed() > kStillMs) {

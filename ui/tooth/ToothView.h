@@ -22,6 +22,7 @@
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/PatchInbox.h"
 #include "ui/tooth/PointerControl.h"
+#include "ui/tooth/PoseTrack.h"
 #include "ui/tooth/ViewSettings.h"
 
 class QLabel;
@@ -85,6 +86,8 @@ public:
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
     [[nodiscard]] const core::terrain::Tooth* tooth() const { return m_tooth ? &*m_tooth : nullptr; }
+    /// When the device was where the last picture shows it: steady clock, ns; 0 before the first.
+    [[nodiscard]] std::int64_t drawnMomentNs() const { return m_pose.takenNs; }
     /// Grows whenever tooth() changes.
     [[nodiscard]] std::uint64_t toothRevision() const { return m_toothRevision; }
 
@@ -148,6 +151,8 @@ private:
     PointerControl m_control;
     core::session::PointerInput m_published;
     core::session::ServoState m_servo;
+    core::session::Pose m_pose;  ///< of the bur as it is drawn
+    FrameClock m_clock;
 
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
     bool m_smoothWanted = false;                               ///< of the next picture
@@ -162,7 +167,6 @@ private:
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;  ///< of the bur
     double m_liftMm = 0.0;   ///< of shank and handpiece, follows wantedLiftMm()
-    glm::dvec3 m_paintedAnchorMm{0.0};
     double m_paintedForceN = 0.0;
 
     Qt::MouseButton m_turning = Qt::NoButton;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tooth/PoseTrack.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <glm/common.hpp>
+
+namespace ui::tooth {
+namespace {
+
+constexpr std::int64_t kLatestNs = 1'000'000;  ///< before painting: later than that there may be no reading yet
+constexpr std::int64_t kFollow = 8;            ///< pictures over which the beat is taken up
+constexpr std::int64_t kFollowPeriod = 32;     ///< and how long it is
+
+}  // namespace
+
+core::session::Pose poseAt(const core::session::ServoState& state, std::int64_t momentNs)
+{
+    const core::session::Pose* before = nullptr;
+    const core::session::Pose* after = nullptr;
+    for (const core::session::Pose& pose : state.trail) {
+        if (pose.takenNs == 0)
+            continue;
+        if (pose.takenNs <= momentNs && (before == nullptr || pose.takenNs > before->takenNs))
+            before = &pose;
+        if (pose.takenNs > momentNs && (after == nullptr || pose.takenNs < after->takenNs))
+            after = &pose;
+    }
+    if (before == nullptr && after == nullptr)
+        return {momentNs, state.deviceMm, state.anchorMm};
+    if (before == nullptr || after == nullptr)
+        return before != nullptr ? *before : *after;
+    const double share =
+        static_cast<double>(momentNs - before->takenNs) / static_cast<double>(after->takenNs - before->takenNs);
+    return {momentNs, glm::mix(before->deviceMm, after->deviceMm, share),
+            glm::mix(before->anchorMm, after->anchorMm, share)};
+}
+
+std::int64_t FrameClock::momentFor(std::int64_t paintedNs)
+{
+    const std::int64_t wanted = paintedNs - kBehindNs;
+    const std::int64_t error = wanted - (m_momentNs + m_periodNs);
+    if (std::abs(error) > m_periodNs / 2) {
+        // The first one, or some were left out: the beat begins anew.
+        m_momentNs = wanted;
+        return m_momentNs;
+    }
+    m_periodNs += error / kFollowPeriod;
+    m_momentNs = std::min(m_momentNs + m_periodNs + error / kFollow, paintedNs - kLatestNs);
+    return m_momentNs;
+}
+
+}  // namespace ui::tooth
