@@ -252,4 +252,17 @@ QJsonArray toJsonArray(const std::vector<std::string>& sentences)
     return array;
 }
 
+std::optional<QSize> pictureSize(const QString& text)
+{
+    constexpr int kLeastPx = 16;
+    constexpr int kMostPx = 8192;
+    const QStringList parts = text.toLower().split(u'x');
+    if (parts.size() != 2)
+        return std::nullopt;
+    const QSize size(parts[0].toInt(), parts[1].toInt());
+    const bool good =
+        size.width() >= kLeastPx && size.height() >= kLeastPx && size.width() <= kMostPx && size.height() <= kMostPx;
+    return good ? std::optional(size) : std::nullopt;
+}
+
 }  // namespace app::cli

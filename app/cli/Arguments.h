@@ -10,6 +10,7 @@
 #include <QCommandLineParser>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QSize>
 #include <QStringList>
 
 #include "core/base/Result.h"
@@ -61,5 +62,8 @@ void warn(const std::vector<std::string>& warnings);
 void printText(const QString& text, std::FILE* stream = stdout);
 void printJson(const QJsonObject& object, std::FILE* stream = stdout);
 [[nodiscard]] QJsonArray toJsonArray(const std::vector<std::string>& sentences);
+
+/// A size such as 1280x800, each 16 to 8192 pixels.
+[[nodiscard]] std::optional<QSize> pictureSize(const QString& text);
 
 }  // namespace app::cli

@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"render", "draw a tooth, or what an attempt left of it, into a picture", renderCommand, Draws::Tooth},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
+    {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},
 };
 
 const Command* findCommand(const QString& name)

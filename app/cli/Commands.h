@@ -39,5 +39,6 @@ int replayCommand(const QStringList& arguments);
 int renderCommand(const QStringList& arguments);
 int demoCommand(const QStringList& arguments);
 int benchCommand(const QStringList& arguments);
+int framesCommand(const QStringList& arguments);
 
 }  // namespace app::cli

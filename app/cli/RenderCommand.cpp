@@ -29,8 +29,6 @@
 namespace app::cli {
 namespace {
 
-constexpr int kLeastPx = 16;
-constexpr int kMostPx = 8192;
 constexpr QRgb kRoomGrey = 0xFF1C1E20;
 constexpr double kFilmMarginMm = 2.0;
 constexpr std::uint64_t kGrain = 1;  ///< of the film: every picture has the same
@@ -69,17 +67,6 @@ void addOptions(QCommandLineParser& parser)
            "WHAT");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);
-}
-
-std::optional<QSize> sizeOf(const QString& text)
-{
-    const QStringList parts = text.toLower().split(u'x');
-    if (parts.size() != 2)
-        return std::nullopt;
-    const QSize size(parts[0].toInt(), parts[1].toInt());
-    const bool good =
-        size.width() >= kLeastPx && size.height() >= kLeastPx && size.width() <= kMostPx && size.height() <= kMostPx;
-    return good ? std::optional(size) : std::nullopt;
 }
 
 /// What the options ask of the look and of the way to the screen.
@@ -215,7 +202,7 @@ int renderCommand(const QStringList& arguments)
     const QString out = parser.value(QStringLiteral("out"));
     if (!out.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
         return wrongUsage(QStringLiteral("--out wants the name of a picture that ends in .png"));
-    const auto size = sizeOf(parser.value(QStringLiteral("size")));
+    const auto size = pictureSize(parser.value(QStringLiteral("size")));
     if (!size)
         return wrongUsage(QStringLiteral("--size wants width x height in pixels, such as 1280x800, each 16 to 8192"));
     const auto source =

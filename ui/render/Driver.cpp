@@ -34,6 +34,7 @@ const Driver& driver()
             return asked;
         asked.hasOpenGl33 = !context.isOpenGLES() && context.format().version() >= qMakePair(3, 3);
         const QByteArray name(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+        asked.name = QString::fromLatin1(name);
         for (const char* software : {"llvmpipe", "softpipe", "swrast", "Software"})
             asked.isSoftware = asked.isSoftware || name.contains(software);
         context.doneCurrent();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <QSurfaceFormat>
 
 namespace ui::render {
@@ -12,6 +13,7 @@ namespace ui::render {
 struct Driver
 {
     bool hasOpenGl33 = false;
+    QString name;             ///< as it calls itself
     bool isSoftware = false;  ///< every sample of every pixel costs processor time
 };
 [[nodiscard]] const Driver& driver();

@@ -8,10 +8,25 @@
 #include <limits>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <QOpenGLPixelTransferOptions>
 
 namespace ui::render {
+bool TileBounds::mayFace(const glm::dvec3& eyeMm) const
+{
+    constexpr double kRightAngle = 1.5707963267948966;
+    const glm::dvec3 low(box.low);
+    const glm::dvec3 high(box.high);
+    const glm::dvec3 towardsEye = eyeMm - 0.5 * (low + high);
+    const double away = glm::length(towardsEye);
+    const double radius = 0.5 * glm::length(high - low);
+    if (away <= radius)
+        return true;
+    const double turned = std::acos(std::clamp(glm::dot(glm::dvec3(axis), towardsEye) / away, -1.0, 1.0));
+    return turned < kRightAngle + static_cast<double>(spreadRad) + std::asin(radius / away) + 0.01;
+}
+
 QRect pixelsOf(const Box& box, const glm::dmat4& clipFromTooth, QSize size)
 {
     const QRect all(QPoint(), size);
@@ -142,7 +157,42 @@ void ToothMaps::writeLight(const ToothSurface& surface, const core::terrain::Nod
     write(m_light, surface.light().data(), QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, rect);
 }
 
-/// Counts and boxes of the tiles that a rectangle of nodes touches.
+TileBounds ToothMaps::boundsOf(const ToothSurface& surface, std::size_t tile, Side side)
+{
+    const bool upper = side == Side::Upper;
+    const std::uint32_t* corners = surface.indices().data() + tile * ToothSurface::kTileIndices;
+    const int count = surface.indexCounts()[tile];
+    constexpr float kMost = std::numeric_limits<float>::max();
+    TileBounds bounds{{glm::vec3(kMost), glm::vec3(-kMost)}};
+    std::array<glm::vec3, ToothSurface::kTileIndices / 3> normals{};
+    std::size_t found = 0;
+    glm::vec3 sum(0.0F);
+    for (int k = 0; k < count; k += 3) {
+        std::array<glm::vec3, 3> at{};
+        for (int c = 0; c < 3; ++c) {
+            const std::uint32_t node = corners[k + c];
+            at[static_cast<std::size_t>(c)] =
+                glm::vec3(surface.places()[node], (upper ? surface.tops() : surface.bottoms())[node]);
+            bounds.box = {glm::min(bounds.box.low, at[static_cast<std::size_t>(c)]),
+                          glm::max(bounds.box.high, at[static_cast<std::size_t>(c)])};
+        }
+        const glm::vec3 across = glm::cross(at[1] - at[0], at[2] - at[0]) * (upper ? 1.0F : -1.0F);
+        if (const float area = glm::length(across); area > 0.0F) {
+            normals[found] = across / area;
+            sum += normals[found++];
+        }
+    }
+    if (const float length = glm::length(sum); length > 0.0F) {
+        bounds.axis = sum / length;
+        float nearest = 1.0F;
+        for (std::size_t k = 0; k < found; ++k)
+            nearest = std::min(nearest, glm::dot(bounds.axis, normals[k]));
+        bounds.spreadRad = std::acos(std::clamp(nearest, -1.0F, 1.0F));
+    }
+    return bounds;
+}
+
+/// Counts and bounds of the tiles that a rectangle of nodes touches.
 void ToothMaps::measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect)
 {
     constexpr int kCells = ToothSurface::kTileCells;
@@ -154,19 +204,11 @@ void ToothMaps::measureTiles(const ToothSurface& surface, const core::terrain::N
             Tile& tile = m_tiles[index];
             tile.count = surface.indexCounts()[index];
             tile.mostCount = std::max(tile.mostCount, tile.count);
-            constexpr float kMost = std::numeric_limits<float>::max();
-            tile.upper = tile.lower = {glm::vec3(kMost), glm::vec3(-kMost)};
-            const std::uint32_t* corner = surface.indices().data() + index * ToothSurface::kTileIndices;
-            for (int k = 0; k < tile.count; ++k) {
-                const std::uint32_t node = corner[k];
-                const glm::vec3 above(surface.places()[node], surface.tops()[node]);
-                const glm::vec3 below(surface.places()[node], surface.bottoms()[node]);
-                tile.upper = {glm::min(tile.upper.low, above), glm::max(tile.upper.high, above)};
-                tile.lower = {glm::min(tile.lower.low, below), glm::max(tile.lower.high, below)};
-            }
+            tile.upper = boundsOf(surface, index, Side::Upper);
+            tile.lower = boundsOf(surface, index, Side::Lower);
             if (tile.count > 0) {
-                tile.lowestMm = std::min(tile.lowestMm, tile.lower.low.z);
-                tile.highestMm = std::max(tile.highestMm, tile.upper.high.z);
+                tile.lowestMm = std::min(tile.lowestMm, tile.lower.box.low.z);
+                tile.highestMm = std::max(tile.highestMm, tile.upper.box.high.z);
             }
         }
     }
@@ -184,7 +226,7 @@ Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
         for (int x = std::max(0, rect.beginI - 1) / kCells; x <= lastX; ++x) {
             const Tile& tile = m_tiles[static_cast<std::size_t>(y * m_tilesPerSide + x)];
             // Where a column is gone, what was below it is gone as well.
-            low = std::min(low, tile.count < tile.mostCount ? tile.lowestMm : tile.upper.low.z);
+            low = std::min(low, tile.count < tile.mostCount ? tile.lowestMm : tile.upper.box.low.z);
             high = std::max(high, tile.highestMm);
         }
     }
@@ -194,7 +236,7 @@ Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
     return {{first, std::min(low, high)}, {last, high}};
 }
 
-ToothMaps::Selection ToothMaps::select(Side side, const std::function<bool(const Box&)>& isWanted) const
+ToothMaps::Selection ToothMaps::select(Side side, const std::function<bool(const TileBounds&)>& isWanted) const
 {
     constexpr int kCells = ToothSurface::kTileCells;
     Selection chosen;

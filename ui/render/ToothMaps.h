@@ -29,6 +29,17 @@ struct Box
     glm::vec3 high{0.0F};
 };
 
+/// Where a tile of a surface is and where it looks.
+struct TileBounds
+{
+    Box box;
+    glm::vec3 axis{0.0F, 0.0F, 1.0F};  ///< mean normal of its triangles, unit vector
+    float spreadRad = 4.0F;            ///< the furthest of them from it
+
+    /// False only if an eye sees nothing but the backs of its triangles.
+    [[nodiscard]] bool mayFace(const glm::dvec3& eyeMm) const;
+};
+
 /// The pixels, from the lower left, that a box may cover in a picture of this size.
 [[nodiscard]] QRect pixelsOf(const Box& box, const glm::dmat4& clipFromTooth, QSize size);
 
@@ -62,8 +73,8 @@ public:
         std::vector<const void*> offsets;  ///< of the first one, bytes
         QRect nodes;                       ///< around all of them, columns and rows of the lattice
     };
-    /// Those whose box is wanted.
-    [[nodiscard]] Selection select(Side side, const std::function<bool(const Box&)>& isWanted) const;
+    /// Those that are wanted.
+    [[nodiscard]] Selection select(Side side, const std::function<bool(const TileBounds&)>& isWanted) const;
     /// Sets the maps of one surface and its lattice in a program that is bound.
     void bind(QOpenGLShaderProgram& program, Side side);
     /// Draws tiles with the program for which bind() was called last: its vertices are lattice nodes, numbered row by
@@ -84,8 +95,8 @@ private:
     struct Tile
     {
         int count = 0;  ///< of its indices
-        Box upper;
-        Box lower;
+        TileBounds upper;
+        TileBounds lower;
         // What it has ever been: what is gone must be painted over.
         int mostCount = 0;
         float lowestMm = std::numeric_limits<float>::max();
@@ -97,6 +108,7 @@ private:
     void writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    [[nodiscard]] static TileBounds boundsOf(const ToothSurface& surface, std::size_t tile, Side side);
     void measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
 
     QOpenGLVertexArrayObject m_layout;

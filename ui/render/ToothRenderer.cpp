@@ -421,7 +421,9 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     m_toothProgram.setUniformValue("depthColoursMm", static_cast<float>(scene.look.depthColoursMm));
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
     const QSize size(static_cast<int>(scene.sizePx.x), static_cast<int>(scene.sizePx.y));
-    const auto isSeen = [&](const Box& box) { return pixelsOf(box, clipFromTooth, size).intersects(part); };
+    const auto isSeen = [&](const TileBounds& tile) {
+        return tile.mayFace(scene.eyeMm) && pixelsOf(tile.box, clipFromTooth, size).intersects(part);
+    };
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
     m_toothProgram.setUniformValue("facing", 1.0F);
     m_maps.bind(m_toothProgram, ToothMaps::Side::Upper);
@@ -454,7 +456,8 @@ void ToothRenderer::findLightOfBur(const Scene& scene)
     }
     const glm::dvec3 towardsLight(scene.towardsLight);
     const glm::dvec2 tip(scene.tipMm);
-    m_reached = m_maps.select(ToothMaps::Side::Upper, [&](const Box& box) {
+    m_reached = m_maps.select(ToothMaps::Side::Upper, [&](const TileBounds& tile) {
+        const Box& box = tile.box;
         const glm::dvec2 nearest = glm::clamp(tip, glm::dvec2(box.low), glm::dvec2(box.high));
         return (scene.look.burLight && glm::distance(nearest, tip) < kLampReachMm) ||
                std::any_of(rods.begin(), rods.end(),

@@ -464,6 +464,16 @@ void ToothSurface::setLight(glm::vec3 towardsLight)
     m_towardsLight = towardsLight;
 }
 
+std::size_t ToothSurface::Changes::bytes() const
+{
+    const auto nodes = [](const NodeRect& rect) {
+        return static_cast<std::size_t>(std::max(0, rect.endI - rect.beginI)) *
+               static_cast<std::size_t>(std::max(0, rect.endJ - rect.beginJ));
+    };
+    return nodes(heights) * (2 * sizeof(float) + sizeof(glm::vec2)) + nodes(normals) * 2 * sizeof(PackedNormal) +
+           nodes(light) * sizeof(Light);
+}
+
 ToothSurface::Changes ToothSurface::refresh(bool hurried)
 {
     Changes changes;

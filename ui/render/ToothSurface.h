@@ -51,6 +51,9 @@ public:
         core::terrain::NodeRect normals;
         core::terrain::NodeRect light;
         std::vector<Stretch> triangles;
+
+        /// Of the rectangles in all maps they are in; without the triangles.
+        [[nodiscard]] std::size_t bytes() const;
     };
 
     /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0

@@ -10,6 +10,7 @@ namespace ui::tooth {
 namespace {
 
 constexpr std::int64_t kLatestNs = 1'000'000;  ///< before painting: later than that there may be no reading yet
+constexpr std::int64_t kOldestNs = 6'000'000;  ///< likewise: an even beat is not worth more
 constexpr std::int64_t kFollow = 8;            ///< pictures over which the beat is taken up
 constexpr std::int64_t kFollowPeriod = 32;     ///< and how long it is
 
@@ -47,7 +48,7 @@ std::int64_t FrameClock::momentFor(std::int64_t paintedNs)
         return m_momentNs;
     }
     m_periodNs += error / kFollowPeriod;
-    m_momentNs = std::min(m_momentNs + m_periodNs + error / kFollow, paintedNs - kLatestNs);
+    m_momentNs = std::clamp(m_momentNs + m_periodNs + error / kFollow, paintedNs - kOldestNs, paintedNs - kLatestNs);
     return m_momentNs;
 }
 

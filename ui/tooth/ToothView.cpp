@@ -34,7 +34,7 @@ namespace {
 
 constexpr int kFrameMs = 16;
 constexpr int kSamples = 4;
-constexpr int kLightLagMs = 150;  ///< by which light far from a cut may be behind
+constexpr int kLightLagMs = 400;  ///< by which light far from a cut may be behind
 constexpr int kStillMs = 120;     ///< without a change before a software driver is asked for smooth edges
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
@@ -208,6 +208,13 @@ void ToothView::setCamera(double azimuthDeg, double elevationDeg, double distanc
     update();
 }
 
+ToothView::Uploads ToothView::uploads() const
+{
+    Uploads uploads = m_uploads;
+    uploads.bytes = m_renderer ? m_renderer->uploadedBytes() : 0;
+    return uploads;
+}
+
 QImage ToothView::picture()
 {
     if (!m_usable)
@@ -251,10 +258,13 @@ void ToothView::paintGL()
     if (!m_usable || !m_renderer)
         return;
     if (m_surface) {
-        if (m_surfaceIsNew)
+        if (m_surfaceIsNew) {
             m_renderer->setSurface(*m_surface);
-        else
+            ++m_uploads.wholes;
+        } else {
             m_renderer->update(*m_surface, m_changes);
+            m_uploads.changedBytes += m_changes.bytes();
+        }
         m_surfaceIsNew = false;
         m_changes = {};
     }

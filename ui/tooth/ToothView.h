@@ -88,6 +88,14 @@ public:
     [[nodiscard]] const core::terrain::Tooth* tooth() const { return m_tooth ? &*m_tooth : nullptr; }
     /// When the device was where the last picture shows it: steady clock, ns; 0 before the first.
     [[nodiscard]] std::int64_t drawnMomentNs() const { return m_pose.takenNs; }
+    /// What went to the graphics driver so far.
+    struct Uploads
+    {
+        std::uint64_t bytes = 0;
+        std::uint64_t changedBytes = 0;  ///< of the rectangles of the maps that were changed by cutting
+        int wholes = 0;                  ///< times that all of a tooth went
+    };
+    [[nodiscard]] Uploads uploads() const;
     /// Grows whenever tooth() changes.
     [[nodiscard]] std::uint64_t toothRevision() const { return m_toothRevision; }
 
@@ -159,6 +167,7 @@ private:
     bool m_smooth = false;                                     ///< the picture shown has smooth edges
     QElapsedTimer m_sincePaint;
     QElapsedTimer m_sinceLight;               ///< was brought up to date everywhere
+    Uploads m_uploads;                        ///< without their bytes
     bool m_surfaceIsNew = false;              ///< the renderer has not seen it
     render::ToothSurface::Changes m_changes;  ///< since the last picture
     bool m_usable = true;
