@@ -17,6 +17,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSet>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -71,6 +72,7 @@ private slots:
     void droppedFilesAreToldApart();
     void homeIsOfferedWhereAHandCanBeLed();
     void otherHandPanelAndFullScreen();
+    void theNextWindowIsLaidOutAsThisOne();
     void theSectionIsShownAndTurned();
     void theXrayPageOpensAndSaves();
     void whatALessonLocksRests();
@@ -127,6 +129,7 @@ private slots:
     void everyDrawingExists();
 
 private:
+    void openWindow();
     template <class T>
     T* child(const char* name = "") const
     {
@@ -193,6 +196,12 @@ void TestMainWindow::initTestCase()
 }
 
 void TestMainWindow::init()
+{
+    QSettings(QStringLiteral("cusp"), QStringLiteral("cusp")).clear();
+    openWindow();
+}
+
+void TestMainWindow::openWindow()
 {
     m_links = std::make_unique<UiLinks>();
     m_window = std::make_unique<MainWindow>(*m_links);
@@ -441,6 +450,33 @@ void TestMainWindow::otherHandPanelAndFullScreen()
     press(Qt::Key_Escape);
     QVERIFY(!m_window->isFullScreen());
     QVERIFY(!actions().fullScreen->isChecked());
+}
+
+void TestMainWindow::theNextWindowIsLaidOutAsThisOne()
+{
+    QVERIFY(!actions().otherHand->isChecked());
+    m_window->resize(1011, 707);
+    press(Qt::Key_F9);
+    press(Qt::Key_X);
+    press(Qt::Key_H);
+    m_window->close();
+    cleanup();
+    openWindow();
+    QCOMPARE(m_window->size(), QSize(1011, 707));
+    QVERIFY(!child<SidePanel>()->isVisible());
+    QVERIFY(!actions().panel->isChecked());
+    QVERIFY(child<ui::inside::SectionView>()->isVisible());
+    QVERIFY(actions().section->isChecked());
+    QVERIFY(actions().turnSection->isEnabled());
+    QVERIFY(actions().otherHand->isChecked());
+    // A lesson's lock is not what the student wanted.
+    lessons::Aids none;
+    none.section = false;
+    m_window->setAids(none);
+    QVERIFY(!child<ui::inside::SectionView>()->isVisible());
+    cleanup();
+    openWindow();
+    QVERIFY(child<ui::inside::SectionView>()->isVisible());
 }
 
 void TestMainWindow::theSectionIsShownAndTurned()

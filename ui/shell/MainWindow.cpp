@@ -63,6 +63,11 @@ QString patternOf(const QStringList& suffixes)
     return patterns.join(u' ');
 }
 
+const QString kGeometry = QStringLiteral("window/geometry");
+const QString kPanel = QStringLiteral("window/panel");
+const QString kSection = QStringLiteral("window/section");
+const QString kLeftHanded = QStringLiteral("window/leftHanded");
+
 /// What the window remembers from run to run: ~/.config/cusp/cusp.conf.
 QSettings memory()
 {
@@ -118,7 +123,22 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
     pulse->start(kSessionMs);
     qApp->installEventFilter(this);
+    recallLayout();
     goTo(m_room);
+}
+
+/// As it was left. What a lesson locks is not asked: it comes with the lesson.
+void MainWindow::recallLayout()
+{
+    const QSettings kept = memory();
+    static_cast<void>(restoreGeometry(kept.value(kGeometry).toByteArray()));
+    setWindowState(windowState().setFlag(Qt::WindowFullScreen, false));
+    m_actions->panel->setChecked(kept.value(kPanel, true).toBool());
+    m_room->setPanelVisible(m_actions->panel->isChecked());
+    m_actions->section->setChecked(kept.value(kSection).toBool());
+    m_room->setSectionVisible(m_actions->section->isChecked());
+    m_actions->otherHand->setChecked(kept.value(kLeftHanded).toBool());
+    m_view->setLeftHanded(m_actions->otherHand->isChecked());
 }
 
 QSize MainWindow::firstSize(const QSize& available)
@@ -137,7 +157,10 @@ void MainWindow::connectActions()
     on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
-    on(m_actions->otherHand, [this](bool left) { m_view->setLeftHanded(left); });
+    on(m_actions->otherHand, [this](bool left) {
+        m_view->setLeftHanded(left);
+        memory().setValue(kLeftHanded, left);
+    });
     on(m_actions->bringHome, [this] { send(core::session::BringHome{}); });
     on(m_actions->turnRound, [this] { m_view->turnRound(); });
     on(m_actions->resetView, [this] { m_view->resetCamera(); });
@@ -186,11 +209,15 @@ void MainWindow::connectActions()
     });
     on(m_actions->section, [this](bool visible) {
         m_room->setSectionVisible(visible);
+        memory().setValue(kSection, visible);
         enableActions();
     });
     on(m_actions->turnSection, [this] { m_room->section().turn(); });
     on(m_actions->radiograph, [this] { showXray(); });
-    on(m_actions->panel, [this](bool visible) { m_room->setPanelVisible(visible); });
+    on(m_actions->panel, [this](bool visible) {
+        m_room->setPanelVisible(visible);
+        memory().setValue(kPanel, visible);
+    });
     on(m_actions->fullScreen, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     on(m_actions->help, [this] {
         m_help->setVisible(!m_help->isVisible());
@@ -614,8 +641,10 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_mayClose || !wouldLoseWork())
+    if (m_mayClose || !wouldLoseWork()) {
+        memory().setValue(kGeometry, saveGeometry());
         return;
+    }
     event->ignore();
     leaveWork([this] {
         m_mayClose = true;

@@ -120,6 +120,7 @@ private:
         QElapsedTimer since;
     };
 
+    void recallLayout();
     void connectActions();
     void connectView();
     void takeFrame(const core::session::ServoState& servo);

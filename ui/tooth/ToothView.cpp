@@ -25,7 +25,9 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "ui/render/Driver.h"
+#include "ui/render/Gizmo.h"
 #include "ui/render/SharedArch.h"
+#include "ui/text/Texts.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -40,6 +42,8 @@ constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr double kTiltPerPixel = 0.006;  ///< of the mirror's normal
 constexpr int kForceToldMs = 1200;
+constexpr int kGizmoPx = 36;  ///< radius
+constexpr int kGizmoInPx = 16;
 constexpr double kLiftFollowS = 0.05;
 constexpr double kAtOnceS = 10.0;  ///< in which whatever glides has come to its end
 
@@ -103,6 +107,7 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     ++m_toothRevision;
     m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), operatingLight(m_leftHanded));
     m_surfaceIsNew = true;
+    m_gizmoTurn.reset();
     m_changes = {};
     m_control.setSurface(m_surface.get());
     m_inbox.setGeneration(generation);
@@ -353,6 +358,8 @@ void ToothView::drawMarks()
         painter.translate(beside ? 0.5 * eye * size.width() : 0.0, above ? 0.5 * eye * size.height() : 0.0);
         painter.scale(beside ? 0.5 : 1.0, above ? 0.5 : 1.0);
         drawForce(painter);
+        if (m_surface && m_surface->anatomy().fdi != 0)
+            drawGizmo(painter);
         if (!scene().instrumentShown)
             continue;
         const glm::dvec2 hand = m_camera.pixelOf(m_pose.deviceMm);
@@ -384,6 +391,24 @@ QPointF ToothView::presented(QPointF position) const
     if (how.stereo == render::Stereo::TopBottom)
         position.setY(std::fmod(2.0 * position.y(), height()));
     return position;
+}
+
+/// Which sides of the tooth look where, in a corner.
+void ToothView::drawGizmo(QPainter& painter)
+{
+    const glm::dmat3 turn(m_camera.view());
+    if (m_gizmoTurn != turn || m_gizmo.devicePixelRatioF() != devicePixelRatioF()) {
+        m_gizmoTurn = turn;
+        m_gizmo = QPixmap(QSize(2 * kGizmoPx, 2 * kGizmoPx) * devicePixelRatioF());
+        m_gizmo.setDevicePixelRatio(devicePixelRatioF());
+        m_gizmo.fill(Qt::transparent);
+        render::GizmoLetters letters;
+        const QStringList words = text::surfaceLetters(m_surface->anatomy().fdi);
+        std::copy(words.begin(), words.end(), letters.begin());
+        QPainter paint(&m_gizmo);
+        render::paintGizmo(paint, QPointF(kGizmoPx, kGizmoPx), kGizmoPx, turn, letters);
+    }
+    painter.drawPixmap(QPointF(width() - 2 * kGizmoPx - kGizmoInPx, height() - 2 * kGizmoPx - kGizmoInPx), m_gizmo);
 }
 
 void ToothView::drawForce(QPainter& painter)

@@ -10,6 +10,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QOpenGLWidget>
+#include <QPixmap>
 #include <QPointF>
 #include <QPointer>
 #include <QTimer>
@@ -135,6 +136,7 @@ private:
     void drawScene();
     void showNeighbours();
     void drawForce(QPainter& painter);
+    void drawGizmo(QPainter& painter);
     void drawMarks();
     [[nodiscard]] bool isOnMirror(QPointF position) const;
     void dragMirror(QPointF from, QPointF to, bool tilts);
@@ -159,7 +161,9 @@ private:
     PointerControl m_control;
     core::session::PointerInput m_published;
     core::session::ServoState m_servo;
-    core::session::Pose m_pose;  ///< of the bur as it is drawn
+    QPixmap m_gizmo;                        ///< as it was painted last,
+    std::optional<glm::dmat3> m_gizmoTurn;  ///< turned so
+    core::session::Pose m_pose;             ///< of the bur as it is drawn
     FrameClock m_clock;
 
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
