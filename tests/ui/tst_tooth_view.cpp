@@ -51,6 +51,7 @@ private slots:
     void startsOnTheSideOfTheLesion_data();
     void startsOnTheSideOfTheLesion();
     void isAnEmptyRoomWithoutATooth();
+    void theGizmoTurnsWithTheTooth();
 
 private:
     [[nodiscard]] PointerInput pointer() { return m_links->pointer.latest(); }
@@ -464,6 +465,29 @@ void TestToothView::isAnEmptyRoomWithoutATooth()
     QTest::keyClick(&view, Qt::Key_Left);
     QVERIFY(links.patches.tryPush(pictures::cutTile(*m_tooth, {0.0, 0.0}, -4.0F)));
     QVERIFY(pictures::mean(view.picture(), view.rect()).brightness() < 90.0);
+}
+
+void TestToothView::theGizmoTurnsWithTheTooth()
+{
+    const auto built = core::teeth::buildTooth({36}, {});
+    QVERIFY(built);
+    m_view->setTooth(built->anatomy, 7);
+    const QRect corner(m_view->width() - 88, m_view->height() - 88, 72, 72);
+    QImage before;
+    for (const double azimuth : {0.0, 50.0, 100.0}) {
+        m_view->setCamera(azimuth, 88.0, m_view->camera().fittingMm());
+        const QImage now = picture();
+        // Grey knobs and a green one: neither a map of the tooth nor anything else that OpenGL still holds.
+        for (int y = corner.top(); y <= corner.bottom(); ++y) {
+            for (int x = corner.left(); x <= corner.right(); ++x) {
+                const QRgb pixel = now.pixel(x, y);
+                QVERIFY(qRed(pixel) <= qGreen(pixel) + 12 && qGreen(pixel) <= qBlue(pixel) + 40);
+            }
+        }
+        if (!before.isNull())
+            QVERIFY(pictures::difference(before.copy(corner), now.copy(corner), 60).pixels > 100);
+        before = now;
+    }
 }
 
 QTEST_MAIN(TestToothView)

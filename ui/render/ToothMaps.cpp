@@ -269,6 +269,7 @@ void ToothMaps::bind(QOpenGLShaderProgram& program, Side side)
         maps[unit].second->texture->bind(static_cast<uint>(unit));
         program.setUniformValue(maps[unit].first, static_cast<int>(unit));
     }
+    glActiveTexture(GL_TEXTURE0);  // as Qt's painter takes it to be
     program.setUniformValue("lattice", static_cast<float>(m_lattice->originMm.x),
                             static_cast<float>(m_lattice->originMm.y), static_cast<float>(1.0 / m_lattice->cellMm));
 }

@@ -25,8 +25,9 @@ constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bu
 constexpr double kLampReachMm = 9.0;  ///< about the bur; burlight.frag has the same
 constexpr double kPenumbra = 0.14;    ///< likewise
 constexpr double kSoftestMm = 0.08;   ///< likewise
-constexpr int kFreeUnit = 8;          ///< of a texture besides those of ToothMaps
-constexpr int kGlassCorners = 64;     ///< of the mirror's glass; glass.vert has the same
+constexpr double kThickFor = 3.0;  ///< times a box is half as large as: a rod that no corner of it is in, leaves it lit
+constexpr int kFreeUnit = 8;       ///< of a texture besides those of ToothMaps
+constexpr int kGlassCorners = 64;  ///< of the mirror's glass; glass.vert has the same
 
 /// What throws a shadow: a round rod, as burlight.frag has it.
 struct Rod
@@ -89,7 +90,7 @@ bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
         return clearanceMm(at, rod, towardsLight) > 0.0;
     };
     constexpr std::array<int, 8> kCorners{0, 1, 2, 3, 4, 5, 6, 7};
-    return rod.radiusMm < radius || !std::all_of(kCorners.begin(), kCorners.end(), isClear);
+    return rod.radiusMm < kThickFor * radius || !std::all_of(kCorners.begin(), kCorners.end(), isClear);
 }
 
 }  // namespace
@@ -471,7 +472,8 @@ void ToothRenderer::findLightOfBur(const Scene& scene)
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
     glGetIntegerv(GL_VIEWPORT, viewport.data());
     if (!m_burLightMap || m_burLightMap->size() != size)
-        m_burLightMap = std::make_unique<QOpenGLFramebufferObject>(size);
+        m_burLightMap = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::NoAttachment,
+                                                                   GLenum{GL_TEXTURE_2D}, GLenum{GL_R16F});
     m_burLightMap->bind();
     glViewport(0, 0, size.width(), size.height());
     glEnable(GL_SCISSOR_TEST);

@@ -45,8 +45,12 @@ constexpr int kRimRings = 3;            ///< beyond the last solid node, in whic
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
 constexpr int kFlankReach = 5;          ///< how far, nodes
-constexpr int kFissureReach = 5;        ///< along a fissure to each side, nodes
-constexpr float kGrooveFrom = 1.0F;     ///< bend across less that along, 1/mm, from which a groove is a fissure
+constexpr int kLipReach = 2;            ///< nodes over which a normal that turns sharply is averaged
+constexpr float kLipFades = 0.5F;
+constexpr float kLipTurns = 0.7F;    ///< cosine between neighbours from which it does so wholly
+constexpr float kLipFlat = 0.95F;    ///< and not at all
+constexpr int kFissureReach = 5;     ///< along a fissure to each side, nodes
+constexpr float kGrooveFrom = 1.0F;  ///< bend across less that along, 1/mm, from which a groove is a fissure
 constexpr float kGrooveFull = 3.0F;
 
 std::uint8_t toByte(float value)
@@ -489,7 +493,7 @@ ToothSurface::Changes ToothSurface::refresh(bool hurried)
         smoothRim(changes.heights);
         smoothOutline(changes.heights);
         changes.triangles = buildTriangles(changes.heights);
-        changes.normals = bendNormals(grown(changes.heights, core::terrain::kCalmReach + 1, m_lattice));
+        changes.normals = bendNormals(grown(changes.heights, core::terrain::kCalmReach + kLipReach + 1, m_lattice));
         m_lightDue = united(m_lightDue, reached(kShadowReachMm));
     }
     if (hurried && !changes.heights.isEmpty())
@@ -604,10 +608,33 @@ glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) c
     return {(e - w) / cell, (n - s) / cell};
 }
 
+/// At the lip of a cut the surface turns by a right angle within a cell, and triangles would show the corners of it. So
+/// it turns over a few.
+glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
+{
+    const std::vector<glm::vec3>& normals = m_calmNormals[map];
+    const glm::vec3 own = normals[m_lattice.index(i, j)];
+    glm::vec3 sum(0.0F);
+    float least = 1.0F;
+    for (int dj = -kLipReach; dj <= kLipReach; ++dj) {
+        for (int di = -kLipReach; di <= kLipReach; ++di) {
+            if (!isShown(i + di, j + dj))
+                continue;
+            const glm::vec3& normal = normals[m_lattice.index(i + di, j + dj)];
+            least = std::min(least, glm::dot(own, normal));
+            sum += normal * std::exp(-kLipFades * static_cast<float>(di * di + dj * dj));
+        }
+    }
+    const float turn = 1.0F - glm::smoothstep(kLipTurns, kLipFlat, least);
+    const float length = glm::length(sum);
+    return turn <= 0.0F || length <= 0.0F ? own : glm::normalize(glm::mix(own, sum / length, turn));
+}
+
 NodeRect ToothSurface::bendNormals(const NodeRect& rect)
 {
     // Solid nodes from the slopes, then the rim from its solid neighbours: it looks straight outwards, for both maps.
-    const NodeRect raw = grown(rect, core::terrain::kCalmReach, m_lattice);
+    const NodeRect calm = grown(rect, kLipReach, m_lattice);
+    const NodeRect raw = grown(calm, core::terrain::kCalmReach, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j) {
         for (int i = raw.beginI; i < raw.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
@@ -638,13 +665,13 @@ NodeRect ToothSurface::bendNormals(const NodeRect& rect)
         }
     }
     for (int map = 0; map < 2; ++map)
-        core::terrain::calmSteepNormals(m_lattice, m_rawNormals[map], rect, m_calmNormals[map]);
+        core::terrain::calmSteepNormals(m_lattice, m_rawNormals[map], calm, m_calmNormals[map]);
     NodeRect changed;
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
         for (int i = rect.beginI; i < rect.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
-            glm::vec3 top = m_calmNormals[0][k];
-            glm::vec3 bottom = m_calmNormals[1][k];
+            glm::vec3 top = softNormal(0, i, j);
+            glm::vec3 bottom = softNormal(1, i, j);
             // Where the surfaces meet nothing shall show of it.
             if (m_nodes[k] == Node::Rim)
                 if (const glm::vec3 both = top + bottom; glm::dot(both, both) > 0.0F)

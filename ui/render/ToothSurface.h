@@ -138,6 +138,7 @@ private:
     void sew(const core::terrain::NodeRect& written);
     void smoothRim(const core::terrain::NodeRect& rect);
     void smoothOutline(const core::terrain::NodeRect& rect);
+    [[nodiscard]] glm::vec3 softNormal(int map, int i, int j) const;
     [[nodiscard]] core::terrain::NodeRect bendNormals(const core::terrain::NodeRect& rect);
     [[nodiscard]] core::terrain::NodeRect shineLight(const core::terrain::NodeRect& rect);
     [[nodiscard]] std::vector<Stretch> buildTriangles(const core::terrain::NodeRect& rect);

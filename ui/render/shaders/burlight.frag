@@ -65,10 +65,11 @@ void main()
     float head = 0.18 * normal.z * mix(open, 1.0, 0.35);  // of an eye above, as most are
     float all = lamp + head + 0.22 * open + 0.04;
 
+    // Bur and shank are what a shadow tells about. The handpiece is wide and far: other lamps of the room fill its own.
     float arrives = 1.0;
     for (int k = 0; k < 5; ++k)
-        arrives *= 1.0 - shadowOf(positionMm, castFrom[k].xyz, castTo[k], castFrom[k].w);
-    float now = all - 0.85 * lamp * (1.0 - arrives);
+        arrives *= 1.0 - (k < 2 ? 0.85 : 0.45) * shadowOf(positionMm, castFrom[k].xyz, castTo[k], castFrom[k].w);
+    float now = all - lamp * (1.0 - arrives);
     if (burLamp > 0.0) {
         vec3 way = burLampMm - positionMm;
         float away2 = dot(way, way);
