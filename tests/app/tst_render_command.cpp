@@ -120,8 +120,8 @@ void TestRenderCommand::drawsTheMouthWithATooth()
 
 void TestRenderCommand::whatStandsBesideAScanNobodyKnows()
 {
-    const QStringList scan{"render", "--recording", CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec", "--out",
-                           m_folder.filePath("scan.png")};
+    const QString recording = QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec");
+    const QStringList scan{"render", "--recording", recording, "--out", m_folder.filePath("scan.png")};
     for (const QStringList& what : {QStringList{"--show", "neighbours"}, QStringList{"--bitewing"}}) {
         const Ending ending = runCusp(scan + what);
         QCOMPARE(ending.exitCode, 1);
