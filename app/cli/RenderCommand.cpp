@@ -16,20 +16,25 @@
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
 #include "core/drilling/Bur.h"
+#include "core/imaging/Bitewing.h"
 #include "core/imaging/Radiograph.h"
 #include "core/recording/Recording.h"
 #include "core/recording/Replay.h"
+#include "core/teeth/Arch.h"
 #include "ui/inside/RadiographPicture.h"
 #include "ui/inside/SectionPainter.h"
+#include "ui/render/ArchRenderer.h"
 #include "ui/render/Canvas.h"
 #include "ui/render/Presenter.h"
 #include "ui/render/ToothRenderer.h"
+#include "ui/tooth/MouthScene.h"
 #include "ui/tooth/Viewpoint.h"
 
 namespace app::cli {
 namespace {
 
 constexpr QRgb kRoomGrey = 0xFF1C1E20;
+constexpr QRgb kFilmGround = 0xFF0B0C0D;
 constexpr double kFilmMarginMm = 2.0;
 constexpr std::uint64_t kGrain = 1;  ///< of the film: every picture has the same
 constexpr int kAnyTooth = 36;        ///< where a recording brings its own
@@ -59,28 +64,82 @@ void addOptions(QCommandLineParser& parser)
            "Draws, instead, the upright cut through the bur or the middle of the tooth, so many degrees from +x to +y.",
            "ANGLE");
     parser.addOption({QStringLiteral("xray"), QStringLiteral("Draws, instead, an X-ray picture from the side.")});
+    parser.addOption({QStringLiteral("bitewing"),
+                      QStringLiteral("Draws, instead, an X-ray picture of the crown between its two neighbours.")});
+    parser.addOption({QStringLiteral("arch"),
+                      QStringLiteral("Draws, instead, the whole mouth; a --tooth of it by its FDI number is marked.")});
     option("stereo", "For two eyes: red-cyan, grey (for the same glasses), side-by-side or top-bottom.", "MODE");
     option("flip", "Turns the picture over: left-right, up-down or both.", "WHICH");
-    option("show",
-           "What is drawn besides, several with commas: mirror, distinct (colours and patterns that nobody "
-           "confuses), wet, light (of the handpiece), depth (the cut coloured by its depth).",
-           "WHAT");
+    option(
+        "show",
+        "What is drawn besides, several with commas: mirror, distinct (colours and patterns that nobody "
+        "confuses), wet, light (of the handpiece), depth (the cut coloured by its depth), neighbours (the teeth beside "
+        "it).",
+        "WHAT");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);
 }
 
-/// What the options ask of the look and of the way to the screen.
+/// What the picture is of.
+enum class Kind : std::uint8_t { Tooth, Section, Xray, Bitewing, Arch };
+
+/// What the options ask of the picture, of the look and of the way to the screen.
 struct Wishes
 {
+    Kind kind = Kind::Tooth;
+    double sectionDeg = 0.0;
     ui::render::Look look;
     ui::render::Presentation presentation;
     bool mirror = false;
+    bool neighbours = false;
 };
+
+/// The one picture that is asked for, and whether the other options go with it.
+core::Result<Kind> kindOf(const QCommandLineParser& parser)
+{
+    QStringList asked;
+    Kind kind = Kind::Tooth;
+    const QStringList flat{QStringLiteral("section"), QStringLiteral("xray"), QStringLiteral("bitewing"),
+                           QStringLiteral("arch")};
+    for (int k = 0; k < flat.size(); ++k) {
+        if (!parser.isSet(flat[k]))
+            continue;
+        asked << QStringLiteral("--") + flat[k];
+        kind = static_cast<Kind>(k + 1);
+    }
+    if (asked.size() > 1)
+        return core::unexpected(core::ErrorCode::UnknownName,
+                                asked.join(u" and ").toStdString() + " are pictures of their own; ask for one");
+    if (kind == Kind::Tooth)
+        return kind;
+    for (const char* option : {"view", "stereo", "flip"})
+        if (parser.isSet(QLatin1String(option)))
+            return core::unexpected(core::ErrorCode::UnknownName, std::string("--") + option +
+                                                                      " is about the tooth in space and means nothing "
+                                                                      "with " +
+                                                                      asked.front().toStdString());
+    const QString show = parser.value(QStringLiteral("show"));
+    if (!show.isEmpty() && !(kind == Kind::Section && show == u"distinct"))
+        return core::unexpected(core::ErrorCode::UnknownName,
+                                kind == Kind::Section ? "with --section, --show knows only distinct"
+                                                      : "--show means nothing with " + asked.front().toStdString());
+    return kind;
+}
 
 core::Result<Wishes> wishesOf(const QCommandLineParser& parser)
 {
     using ui::render::Stereo;
     Wishes wishes;
+    const auto kind = kindOf(parser);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    wishes.kind = *kind;
+    if (*kind == Kind::Section) {
+        bool isNumber = false;
+        wishes.sectionDeg = parser.value(QStringLiteral("section")).toDouble(&isNumber);
+        if (!isNumber || !(std::abs(wishes.sectionDeg) <= 360.0))
+            return core::unexpected(core::ErrorCode::OutOfRange, "--section wants degrees from -360 to 360");
+    }
     const QString stereo = parser.value(QStringLiteral("stereo"));
     const QStringList modes{QString(), QStringLiteral("red-cyan"), QStringLiteral("grey"),
                             QStringLiteral("side-by-side"), QStringLiteral("top-bottom")};
@@ -105,9 +164,11 @@ core::Result<Wishes> wishesOf(const QCommandLineParser& parser)
             wishes.look.burLight = true;
         else if (what == u"depth")
             wishes.look.depthColoursMm = ui::tooth::kDepthScaleMm;
+        else if (what == u"neighbours")
+            wishes.neighbours = true;
         else
             return core::unexpected(core::ErrorCode::UnknownName,
-                                    "--show knows mirror, distinct, wet, light and depth, "
+                                    "--show knows mirror, distinct, wet, light, depth and neighbours, "
                                     "but not \"" +
                                         what.toStdString() + "\"");
     }
@@ -148,6 +209,114 @@ QImage xrayPicture(const core::terrain::Tooth& tooth, QSize size)
     return ui::inside::radiographPicture(std::span(&one, 1), beam, area, pixelMm, {1.0, kGrain})
         .scaled(size)
         .convertToFormat(QImage::Format_RGB32);
+}
+
+/// The crown between its neighbours, as wide as there is room for; no higher, or roots would show that a bitewing has
+/// not.
+core::Result<QImage> bitewingPicture(const core::terrain::Tooth& tooth, QSize size)
+{
+    const auto neighbours = core::imaging::neighboursOf(*tooth.anatomy);
+    if (!neighbours)
+        return tl::unexpected(neighbours.error());
+    std::vector<core::imaging::XrayedTooth> teeth{{&tooth}};
+    for (const core::imaging::Neighbour& neighbour : *neighbours)
+        teeth.push_back(neighbour.xrayed());
+    const core::imaging::Beam beam;
+    core::imaging::FilmArea area = core::imaging::bitewingArea(teeth, beam);
+    const glm::dvec2 film = area.highMm - area.lowMm;
+    const double wider = 0.5 * std::max(0.0, film.y * size.width() / size.height() - film.x);
+    area.lowMm.x -= wider;
+    area.highMm.x += wider;
+    const double pixelMm = (area.highMm.x - area.lowMm.x) / size.width();
+    const QImage developed = ui::inside::radiographPicture(teeth, beam, area, pixelMm, {1.0, kGrain});
+    QImage picture(size, QImage::Format_RGB32);
+    picture.fill(kFilmGround);
+    QPainter(&picture).drawImage((size.width() - developed.width()) / 2, (size.height() - developed.height()) / 2,
+                                 developed);
+    return picture;
+}
+
+/// The whole mouth as the page shows it on which a tooth is chosen.
+/// @param chosenFdi  is tinted; 0: none
+core::Result<QImage> archPicture(int chosenFdi, QSize size)
+{
+    const auto canvas = ui::render::Canvas::make(size);
+    if (!canvas)
+        return tl::unexpected(canvas.error());
+    ui::render::ArchRenderer renderer;
+    if (QString reason; !renderer.initialize(reason))
+        return core::unexpected(core::ErrorCode::FileUnreadable,
+                                "this display cannot draw the mouth: " + reason.toStdString());
+    const std::vector<core::teeth::ArchPiece> mouth = core::teeth::Arch().mouth(ui::tooth::kMouthOpenRad);
+    ui::tooth::Camera camera;
+    camera.setViewport({size.width(), size.height()});
+    ui::tooth::showPieces(camera, mouth);
+    camera.set(ui::tooth::kMouthAzimuthDeg, ui::tooth::kMouthElevationDeg, camera.fittingMm());
+    ui::render::ArchScene scene = ui::tooth::mouthThrough(camera);
+    scene.chosenFdi = chosenFdi;
+    return (*canvas)->picture([&] {
+        renderer.setPieces(mouth);
+        renderer.drawRoom(glm::vec2(size.width(), size.height()), {0.0F, 0.0F});
+        renderer.draw(scene);
+    });
+}
+
+/// The tooth in space.
+core::Result<QImage> toothPicture(const Subject& subject, const Wishes& wishes, const QString& view, QSize size)
+{
+    const auto& anatomy = subject.tooth.anatomy;
+    if (wishes.neighbours && !core::teeth::isGenerated(*anatomy))
+        return core::unexpected(core::ErrorCode::UnknownName,
+                                "nothing is known of what stands beside '" + anatomy->name +
+                                    "'; only a tooth chosen by its FDI number has neighbours");
+    ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(false));
+    surface.write(subject.tooth.top);
+    surface.refresh();
+
+    const auto canvas = ui::render::Canvas::make(size);
+    if (!canvas)
+        return tl::unexpected(canvas.error());
+    ui::render::ToothRenderer renderer;
+    ui::render::Presenter presenter;
+    if (QString reason; !renderer.initialize(reason) || !presenter.initialize(reason))
+        return core::unexpected(core::ErrorCode::FileUnreadable,
+                                "this display cannot draw a tooth: " + reason.toStdString());
+    ui::tooth::Camera camera;
+    camera.setViewport({size.width(), size.height()});
+    ui::tooth::showWhole(camera, surface);
+    if (const core::Status there = ui::tooth::goTo(camera, view, anatomy->fdi); !there)
+        return tl::unexpected(there.error());
+    ui::render::Scene scene = ui::tooth::sceneThrough(camera, glm::vec2(size.width(), size.height()), false);
+    if (subject.bur) {
+        scene.instrumentShown = true;
+        scene.burIndex = subject.bur->burIndex;
+        scene.tipMm = subject.bur->anchorMm;
+        scene.surfaceBelowTipMm = surface.heightMm(glm::dvec2(scene.tipMm));
+        scene.liftMm = ui::tooth::liftMm(surface, scene.burIndex, scene.tipMm);
+    }
+    scene.look = wishes.look;
+    if (wishes.mirror)
+        scene.mirror = ui::tooth::mirrorBeside(camera, surface, false);
+    return (*canvas)->picture([&] {
+        renderer.setSurface(surface);
+        if (wishes.neighbours)
+            renderer.setNeighbours(core::teeth::Arch().neighbours(anatomy->fdi));
+        presenter.draw(renderer, scene, wishes.presentation, camera.distanceMm(), ui::render::Canvas::kSamples);
+    });
+}
+
+core::Result<QImage> draw(const Subject& subject, const Wishes& wishes, const QString& view, QSize size)
+{
+    switch (wishes.kind) {
+    case Kind::Section:
+        return sectionPicture(subject, wishes.sectionDeg, size, wishes.look.palette);
+    case Kind::Xray:
+        return xrayPicture(subject.tooth, size);
+    case Kind::Bitewing:
+        return bitewingPicture(subject.tooth, size);
+    default:
+        return toothPicture(subject, wishes, view, size);
+    }
 }
 
 core::Result<Subject> subjectOf(const QString& recordingFile, const core::teeth::ToothSource& source,
@@ -195,9 +364,15 @@ int renderCommand(const QStringList& arguments)
     if (!parser.positionalArguments().isEmpty())
         return wrongUsage(
             QStringLiteral("\"%1\" belongs to no option; usage: ").arg(parser.positionalArguments().front()) + usage);
+    const auto wishes = wishesOf(parser);
+    if (!wishes)
+        return wrongUsage(QString::fromStdString(wishes.error().detail));
+    const bool isArch = wishes->kind == Kind::Arch;
     const QString named = parser.value(QStringLiteral("tooth"));
     const QString recording = parser.value(QStringLiteral("recording"));
-    if (named.isEmpty() == recording.isEmpty())
+    if (isArch && !recording.isEmpty())
+        return wrongUsage(QStringLiteral("--arch shows sound teeth and nothing of a --recording"));
+    if (!isArch && named.isEmpty() == recording.isEmpty())
         return wrongUsage(QStringLiteral("one of --tooth and --recording is wanted; usage: ") + usage);
     const QString out = parser.value(QStringLiteral("out"));
     if (!out.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
@@ -210,23 +385,13 @@ int renderCommand(const QStringList& arguments)
     const auto build = toothOptions(parser, source);
     if (!build)
         return wrongUsage(QString::fromStdString(build.error().detail));
-
+    const int* fdi = std::get_if<int>(&source.what);
+    if (isArch && fdi == nullptr)
+        return wrongUsage(QStringLiteral("--arch wants the FDI number of a tooth to mark, or none"));
     ui::tooth::Camera camera;
-    camera.setViewport({size->width(), size->height()});
     const QString view = parser.value(QStringLiteral("view"));
     if (const core::Status known = ui::tooth::goTo(camera, view, kAnyTooth); !known)
         return wrongUsage(QString::fromStdString(known.error().detail));
-    const auto wishes = wishesOf(parser);
-    if (!wishes)
-        return wrongUsage(QString::fromStdString(wishes.error().detail));
-    const bool wantsSection = parser.isSet(QStringLiteral("section"));
-    const bool wantsXray = parser.isSet(QStringLiteral("xray"));
-    bool isAngle = !wantsSection;
-    const double sectionDeg = wantsSection ? parser.value(QStringLiteral("section")).toDouble(&isAngle) : 0.0;
-    if (!isAngle || !(std::abs(sectionDeg) <= 360.0))
-        return wrongUsage(QStringLiteral("--section wants degrees from -360 to 360"));
-    if (wantsSection && wantsXray)
-        return wrongUsage(QStringLiteral("--section and --xray are two pictures; ask for one"));
     if (!hasDisplay()) {
         const int exitCode = runOnDisplay(QStringList{QStringLiteral("render")} + arguments, false);
         return exitCode >= 0 ? exitCode
@@ -234,48 +399,19 @@ int renderCommand(const QStringList& arguments)
                                        "A picture needs a display with OpenGL 3.3, or xvfb-run (Debian package xvfb)"});
     }
 
-    const auto subject = subjectOf(recording, source, *build);
-    if (!subject)
-        return failed(subject.error());
-    if (wantsSection || wantsXray) {
-        const QImage picture = wantsXray ? xrayPicture(subject->tooth, *size)
-                                         : sectionPicture(*subject, sectionDeg, *size, wishes->look.palette);
-        const core::Status saved = save(picture, out);
-        return saved ? kDone : failed(saved.error());
+    core::Result<QImage> picture;
+    if (isArch) {
+        picture = archPicture(named.isEmpty() ? 0 : *fdi, *size);
+    } else {
+        const auto subject = subjectOf(recording, source, *build);
+        if (!subject)
+            return failed(subject.error());
+        picture = draw(*subject, *wishes, view, *size);
     }
-    const auto& anatomy = subject->tooth.anatomy;
-    ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(false));
-    surface.write(subject->tooth.top);
-    surface.refresh();
-
-    const auto canvas = ui::render::Canvas::make(*size);
-    if (!canvas)
-        return failed(canvas.error());
-    ui::render::ToothRenderer renderer;
-    ui::render::Presenter presenter;
-    if (QString reason; !renderer.initialize(reason) || !presenter.initialize(reason))
-        return failed({core::ErrorCode::FileUnreadable, "this display cannot draw a tooth: " + reason.toStdString()});
-    ui::tooth::showWhole(camera, surface);
-    if (const core::Status there = ui::tooth::goTo(camera, view, anatomy->fdi); !there)
-        return wrongUsage(QString::fromStdString(there.error().detail));
-    ui::render::Scene scene = ui::tooth::sceneThrough(camera, glm::vec2(size->width(), size->height()), false);
-    if (subject->bur) {
-        scene.instrumentShown = true;
-        scene.burIndex = subject->bur->burIndex;
-        scene.tipMm = subject->bur->anchorMm;
-        scene.surfaceBelowTipMm = surface.heightMm(glm::dvec2(scene.tipMm));
-        scene.liftMm = ui::tooth::liftMm(surface, scene.burIndex, scene.tipMm);
-    }
-    scene.look = wishes->look;
-    if (wishes->mirror)
-        scene.mirror = ui::tooth::mirrorBeside(camera, surface, false);
-    const QImage picture = (*canvas)->picture([&] {
-        renderer.setSurface(surface);
-        presenter.draw(renderer, scene, wishes->presentation, camera.distanceMm(), ui::render::Canvas::kSamples);
-    });
-    if (const core::Status saved = save(picture, out); !saved)
-        return failed(saved.error());
-    return kDone;
+    if (!picture)
+        return failed(picture.error());
+    const core::Status saved = save(*picture, out);
+    return saved ? kDone : failed(saved.error());
 }
 
 }  // namespace app::cli

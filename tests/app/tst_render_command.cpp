@@ -23,6 +23,8 @@ private slots:
     void drawsATooth_data();
     void drawsATooth();
     void drawsWhatAnAttemptLeft();
+    void drawsTheMouthWithATooth();
+    void whatStandsBesideAScanNobodyKnows();
     void wrongUsage_data();
     void wrongUsage();
     void aPictureThatCannotBeWrittenLeavesTheOlderOne();
@@ -41,6 +43,10 @@ void TestRenderCommand::drawsATooth_data()
         << QStringList{"--view", "buccal", "--size", "300X300"} << QSize(300, 300);
     QTest::newRow("a section") << QStringList{"--section", "90", "--size", "400x300"} << QSize(400, 300);
     QTest::newRow("an X-ray picture") << QStringList{"--xray", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("a bitewing") << QStringList{"--bitewing", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("a bitewing on a high picture") << QStringList{"--bitewing", "--size", "200x300"} << QSize(200, 300);
+    QTest::newRow("the whole mouth") << QStringList{"--arch", "--size", "400x300"} << QSize(400, 300);
+    QTest::newRow("the teeth beside it") << QStringList{"--show", "neighbours", "--size", "400x300"} << QSize(400, 300);
     QTest::newRow("for two eyes") << QStringList{"--stereo", "grey", "--size", "400x300"} << QSize(400, 300);
     QTest::newRow("turned over, with a mirror")
         << QStringList{"--flip", "both", "--show", "mirror,wet,light,depth", "--size", "400x300"} << QSize(400, 300);
@@ -91,6 +97,38 @@ void TestRenderCommand::drawsWhatAnAttemptLeft()
     QVERIFY2(different > 500, qPrintable(QString::number(different)));
 }
 
+void TestRenderCommand::drawsTheMouthWithATooth()
+{
+    const auto mouth = [&](const char* name, const QStringList& options) {
+        const QString file = m_folder.filePath(name);
+        const Ending ending = runCusp(QStringList{"render", "--arch", "--size", "400x300", "--out", file} + options);
+        return ending.exitCode == 0 ? QImage(file) : QImage();
+    };
+    const QImage nobody = mouth("nobody.png", {});
+    const QImage one = mouth("one.png", {"--tooth", "36"});
+    QVERIFY(!nobody.isNull() && !one.isNull());
+    // The marked tooth alone: some of the picture, on its right half, where the patient's left is.
+    QRect changed;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            if (one.pixel(x, y) != nobody.pixel(x, y))
+                changed |= QRect(x, y, 1, 1);
+    QVERIFY(changed.left() > 200);
+    QVERIFY(changed.width() > 10 && changed.width() < 60);
+    QVERIFY(changed.height() > 10 && changed.height() < 60);
+}
+
+void TestRenderCommand::whatStandsBesideAScanNobodyKnows()
+{
+    const QString recording = QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec");
+    const QStringList scan{"render", "--recording", recording, "--out", m_folder.filePath("scan.png")};
+    for (const QStringList& what : {QStringList{"--show", "neighbours"}, QStringList{"--bitewing"}}) {
+        const Ending ending = runCusp(scan + what);
+        QCOMPARE(ending.exitCode, 1);
+        QVERIFY2(ending.isOneSentence() && ending.error.contains("'synthetic'"), ending.error);
+    }
+}
+
 void TestRenderCommand::wrongUsage_data()
 {
     QTest::addColumn<QStringList>("arguments");
@@ -104,6 +142,18 @@ void TestRenderCommand::wrongUsage_data()
     QTest::newRow("half a place") << QStringList{"--tooth", "36", "--out", "a.png", "--view", "1,2"};
     QTest::newRow("no angle") << QStringList{"--tooth", "36", "--out", "a.png", "--section", "east"};
     QTest::newRow("two pictures") << QStringList{"--tooth", "36", "--out", "a.png", "--section", "0", "--xray"};
+    QTest::newRow("two films") << QStringList{"--tooth", "36", "--out", "a.png", "--bitewing", "--xray"};
+    QTest::newRow("mouth and film") << QStringList{"--tooth", "36", "--out", "a.png", "--bitewing", "--arch"};
+    QTest::newRow("the mouth of an attempt") << QStringList{"--recording", "a.cusprec", "--out", "a.png", "--arch"};
+    QTest::newRow("the mouth of a scan") << QStringList{"--tooth", "a.stl", "--out", "a.png", "--arch"};
+    QTest::newRow("a mouth from above") << QStringList{"--out", "a.png", "--arch", "--view", "occlusal"};
+    QTest::newRow("a film for two eyes") << QStringList{"--tooth", "36",       "--out", "a.png",
+                                                        "--xray",  "--stereo", "grey"};
+    QTest::newRow("a section turned over")
+        << QStringList{"--tooth", "36", "--out", "a.png", "--section", "0", "--flip", "both"};
+    QTest::newRow("a wet section") << QStringList{"--tooth", "36", "--out", "a.png", "--section", "0", "--show", "wet"};
+    QTest::newRow("a bitewing with neighbours")
+        << QStringList{"--tooth", "36", "--out", "a.png", "--bitewing", "--show", "neighbours"};
     QTest::newRow("no such glasses") << QStringList{"--tooth", "36", "--out", "a.png", "--stereo", "blue"};
     QTest::newRow("no such flip") << QStringList{"--tooth", "36", "--out", "a.png", "--flip", "over"};
     QTest::newRow("nothing of that name") << QStringList{"--tooth", "36", "--out", "a.png", "--show", "halo"};

@@ -3,10 +3,7 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -16,7 +13,6 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "core/teeth/ToothTable.h"
 #include "ui/render/Driver.h"
 #include "ui/render/Gizmo.h"
 #include "ui/shell/Theme.h"
@@ -25,34 +21,15 @@
 namespace ui::shell {
 namespace {
 
-/// As wide as a mouth opens without strain: some 40 mm between the incisors, 25 degrees.
-constexpr double kOpenRad = 0.44;
-/// Seen from further above or below only the jaw that faces the eye is drawn.
-constexpr double kOneJawDeg = 24.0;
-constexpr double kStartAzimuthDeg = 26.0;
-constexpr double kStartElevationDeg = 14.0;
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
-/// Share of the teeth's extent that is the radius of what must fit the picture: of both jaws, and of one alone, which
-/// fills more of its ball.
-constexpr double kBothJaws = 0.52;
-constexpr double kOneJaw = 0.62;
 constexpr int kStillMs = 120;
 constexpr int kFrameMs = 16;
 constexpr int kGizmoPx = 46;
-/// Over the eye's left shoulder, in the eye's frame.
-const glm::dvec3 kLamp = glm::normalize(glm::dvec3(-0.35, 0.55, 0.75));
-const glm::dvec3 kSky = glm::normalize(glm::dvec3(0.0, 0.5, 0.86));
 
 bool isChoosable(int fdi)
 {
     return fdi != 0 && core::teeth::leftFellow(fdi) == fdi;
-}
-
-glm::dvec3 crownMiddle(const core::teeth::ArchPiece& piece)
-{
-    const double heightMm = core::teeth::findToothSizes(core::teeth::leftFellow(piece.fdi))->crownHeightMm;
-    return glm::dvec3(piece.place * glm::dvec4(0.0, 0.0, -0.4 * heightMm, 1.0));
 }
 
 }  // namespace
@@ -106,9 +83,9 @@ void Mouth::showEvent(QShowEvent* event)
 void Mouth::take(const render::ArchPointer& arch)
 {
     m_arch = arch;
-    m_pieces = arch->mouth(kOpenRad);
-    m_camera.setStart(kStartAzimuthDeg);
-    m_camera.set(kStartAzimuthDeg, kStartElevationDeg, m_camera.distanceMm());
+    m_pieces = arch->mouth(tooth::kMouthOpenRad);
+    m_camera.setStart(tooth::kMouthAzimuthDeg);
+    m_camera.set(tooth::kMouthAzimuthDeg, tooth::kMouthElevationDeg, m_camera.distanceMm());
     m_piecesAreNew = true;
     showJaws();
     emit ready();
@@ -118,28 +95,15 @@ void Mouth::take(const render::ArchPointer& arch)
 void Mouth::showJaws()
 {
     const double elevation = m_camera.elevationDeg();
-    const bool upper = elevation < kOneJawDeg;
-    const bool lower = elevation > -kOneJawDeg;
+    const tooth::Jaws jaws = tooth::jawsSeen(elevation);
     update();
-    if (upper == m_upperShown && lower == m_lowerShown)
+    if (jaws == m_jawsShown)
         return;
-    m_upperShown = upper;
-    m_lowerShown = lower;
-    m_shown.clear();
-    glm::dvec3 low(1.0e9);
-    glm::dvec3 high(-1.0e9);
-    for (const core::teeth::ArchPiece& piece : m_pieces) {
-        if (piece.upper ? !upper : !lower)
-            continue;
-        m_shown.push_back(piece);
-        if (piece.tooth) {
-            low = glm::min(low, crownMiddle(piece));
-            high = glm::max(high, crownMiddle(piece));
-        }
-    }
+    m_jawsShown = jaws;
+    m_shown = tooth::piecesOf(m_pieces, jaws);
     const double closeness = m_camera.distanceMm() / m_camera.fittingMm();
     const double azimuth = m_camera.azimuthDeg();
-    m_camera.setSubject(0.5 * (low + high), (upper && lower ? kBothJaws : kOneJaw) * glm::distance(low, high));
+    tooth::showPieces(m_camera, m_shown);
     m_camera.set(azimuth, elevation, (m_fitted ? 1.0 : closeness) * m_camera.fittingMm());
 }
 
@@ -160,10 +124,10 @@ void Mouth::select(int fdi)
 /// With the keys; a tooth of the jaw that is not drawn is brought into view.
 void Mouth::walkTo(int fdi)
 {
-    if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Upper && m_camera.elevationDeg() >= kOneJawDeg)
-        turn(0.0, -kStartElevationDeg - m_camera.elevationDeg());
-    if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Lower && m_camera.elevationDeg() <= -kOneJawDeg)
-        turn(0.0, kStartElevationDeg - m_camera.elevationDeg());
+    if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Upper && !tooth::jawsSeen(m_camera.elevationDeg()).upper)
+        turn(0.0, -tooth::kMouthElevationDeg - m_camera.elevationDeg());
+    if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Lower && !tooth::jawsSeen(m_camera.elevationDeg()).lower)
+        turn(0.0, tooth::kMouthElevationDeg - m_camera.elevationDeg());
     select(fdi);
 }
 
@@ -208,14 +172,7 @@ void Mouth::resizeEvent(QResizeEvent* event)
 
 render::ArchScene Mouth::scene() const
 {
-    render::ArchScene scene;
-    scene.eyeFromScene = m_camera.view();
-    scene.clipFromEye = m_camera.projection();
-    scene.eyeMm = m_camera.eyeMm();
-    // The lamp is the dentist's: it turns with the eye.
-    const glm::dmat3 sceneFromEye = glm::transpose(glm::dmat3(scene.eyeFromScene));
-    scene.towardsLight = glm::vec3(sceneFromEye * kLamp);
-    scene.towardsSky = glm::vec3(sceneFromEye * kSky);
+    render::ArchScene scene = tooth::mouthThrough(m_camera);
     scene.hoveredFdi = m_hovered;
     scene.chosenFdi = m_selected;
     return scene;
@@ -352,7 +309,7 @@ QPointF Mouth::placeOf(int fdi) const
     const core::teeth::ArchPiece* piece = pieceOf(fdi);
     if (piece == nullptr)
         return {};
-    const glm::dvec2 at = m_camera.pixelOf(crownMiddle(*piece));
+    const glm::dvec2 at = m_camera.pixelOf(tooth::crownMiddleMm(*piece));
     return {at.x, at.y};
 }
 
@@ -463,7 +420,7 @@ void Mouth::keyPressEvent(QKeyEvent* event)
         break;
     case Qt::Key_Home:
         m_fitted = true;
-        m_camera.set(kStartAzimuthDeg, kStartElevationDeg, m_camera.fittingMm());
+        m_camera.set(tooth::kMouthAzimuthDeg, tooth::kMouthElevationDeg, m_camera.fittingMm());
         showJaws();
         break;
     default:

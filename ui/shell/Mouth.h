@@ -12,6 +12,7 @@
 #include "ui/render/ArchRenderer.h"
 #include "ui/render/SharedArch.h"
 #include "ui/tooth/Camera.h"
+#include "ui/tooth/MouthScene.h"
 
 class QOpenGLFramebufferObject;
 class QPainter;
@@ -90,8 +91,7 @@ private:
     int m_selected = 0;
     int m_hovered = 0;
     bool m_failed = false;
-    bool m_upperShown = false;
-    bool m_lowerShown = false;
+    tooth::Jaws m_jawsShown;
     bool m_fitted = true;  ///< until someone zooms
 
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
