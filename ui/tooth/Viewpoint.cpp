@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kSideElevationDeg = 12.0;
 constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shank must clear
+// Where the dental mirror is taken in hand.
+constexpr double kMirrorBehind = 0.9;  ///< the middle of the crown, of its radius
+constexpr double kMirrorSeen = 0.55;   ///< of its radius, on the outer side
+constexpr double kMirrorAbove = 0.22;  ///< the middle of the view, of half its height
 constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
 
 struct Named
@@ -118,10 +122,16 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
     render::DentalMirror mirror;
     const glm::dvec3 middle = surface.crownMiddleMm();
     const double radius = surface.crownRadiusMm();
-    const glm::dvec3 right(camera.rightOnTooth(), 0.0);
-    const glm::dvec3 away(camera.awayOnTooth(), 0.0);
-    const glm::dvec3 out = glm::normalize((leftHanded ? 1.0 : -1.0) * right + 0.35 * away);
-    mirror.centreMm = middle + out * (radius + 4.0) + glm::dvec3(0.0, 0.0, 0.25 * radius);
+    // Behind the crown and to the side, so far that a little of its disc is outside the view and the rest beside the
+    // tooth.
+    const glm::dmat4 eyeFromTooth = camera.view();
+    const glm::dmat4 projection = camera.projection();
+    const double depth = -(eyeFromTooth * glm::dvec4(middle, 1.0)).z + kMirrorBehind * radius;
+    const double wide = depth / projection[0][0];
+    const double high = depth / projection[1][1];
+    const double aside = std::max(wide - kMirrorSeen * render::DentalMirror::kRadiusMm, 0.6 * wide);
+    const glm::dvec4 inEye(leftHanded ? aside : -aside, kMirrorAbove * high, -depth, 1.0);
+    mirror.centreMm = glm::dvec3(glm::inverse(eyeFromTooth) * inEye);
     // Half way between where the eye is and what it wants to see: the crown from behind.
     const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - mirror.centreMm);
     const glm::dvec3 towardsCrown = glm::normalize(middle + glm::dvec3(0.0, 0.0, 0.2 * radius) - mirror.centreMm);

@@ -75,7 +75,7 @@ void main()
         float away2 = dot(way, way);
         float own = max(dot(normal, way) * inversesqrt(away2), 0.0) * 90.0 / (away2 + 20.0);
         own *= smoothstep(9.0, 2.0, length(positionMm.xy - tipMm.xy)) * burLightAt(positionMm + normal * 0.05, normal.z);
-        now += 0.45 * own;
+        now += 0.3 * own;
     }
     colour = vec4(0.5 * sqrt(now / all));
 }

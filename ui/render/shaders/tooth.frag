@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tooth under an operating light: what material lies at this height of this column, and how it takes the light.
 in vec3 positionMm;
-in vec2 across;       // x, y of the normal
+in vec3 normalHere;
 in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
 in float cutMm;       // below the uncut surface
 in vec2 onLattice;
@@ -44,7 +44,7 @@ float dots(vec3 at)
 
 void main()
 {
-    vec3 normal = normalize(vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0))));
+    vec3 normal = normalize(normalHere);
     vec4 shade = shadeHere;
     // The map of light is the upper surface's; from the rim downwards the lower one leaves it.
     if (facing < 0.0)
@@ -61,8 +61,9 @@ void main()
     float isEnamel = smoothstep(-0.03, 0.03, enamelMm);
     float cut = shade.b;
     vec3 enamel = mix(kEnamel, kCutEnamel, 0.75 * cut);
-    // Dentin shines through thin enamel.
-    enamel = mix(mix(kDentin, enamel, 0.6), enamel, smoothstep(0.0, 1.5, enamelMm));
+    // Dentin shines through thin enamel. At a flank what lies below a point is more than what lies behind it.
+    float thick = mix(5.0, 1.5, normal.z * normal.z);
+    enamel = mix(mix(kDentin, enamel, 0.6), enamel, smoothstep(0.0, thick, enamelMm));
     vec3 base = mix(kDentin, enamel, isEnamel);
     base = mix(base, kPulp, inPulp);
     // Around an open lesion what still holds is stained.

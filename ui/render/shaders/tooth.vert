@@ -9,11 +9,12 @@ uniform sampler2D normals;  // x, y of the unit normal
 uniform sampler2D lowerLayers;  // of it only the uncut surface, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
 uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
+uniform float facing;       // 1 upper surface, -1 lower
 uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
 
 invariant gl_Position;  // as in brighten.vert
 out vec3 positionMm;
-out vec2 across;     // x, y of the normal
+out vec3 normalHere;  // turned linearly from node to node, or the rim, where z goes through 0, would show
 out vec4 shadeHere;
 out float cutMm;     // below the uncut surface
 out vec2 onLattice;  // where the layers of this column are, as a texture is read
@@ -25,7 +26,8 @@ void main()
     vec2 placeMm = texelFetch(places, node, 0).rg;
     positionMm = vec3(placeMm, texelFetch(heights, node, 0).r);
     cutMm = texelFetch(lowerLayers, node, 0).b - positionMm.z;
-    across = texelFetch(normals, node, 0).rg;
+    vec2 across = texelFetch(normals, node, 0).rg;
+    normalHere = vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0)));
     shadeHere = texelFetch(light, node, 0);
     onLattice = ((placeMm - lattice.xy) * lattice.z + 0.5) / float(side);
     gl_ClipDistance[0] = dot(clipPlane, vec4(positionMm, 1.0));
