@@ -42,6 +42,7 @@ private slots:
     void lightFromTheOtherSideChangesTheShading();
     void surfacesCanBeExchanged();
     void whatIsKeptLooksAsIfDrawnAnew();
+    void aFinePictureThatIsKeptTakesTheBursLight();
 
 private:
     QImage draw(const Scene& scene);
@@ -387,6 +388,40 @@ void TestToothRenderer::whatIsKeptLooksAsIfDrawnAnew()
     compare("wet");
     seen.eye = 1;
     compare("the other eye");
+    m_camera.reset();
+}
+
+/// A picture with smooth edges is drawn once nothing moves, and is then what the bur moves over: its shadow must fall on
+/// all of it as on any other.
+void TestToothRenderer::aFinePictureThatIsKeptTakesTheBursLight()
+{
+    show(m_tooth);
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(4);
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    QOpenGLFramebufferObject fine(kWidth, kHeight, format);
+    m_camera.set(20.0, 50.0, m_camera.fittingMm());
+    Scene seen = scene();
+    seen.keepsStill = true;
+    seen.instrumentShown = true;
+    seen.look.burLight = true;
+    seen.tipMm = {1.0, 0.5, -2.0};
+    fine.bind();
+    m_context.functions()->glViewport(0, 0, kWidth, kHeight);
+    m_renderer->draw(seen);
+    seen.tipMm.x += 0.3;
+    const QImage kept = draw(seen);
+    Scene whole = seen;
+    whole.keepsStill = false;
+    const QImage anew = draw(whole);
+    // All but the edges, which are smooth in the one.
+    const int differing = pictures::difference(kept, anew, 12).pixels;
+    QVERIFY2(differing < kWidth * kHeight / 400, qPrintable(QString::number(differing)));
+    // And so after a part of it was drawn again.
+    m_surface->write(pictures::cutTile(*m_tooth, {0.0, 0.5}, -4.0F));
+    m_renderer->update(*m_surface, m_surface->refresh());
+    const int cut = pictures::difference(draw(seen), draw(whole), 12).pixels;
+    QVERIFY2(cut < kWidth * kHeight / 400, qPrintable(QString::number(cut)));
     m_camera.reset();
 }
 

@@ -21,6 +21,7 @@ namespace {
 /// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
 constexpr double kShankHidesTheWork = 0.82;
 constexpr double kNeighboursDimmed = 0.35;
+constexpr float kCueWide = 0.0034F;  ///< half the line under the bur, of half the height of the picture
 constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
 constexpr double kLampReachMm = 9.0;  ///< about the bur; burlight.frag has the same
 constexpr double kPenumbra = 0.14;    ///< likewise
@@ -159,7 +160,14 @@ void ToothRenderer::update(const ToothSurface& surface, const ToothSurface::Chan
 {
     if (m_maps.isEmpty())
         return;
+    // What was there no longer holds, nor what comes.
+    spoilStills(changes);
     m_maps.update(surface, changes);
+    spoilStills(changes);
+}
+
+void ToothRenderer::spoilStills(const ToothSurface::Changes& changes)
+{
     for (StillPicture& still : m_stills) {
         if (!still.view())
             continue;
@@ -219,10 +227,15 @@ void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
     view.look.burLight = false;
     StillPicture& still = m_stills[static_cast<std::size_t>((scene.eye != 0 ? 2 : 0) + (m_isMirrored ? 1 : 0))];
     if (samples > 0) {
-        // A fine picture is worth more than the one kept, which takes its smooth edges over.
+        // A fine picture is worth more than the one kept, which takes its smooth edges over. Its depths are drawn: of
+        // several samples a copy has one, which lies beside the middle of the pixel.
         drawRoom(scene, all);
         still.take(size, view);
-        copyPixels(target, still.framebuffer(), size);
+        copyPixels(target, still.framebuffer(), size, GL_COLOR_BUFFER_BIT);
+        glBindFramebuffer(GL_FRAMEBUFFER, still.framebuffer());
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        drawRoom(scene, all);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     } else {
         QRect part = still.takeSpoilt();
         if (!still.holds(size, view)) {
@@ -233,17 +246,19 @@ void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
             glBindFramebuffer(GL_FRAMEBUFFER, still.framebuffer());
             drawRoom(scene, part);
         }
-        copyPixels(still.framebuffer(), target, size);
+        // With the stencil: the two are one, and a copy of a half of it is drawn instead.
+        copyPixels(still.framebuffer(), target, size,
+                   GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target);
 }
 
-void ToothRenderer::copyPixels(GLuint from, GLuint to, QSize size)
+void ToothRenderer::copyPixels(GLuint from, GLuint to, QSize size, GLbitfield what)
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
-                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), what,
+                      GL_NEAREST);
 }
 
 /// All of it, but only these pixels.
@@ -571,7 +586,7 @@ void ToothRenderer::drawCue(const Scene& scene)
     setMatrix(*this, m_lineProgram, "clipFromTooth", glm::mat4(scene.clipFromEye * scene.eyeFromTooth));
     setVector(m_lineProgram, "fromMm", glm::vec3(scene.tipMm));
     setVector(m_lineProgram, "toMm", glm::vec3(glm::dvec2(scene.tipMm), scene.surfaceBelowTipMm + 0.02));
-    m_lineProgram.setUniformValue("halfWidth", 1.2F / scene.sizePx.x, 0.0F);
+    m_lineProgram.setUniformValue("halfWidth", kCueWide * scene.sizePx.y / scene.sizePx.x, 0.0F);
     m_lineProgram.setUniformValue("tint", 0.06F, 0.55F, 0.56F, 0.8F);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);

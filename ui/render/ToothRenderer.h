@@ -105,7 +105,8 @@ private:
     void upload(Part& part, const SolidMesh& mesh);
     void drawStill(const Scene& scene, const glm::dvec4& clipPlane);
     void drawRoom(const Scene& scene, const QRect& part);
-    void copyPixels(GLuint from, GLuint to, QSize size);
+    void copyPixels(GLuint from, GLuint to, QSize size, GLbitfield what);
+    void spoilStills(const ToothSurface::Changes& changes);
     void useTooth(QOpenGLShaderProgram& program, const Scene& scene);
     void showNearestFronts();
     void findLightOfBur(const Scene& scene);
