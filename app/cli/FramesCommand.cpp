@@ -128,12 +128,13 @@ std::vector<Scene> scenes()
     all.look.isWet = true;
     all.showsHand = true;
     all.showsMirror = true;
+    all.showsNeighbours = true;
     ui::tooth::ViewSettings two = all;
     two.presentation.stereo = ui::render::Stereo::RedCyan;
     return {{"plain", "plain, the bur moves", false, false, {}, "1.5"},
             {"drilling", "plain, the bur cuts", true, false, {}, ""},
             {"turning", "plain, the eye turns", false, true, {}, ""},
-            {"effects", "light, wet, hand and mirror", false, false, all, "4"},
+            {"effects", "light, wet, hand, mirror, neighbours", false, false, all, "4"},
             {"effects_drilling", "the same, the bur cuts", true, false, all, ""},
             {"stereo", "all that for two eyes", false, false, two, "4"}};
 }

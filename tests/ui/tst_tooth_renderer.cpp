@@ -391,8 +391,8 @@ void TestToothRenderer::whatIsKeptLooksAsIfDrawnAnew()
     m_camera.reset();
 }
 
-/// A picture with smooth edges is drawn once nothing moves, and is then what the bur moves over: its shadow must fall on
-/// all of it as on any other.
+/// A picture with smooth edges is drawn once nothing moves, and is then what the bur moves over: its shadow must fall
+/// on all of it as on any other.
 void TestToothRenderer::aFinePictureThatIsKeptTakesTheBursLight()
 {
     show(m_tooth);

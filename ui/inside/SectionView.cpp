@@ -242,8 +242,7 @@ void SectionView::showFigures(const core::session::ServoState& servo, const core
         label->setText(mm ? text::number(*mm, 2) : QStringLiteral("–"), QStringLiteral("mm"));
         label->setColour(mm ? QColor() : quiet);
     };
-    const bool inTooth = servo.tick > 0 && reading.overTooth;
-    show(m_depth, inTooth && reading.depthMm >= 0.0 ? std::optional(reading.depthMm) : std::nullopt);
+    show(m_depth, reading.overTooth ? std::optional(reading.depthMm) : std::nullopt);
     show(m_dentin, reading.dentinOverPulpMm);
     show(m_down, servo.tick > 0 ? reading.downToPulpMm : std::nullopt);
     show(m_nearest, servo.tick > 0 ? reading.toPulpMm : std::nullopt);

@@ -21,7 +21,7 @@ namespace {
 /// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
 constexpr double kShankHidesTheWork = 0.82;
 constexpr double kNeighboursDimmed = 0.35;
-constexpr float kCueWide = 0.0034F;  ///< half the line under the bur, of half the height of the picture
+constexpr float kCueWide = 0.0034F;   ///< half the line under the bur, of half the height of the picture
 constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
 constexpr double kLampReachMm = 9.0;  ///< about the bur; burlight.frag has the same
 constexpr double kPenumbra = 0.14;    ///< likewise
@@ -257,8 +257,7 @@ void ToothRenderer::copyPixels(GLuint from, GLuint to, QSize size, GLbitfield wh
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), what,
-                      GL_NEAREST);
+    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), what, GL_NEAREST);
 }
 
 /// All of it, but only these pixels.
@@ -561,6 +560,8 @@ void ToothRenderer::drawInstrument(const Scene& scene)
         "glassCentre", static_cast<float>((0.5 + 0.5 * crown.x / crown.w) * static_cast<double>(scene.sizePx.x)),
         static_cast<float>((0.5 + 0.5 * crown.y / crown.w) * static_cast<double>(scene.sizePx.y)));
     m_metalProgram.setUniformValue("glassRadius", static_cast<float>(m_crownRadiusMm * scale));
+    m_metalProgram.setUniformValue("crownAwayMm",
+                                   static_cast<float>(glm::distance(scene.eyeMm, glm::dvec3(m_crownMm))));
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     const auto glass = [&] {
         if (shankIsGlass)

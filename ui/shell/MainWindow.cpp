@@ -124,6 +124,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     pulse->start(kSessionMs);
     qApp->installEventFilter(this);
     recallLayout();
+    m_room->setHintVisible(m_view->isUsable());
     goTo(m_room);
 }
 
@@ -309,9 +310,14 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
 {
     takeSession();
     const core::terrain::Tooth* tooth = m_view->tooth();
-    const core::imaging::DepthReading reading = tooth != nullptr && m_pulp && servo.tick > 0
-                                                    ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm)
-                                                    : core::imaging::DepthReading{};
+    core::imaging::DepthReading reading = tooth != nullptr && m_pulp && servo.tick > 0
+                                              ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm)
+                                              : core::imaging::DepthReading{};
+    // One depth, wherever it is told: that of the servo, who knows the flanks. Above the old surface there is none.
+    reading.overTooth = servo.hasDepth && (servo.touching || reading.depthMm >= 0.0);
+    reading.depthMm = servo.depthMm;
+    if (!reading.overTooth && !servo.touching)
+        reading.dentinOverPulpMm.reset();
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     if (servo.cutting && !m_hasCut) {

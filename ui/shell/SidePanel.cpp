@@ -250,11 +250,11 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         //: Unit of the force, and how much of it comes from a wall that presses sideways
         unit = tr("N, %1 sideways").arg(text::number(sidewaysN, 1));
     setFigure(m_force, text::number(forceN, 2), unit, limited ? tone.attentionText : QColor());
-    if (servo.touching && servo.hasDepth)
-        setFigure(m_depth, text::number(servo.depthMm, 2), QStringLiteral("mm"));
+    if (reading.overTooth)
+        setFigure(m_depth, text::number(reading.depthMm, 2), QStringLiteral("mm"));
     else
         setFigure(m_depth, dash(), QStringLiteral("mm"), quiet);
-    if (servo.touching && reading.dentinOverPulpMm) {
+    if (reading.dentinOverPulpMm) {
         const double left = *reading.dentinOverPulpMm;
         setFigure(m_dentin, text::number(left, 2), QStringLiteral("mm"),
                   left < kHarmfulDentinMm ? tone.harmText

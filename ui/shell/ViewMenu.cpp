@@ -107,7 +107,10 @@ QToolButton* ViewMenu::makeButton(QWidget* parent)
 void ViewMenu::read()
 {
     const QSettings kept = memory();
-    const auto isOn = [&](const char* key) { return kept.value(QLatin1String("view/") + QLatin1String(key)).toBool(); };
+    // Only what was written here: to Qt any word is true.
+    const auto isOn = [&](const char* key) {
+        return kept.value(QLatin1String("view/") + QLatin1String(key)).toString() == u"true";
+    };
     m_actions.burLight->setChecked(isOn("light"));
     m_actions.depthColours->setChecked(isOn("depth"));
     m_actions.handPlace->setChecked(isOn("hand"));
@@ -121,7 +124,7 @@ void ViewMenu::read()
     const int last = kept.value(QStringLiteral("view/stereoMode"), 1).toInt();
     if (last >= 1 && last <= static_cast<int>(render::Stereo::TopBottom))
         m_lastStereo = static_cast<render::Stereo>(last);
-    m_actions.stereo->setChecked(stereo != 0);
+    m_actions.stereo->setChecked(stereo >= 1 && stereo <= static_cast<int>(render::Stereo::TopBottom));
     m_settings.presentation.apart = kept.value(QStringLiteral("view/eyesApart"), 0.0).toDouble();
     m_settings.presentation.convergence = kept.value(QStringLiteral("view/convergence"), 0.0).toDouble();
     keepInBounds(m_settings.presentation);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -12,7 +13,9 @@ namespace {
 constexpr std::int64_t kLatestNs = 1'000'000;  ///< before painting: later than that there may be no reading yet
 constexpr std::int64_t kOldestNs = 6'000'000;  ///< likewise: an even beat is not worth more
 constexpr std::int64_t kFollow = 8;            ///< pictures over which the beat is taken up
-constexpr std::int64_t kFollowPeriod = 32;     ///< and how long it is
+constexpr std::int64_t kShortestNs = 4'000'000;
+constexpr std::int64_t kLongestNs = 60'000'000;
+constexpr std::int64_t kFollowPeriod = 32;  ///< and how long it is
 
 }  // namespace
 
@@ -41,10 +44,13 @@ core::session::Pose poseAt(const core::session::ServoState& state, std::int64_t 
 std::int64_t FrameClock::momentFor(std::int64_t paintedNs)
 {
     const std::int64_t wanted = paintedNs - kBehindNs;
+    const std::int64_t since = paintedNs - std::exchange(m_paintedNs, paintedNs);
     const std::int64_t error = wanted - (m_momentNs + m_periodNs);
     if (std::abs(error) > m_periodNs / 2) {
-        // The first one, or some were left out: the beat begins anew.
+        // The first one, or another beat than was thought: it begins anew.
         m_momentNs = wanted;
+        if (since >= kShortestNs && since <= kLongestNs)
+            m_periodNs = since;
         return m_momentNs;
     }
     m_periodNs += error / kFollowPeriod;

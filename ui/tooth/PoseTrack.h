@@ -25,6 +25,7 @@ public:
 
 private:
     std::int64_t m_momentNs = 0;
+    std::int64_t m_paintedNs = 0;
     std::int64_t m_periodNs = 16'666'667;
 };
 

@@ -18,6 +18,7 @@
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
 #include <QPainter>
+#include <QScreen>
 #include <QSurfaceFormat>
 #include <QTabletEvent>
 #include <QWheelEvent>
@@ -35,6 +36,7 @@ namespace ui::tooth {
 namespace {
 
 constexpr int kFrameMs = 16;
+constexpr int kLeastFrameMs = 4;
 constexpr int kSamples = 4;
 constexpr int kLightLagMs = 400;  ///< by which light far from a cut may be behind
 constexpr int kStillMs = 120;     ///< without a change before a software driver is asked for smooth edges
@@ -226,6 +228,8 @@ QImage ToothView::picture()
         return m_sentence ? m_sentence->grab().toImage() : QImage();
     m_servo = m_links.servo.latest();
     takePatches();
+    if (m_surface && m_surface->isBehind())
+        takeChanges();
     m_smoothWanted = true;
     return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
 }
@@ -233,7 +237,13 @@ QImage ToothView::picture()
 QImage ToothView::toothPicture()
 {
     m_instrumentHidden = true;
+    const ViewSettings own = m_settings;
+    m_settings = {};
+    m_settings.look.palette = own.look.palette;
+    const auto mirror = std::exchange(m_mirror, std::nullopt);
     QImage image = picture();
+    m_settings = own;
+    m_mirror = mirror;
     m_instrumentHidden = false;
     update();
     return image;
@@ -245,6 +255,8 @@ void ToothView::initializeGL()
     m_renderer = std::make_unique<render::ToothRenderer>();
     m_surfaceIsNew = true;
     m_neighboursAreNew = true;
+    // As often as the screen shows a new picture.
+    m_frame.setInterval(std::clamp(static_cast<int>(1000.0 / screen()->refreshRate()), kLeastFrameMs, kFrameMs));
     m_presenter = std::make_unique<render::Presenter>();
     if (QString reason; m_usable && (!m_renderer->initialize(reason) || !m_presenter->initialize(reason)))
         fail(reason);
@@ -408,7 +420,16 @@ void ToothView::drawGizmo(QPainter& painter)
         QPainter paint(&m_gizmo);
         render::paintGizmo(paint, QPointF(kGizmoPx, kGizmoPx), kGizmoPx, turn, letters);
     }
-    painter.drawPixmap(QPointF(width() - 2 * kGizmoPx - kGizmoInPx, height() - 2 * kGizmoPx - kGizmoInPx), m_gizmo);
+    painter.drawPixmap(QPointF(kGizmoInPx, kGizmoInPx), m_gizmo);
+}
+
+/// The same of a way: it may go from one half to the other.
+QPointF ToothView::presentedWay(QPointF by) const
+{
+    const render::Presentation& how = m_settings.presentation;
+    const double x = (how.flipLeftRight ? -1.0 : 1.0) * (how.stereo == render::Stereo::SideBySide ? 2.0 : 1.0);
+    const double y = (how.flipUpDown ? -1.0 : 1.0) * (how.stereo == render::Stereo::TopBottom ? 2.0 : 1.0);
+    return {x * by.x(), y * by.y()};
 }
 
 void ToothView::drawForce(QPainter& painter)
@@ -568,7 +589,7 @@ void ToothView::dragMirror(QPointF from, QPointF to, bool tilts)
     const glm::dmat4 toothFromEye = glm::inverse(m_camera.view());
     const glm::dvec3 right(toothFromEye[0]);
     const glm::dvec3 up(toothFromEye[1]);
-    const QPointF by = presented(to) - presented(from);
+    const QPointF by = presentedWay(to - from);
     if (tilts) {
         const glm::dvec3 turned = m_mirror->normal + (right * by.x() - up * by.y()) * kTiltPerPixel;
         // Its back shows nothing.
@@ -622,7 +643,7 @@ void ToothView::mouseMoveEvent(QMouseEvent* event)
         return;
     }
     if (m_turning != Qt::NoButton) {
-        const QPointF by = presented(event->position()) - presented(m_turnedAt);
+        const QPointF by = presentedWay(event->position() - m_turnedAt);
         m_turnedAt = event->position();
         turnCamera(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
         return;

@@ -141,6 +141,7 @@ private:
     [[nodiscard]] bool isOnMirror(QPointF position) const;
     void dragMirror(QPointF from, QPointF to, bool tilts);
     [[nodiscard]] QPointF presented(QPointF position) const;
+    [[nodiscard]] QPointF presentedWay(QPointF by) const;
     [[nodiscard]] render::Ray rayAt(QPointF position) const;
     [[nodiscard]] render::Scene scene() const;
 

@@ -67,7 +67,8 @@ void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards
 
 void paintDepthScale(QPainter& painter, QSizeF view, double endMm)
 {
-    const QRectF bar(kMargin, view.height() - kMargin - kScaleHigh, kScaleWide, kScaleHigh);
+    // Half way up: below, a hint or the bar of a replay may lie over the view.
+    const QRectF bar(kMargin + 8.0, 0.5 * (view.height() - kScaleHigh), kScaleWide, kScaleHigh);
     painter.setFont(wordsFont(painter));
     const QFontMetricsF words(painter.font());
     const QString title = QCoreApplication::translate("ViewMarks", "depth, mm");

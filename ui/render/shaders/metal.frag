@@ -14,6 +14,7 @@ uniform float blur;        // 0 standing still, 1 spinning: the blades run toget
 uniform vec2 glassCentre;  // pixels: where the instrument must not hide the tooth
 uniform float fade;        // 1 solid, less: a ghost
 uniform float glassRadius; // pixels, 0: opaque everywhere
+uniform float crownAwayMm; // from the eye
 
 out vec4 colour;
 
@@ -68,7 +69,9 @@ void main()
     float opacity = 1.0;
     if (glassRadius > 0.0) {
         float away = length(gl_FragCoord.xy - glassCentre) / glassRadius;
-        opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.8, 1.35, away));
+        // Close before the eye it would be a wall.
+        float near = smoothstep(0.35, 0.65, length(eyeMm - positionMm) / crownAwayMm);
+        opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.8, 1.35, away)) * near;
     }
     colour = vec4(sqrt(lit / (1.0 + 0.16 * lit * lit)), opacity * fade);
 }
