@@ -151,8 +151,8 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
 }
 
 /// Vertical distance per distance along the normal of the underside.
-double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom, int i,
-                      int j)
+double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
+                      std::span<const float> cervixMm, int i, int j)
 {
     const auto rise = [&](int di, int dj) {
         float steepest = 0.0F;
@@ -160,7 +160,8 @@ double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std
             if (!grid.contains(i + sign * di, j + sign * dj))
                 continue;
             const std::size_t k = grid.index(i + sign * di, j + sign * dj);
-            if (top[k] > bottom[k])
+            // Where the root begins the underside ends.
+            if (top[k] > bottom[k] && bottom[k] > cervixMm[k])
                 steepest = std::max(steepest, std::abs(bottom[k] - bottom[grid.index(i, j)]));
         }
         return static_cast<double>(steepest);
@@ -215,7 +216,7 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
                 // The underside of a bulge has its own enamel, measured along its normal and so longer in a column the
                 // steeper the flank is; with that the column may hold no dentin at all.
                 const double beneath = enamel.lateral(static_cast<double>(bottom[k]) - cervix);
-                if (dej - static_cast<double>(bottom[k]) < beneath * lengthPerDepth(grid, top, bottom, i, j))
+                if (dej - static_cast<double>(bottom[k]) < beneath * lengthPerDepth(grid, top, bottom, cervixMm, i, j))
                     dej = static_cast<double>(bottom[k]) - beneath;
             } else {
                 dej = std::max(dej, std::min(cervix, surface));

@@ -146,6 +146,8 @@ private slots:
     void enamelEndsAtTheCervix();
     void neckHasOneLineBetweenEnamelAndRoot_data();
     void neckHasOneLineBetweenEnamelAndRoot();
+    void noColumnIsAllEnamelBetweenDentin_data();
+    void noColumnIsAllEnamelBetweenDentin();
     void fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase();
     void invariantsHoldOnEveryTooth_data();
     void invariantsHoldOnEveryTooth();
@@ -254,6 +256,39 @@ void TestLayers::neckHasOneLineBetweenEnamelAndRoot()
     }
     QVERIFY(flanks > 30);
     QVERIFY2(broken == 0, qPrintable(QStringLiteral("%1 of %2 sections").arg(broken).arg(flanks)));
+}
+
+void TestLayers::noColumnIsAllEnamelBetweenDentin_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int fdi : {24, 25, 26, 27, 28, 34, 35, 36, 37, 38})
+        QTest::addRow("%d", fdi) << fdi;
+}
+
+/// Where the root begins the underside falls by millimetres: that is no steep flank with much enamel in it, and a
+/// section there must not show a slit of enamel in the dentin.
+void TestLayers::noColumnIsAllEnamelBetweenDentin()
+{
+    QFETCH(int, fdi);
+    const ToothMaps maps = support::generatedMaps(fdi, 0, 150);
+    const auto layers = lay(maps, fdi);
+    int slits = 0;
+    const auto junction = [&](int i, int j) {
+        const std::size_t k = maps.grid.index(i, j);
+        return std::max(layers[k].dej, maps.bottom[k]);
+    };
+    for (int j = 1; j < 149; ++j) {
+        for (int i = 1; i < 149; ++i) {
+            bool within = true;
+            for (const auto& [di, dj] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+                within = within && solid(maps, maps.grid.index(i + di, j + dj));
+            const float around = within ? std::max(std::min(junction(i - 1, j), junction(i + 1, j)),
+                                                   std::min(junction(i, j - 1), junction(i, j + 1)))
+                                        : -1.0e9F;
+            slits += within && junction(i, j) < around - 0.8F ? 1 : 0;
+        }
+    }
+    QCOMPARE(slits, 0);
 }
 
 void TestLayers::fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase()
