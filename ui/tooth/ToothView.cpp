@@ -68,8 +68,11 @@ glm::dvec2 toGlm(QPointF point)
 ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWidget(parent), m_links(links)
 {
     QSurfaceFormat format = render::wantedFormat();
-    if (render::driver().isSoftware)
+    if (render::driver().isSoftware) {
         format.setSamples(0);
+        // Every pixel is drawn anyway: clearing them before takes as long as copying what is kept.
+        setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+    }
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
