@@ -618,9 +618,8 @@ glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
     float least = 1.0F;
     for (int dj = -kLipReach; dj <= kLipReach; ++dj) {
         for (int di = -kLipReach; di <= kLipReach; ++di) {
-            // Towards the rim a flank turns from one surface into the other, and each has only its half of it.
-            if (!m_lattice.contains(i + di, j + dj) || m_nodes[m_lattice.index(i + di, j + dj)] != Node::Solid)
-                return own;
+            if (!isShown(i + di, j + dj))
+                continue;
             const glm::vec3& normal = normals[m_lattice.index(i + di, j + dj)];
             least = std::min(least, glm::dot(own, normal));
             sum += normal * std::exp(-kLipFades * static_cast<float>(di * di + dj * dj));

@@ -63,6 +63,8 @@ QString patternOf(const QStringList& suffixes)
     return patterns.join(u' ');
 }
 
+constexpr int kReplayBarPx = 64;
+
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
 const QString kSection = QStringLiteral("window/section");
@@ -462,7 +464,9 @@ void MainWindow::placeOverlays()
     if (m_help->isVisible())
         m_help->raise();
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
-    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
+    // Above the bar of a replay.
+    const int bar = m_replaying ? kReplayBarPx : 0;
+    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - bar - m_stereoCard->height());
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
