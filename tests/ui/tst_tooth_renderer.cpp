@@ -10,6 +10,7 @@
 #include <QOpenGLFunctions>
 #include <QTest>
 
+#include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/Pictures.h"
 #include "ui/render/ToothRenderer.h"
@@ -43,6 +44,8 @@ private slots:
     void surfacesCanBeExchanged();
     void whatIsKeptLooksAsIfDrawnAnew();
     void aFinePictureThatIsKeptTakesTheBursLight();
+    void theOutlineFromAboveHasNoSteps_data();
+    void theOutlineFromAboveHasNoSteps();
 
 private:
     QImage draw(const Scene& scene);
@@ -423,6 +426,74 @@ void TestToothRenderer::aFinePictureThatIsKeptTakesTheBursLight()
     const int cut = pictures::difference(draw(seen), draw(whole), 12).pixels;
     QVERIFY2(cut < kWidth * kHeight / 400, qPrintable(QString::number(cut)));
     m_camera.reset();
+}
+
+void TestToothRenderer::theOutlineFromAboveHasNoSteps_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int fdi : {36, 26, 24})
+        QTest::addRow("%d", fdi) << fdi;
+}
+
+/// From above the flanks of an uncut tooth are its outline: where each row of pixels begins to be tooth must follow a
+/// smooth curve and not the lattice, a cell of which is some 7 pixels here.
+void TestToothRenderer::theOutlineFromAboveHasNoSteps()
+{
+    QFETCH(int, fdi);
+    const auto built = core::teeth::buildTooth({fdi}, {});
+    QVERIFY(built);
+    show(built->anatomy);
+    constexpr int kLarge = 2;
+    const QSize size(kLarge * kWidth, kLarge * kHeight);
+    QOpenGLFramebufferObject large(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+    Camera camera;
+    camera.setViewport({size.width(), size.height()});
+    camera.setSubject(m_surface->crownMiddleMm(), m_surface->crownRadiusMm());
+    camera.set(0.0, 88.0, 0.8 * camera.fittingMm());
+    Scene seen = scene();
+    seen.eyeFromTooth = camera.view();
+    seen.clipFromEye = camera.projection();
+    seen.eyeMm = camera.eyeMm();
+    seen.sizePx = {size.width(), size.height()};
+    large.bind();
+    m_context.functions()->glViewport(0, 0, size.width(), size.height());
+    m_renderer->draw(seen);
+    const QImage image = large.toImage().convertToFormat(QImage::Format_RGB32);
+    const auto edgeOf = [&](int y) {
+        for (int x = 0; x < image.width(); ++x)
+            if (qGray(image.pixel(x, y)) > 90)
+                return x;
+        return -1;
+    };
+    constexpr int kReach = 24;
+    double sum = 0.0;
+    int rows = 0;
+    for (int y = image.height() / 4; y < image.height() * 3 / 4; ++y) {
+        // A parabola through the rows around, by least squares.
+        double s0 = 0.0;
+        double s2 = 0.0;
+        double s4 = 0.0;
+        double e0 = 0.0;
+        double e2 = 0.0;
+        bool isEdge = true;
+        for (int t = -kReach; t <= kReach; ++t) {
+            const int edge = edgeOf(y + t);
+            isEdge = isEdge && edge > 0;
+            s0 += 1.0;
+            s2 += t * t;
+            s4 += static_cast<double>(t * t) * (t * t);
+            e0 += edge;
+            e2 += static_cast<double>(t * t) * edge;
+        }
+        if (!isEdge)
+            continue;
+        const double off = edgeOf(y) - (e0 * s4 - e2 * s2) / (s0 * s4 - s2 * s2);
+        sum += off * off;
+        ++rows;
+    }
+    QVERIFY(rows > 400);
+    const double rms = std::sqrt(sum / rows);
+    QVERIFY2(rms < 0.4, qPrintable(QString::number(rms)));
 }
 
 QTEST_MAIN(TestToothRenderer)

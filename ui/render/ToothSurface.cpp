@@ -44,6 +44,7 @@ constexpr float kEnamelAloneMm = 0.5F;
 constexpr int kRimRings = 3;            ///< beyond the last solid node, in which layers are known
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
+constexpr float kFlankShift = 0.5F;     ///< cells at most that a node at a flank is moved
 constexpr int kFlankReach = 5;          ///< how far, nodes
 constexpr int kLipReach = 2;            ///< nodes over which a normal that turns sharply is averaged
 constexpr float kLipFades = 0.5F;
@@ -243,6 +244,7 @@ void ToothSurface::smoothFlanks()
 {
     m_flankTop = m_wholeTop;
     m_flankBottom = m_wholeBottom;
+    m_flankShifts.assign(m_lattice.count(), glm::vec2(0.0F));
     const int side = m_lattice.side;
     m_flankDej.resize(m_lattice.count());
     const auto dejOf = [this](int i, int j) {
@@ -291,6 +293,13 @@ void ToothSurface::smoothFlanks()
                 }
             }
             m_flankTop[k] = tops / weights;
+            // Higher than it was, the node stands further in, on the same flank: or the outline would show it.
+            const glm::ivec2 inwards(glm::round(glm::vec2(i, j) - 1.5F * outwards));
+            const std::size_t within = m_lattice.index(inwards.x, inwards.y);
+            const float run = glm::length(glm::vec2(inwards - glm::ivec2(i, j))) * static_cast<float>(m_lattice.cellMm);
+            const float steepness = std::max(1.0F, (m_wholeTop[within] - m_wholeTop[k]) / run);
+            const float limit = kFlankShift * static_cast<float>(m_lattice.cellMm);
+            m_flankShifts[k] = outwards * glm::clamp((m_wholeTop[k] - m_flankTop[k]) / steepness, -limit, limit);
             m_flankDej[k] = m_flankTop[k] - enamel / weights;
             m_flankBottom[k] = std::min(bottoms / weights, m_flankTop[k]);
         }
@@ -574,7 +583,8 @@ void ToothSurface::smoothOutline(const NodeRect& rect)
         for (int i = rect.beginI; i < rect.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
             const glm::vec2 home(m_lattice.nodeMm(i, j));
-            m_places[k] = home + (m_nodes[k] == Node::Solid ? m_shifts[k] : glm::vec2(0.0F));
+            const glm::vec2 flank = m_top[k] < m_wholeTop[k] ? glm::vec2(0.0F) : m_flankShifts[k];
+            m_places[k] = home + (m_nodes[k] == Node::Solid ? m_shifts[k] + flank : glm::vec2(0.0F));
             if (m_nodes[k] != Node::Rim)
                 continue;
             glm::vec2 sum{0.0F};

@@ -161,9 +161,10 @@ private:
     std::vector<float> m_wholeTop;
     std::vector<float> m_wholeBottom;
     std::vector<float> m_top;
-    std::vector<float> m_flankTop;     ///< whole top as drawn: freed of the lattice's steps at flanks, fissures
-    std::vector<float> m_flankBottom;  ///< likewise from below
-    std::vector<float> m_flankDej;     ///< enamel-dentin junction, so that thin enamel at a flank has no streaks
+    std::vector<float> m_flankTop;         ///< whole top as drawn: freed of the lattice's steps at flanks, fissures
+    std::vector<float> m_flankBottom;      ///< likewise from below
+    std::vector<glm::vec2> m_flankShifts;  ///< of uncut nodes at the flanks, mm
+    std::vector<float> m_flankDej;         ///< enamel-dentin junction, so that thin enamel at a flank has no streaks
     std::vector<Node> m_nodes;
     std::vector<float> m_solidTop;     ///< as drawn, kEmptyTop where nothing is left
     std::vector<float> m_solidBottom;  ///< as drawn, kEmptyBottom where nothing is left
