@@ -1208,6 +1208,14 @@
         <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
         <translation>Der türkise Bogen neben dem Instrument zeigt, wie fest es drückt; bei der eingestellten Kraft ist er voll.</translation>
     </message>
+    <message>
+        <source>Turn the handpiece</source>
+        <translation>Das Handstück drehen</translation>
+    </message>
+    <message>
+        <source>the same with Shift</source>
+        <translation>ebenso mit Umschalt</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>

@@ -1208,6 +1208,14 @@
         <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Turn the handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same with Shift</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <QLabel>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -52,6 +53,7 @@ private slots:
     void startsOnTheSideOfTheLesion();
     void isAnEmptyRoomWithoutATooth();
     void theGizmoTurnsWithTheTooth();
+    void theToothIsTurnedUnderTheHandpiece();
 
 private:
     [[nodiscard]] PointerInput pointer() { return m_links->pointer.latest(); }
@@ -488,6 +490,38 @@ void TestToothView::theGizmoTurnsWithTheTooth()
             QVERIFY(pictures::difference(before.copy(corner), now.copy(corner), 60).pixels > 100);
         before = now;
     }
+}
+
+void TestToothView::theToothIsTurnedUnderTheHandpiece()
+{
+    ServoState state;
+    state.tick = 1;
+    state.anchorMm = state.deviceMm = {0.5, 0.5, 1.0};
+    m_links->servo.publish(state);
+    m_view->setCamera(0.0, 30.0, 2.0 * m_view->camera().fittingMm());
+    const QImage before = picture();
+    const glm::dmat4 eye = m_view->camera().view();
+    for (int k = 0; k < 12; ++k)
+        QTest::keyClick(m_view.get(), Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
+    const QImage turned = picture();
+    QVERIFY(m_view->camera().view() == eye);
+    const int moved = pictures::difference(before, turned, 20).pixels;
+    QVERIFY2(moved > 3000, qPrintable(QString::number(moved)));
+    // With the mouse as far the other way: what it began with.
+    const QPoint from(m_view->width() / 2, m_view->height() - 30);
+    const int way = qRound(-60.0 / 0.35);
+    QTest::mousePress(m_view.get(), Qt::RightButton, Qt::ShiftModifier, from);
+    QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(way, 0)),
+                     m_view->mapToGlobal(QPointF(from + QPoint(way, 0))), Qt::NoButton, Qt::RightButton,
+                     Qt::ShiftModifier);
+    QApplication::sendEvent(m_view.get(), &move);
+    QTest::mouseRelease(m_view.get(), Qt::RightButton, Qt::ShiftModifier, from + QPoint(way, 0));
+    QVERIFY(m_view->camera().view() == eye);
+    QVERIFY(pictures::difference(before, picture(), 20).pixels < 800);
+    QTest::keyClick(m_view.get(), Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(m_view.get(), Qt::Key_Home);
+    m_view->setCamera(0.0, 30.0, 2.0 * m_view->camera().fittingMm());
+    QVERIFY(pictures::difference(before, picture(), 20).pixels < 100);
 }
 
 QTEST_MAIN(TestToothView)

@@ -34,6 +34,7 @@ QList<Gesture> gestures()
         {HelpOverlay::tr("Push harder, softer"),
          {HelpOverlay::tr("Ctrl + wheel"), QStringLiteral("."), QStringLiteral(",")}},
         {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right or middle drag"), HelpOverlay::tr("Ctrl + arrows")}},
+        {HelpOverlay::tr("Turn the handpiece"), {HelpOverlay::tr("the same with Shift")}},
         // The left button on the tooth drills, however quickly it is pressed twice.
         {HelpOverlay::tr("Turn it back"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
         {HelpOverlay::tr("Come nearer, go back"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},

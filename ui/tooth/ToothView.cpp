@@ -199,6 +199,7 @@ void ToothView::setSettings(const ViewSettings& settings)
 void ToothView::resetCamera()
 {
     m_camera.reset();
+    m_handTurnDeg = 0.0;
     if (m_mirror && m_surface)
         m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
     update();
@@ -345,6 +346,7 @@ render::Scene ToothView::scene() const
     scene.look = m_settings.look;
     scene.mirror = m_mirror;
     scene.mirrorHandleLeft = !m_leftHanded;
+    scene.handAzimuthRad += glm::radians(m_handTurnDeg);
     scene.keepsStill = render::driver().isSoftware;
     if (m_settings.showsHand && scene.instrumentShown)
         scene.ghostMm = m_pose.deviceMm;
@@ -568,6 +570,12 @@ void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
     update();
 }
 
+void ToothView::turnHandpiece(double degrees)
+{
+    m_handTurnDeg = std::remainder(m_handTurnDeg + degrees, 360.0);
+    update();
+}
+
 /// True where the glass of the mirror is seen and no tooth before it.
 bool ToothView::isOnMirror(QPointF position) const
 {
@@ -648,7 +656,10 @@ void ToothView::mouseMoveEvent(QMouseEvent* event)
     if (m_turning != Qt::NoButton) {
         const QPointF by = presentedWay(event->position() - m_turnedAt);
         m_turnedAt = event->position();
-        turnCamera(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
+        if (event->modifiers().testFlag(Qt::ShiftModifier))
+            turnHandpiece(kDegreesPerPixel * by.x());
+        else
+            turnCamera(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
         return;
     }
     m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
@@ -719,7 +730,10 @@ void ToothView::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Right:
     case Qt::Key_Up:
     case Qt::Key_Down:
-        if (control) {
+        if (control && m_fine) {
+            if (key == Qt::Key_Left || key == Qt::Key_Right)
+                turnHandpiece(key == Qt::Key_Left ? -kKeyTurnDeg : kKeyTurnDeg);
+        } else if (control) {
             turnCamera(key == Qt::Key_Left    ? -kKeyTurnDeg
                        : key == Qt::Key_Right ? kKeyTurnDeg
                                               : 0.0,

@@ -39,7 +39,8 @@ namespace ui::tooth {
 /// pointer, Ctrl + wheel sets how hard to push; a double click of the right or middle button, or of the left beside the
 /// tooth, resets the view.
 /// Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full
-/// stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home resets the view.
+/// stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home resets the view. With Shift, a
+/// right drag and Ctrl + arrows turn the tooth about its axis under the handpiece: that swings round the bur.
 ///
 /// Ui thread. It is the one reader of `servo` and `patches` and the one writer of `pointer`; it polls them 60 times a
 /// second and repaints only when something that shows has changed.
@@ -130,6 +131,7 @@ private:
     void pushAt(QPointF position);
     void publishPointer();
     void turnCamera(double azimuthDeg, double elevationDeg);
+    void turnHandpiece(double degrees);
     void release();
     void fail(const QString& detail);
     void leaveContext();
@@ -179,8 +181,9 @@ private:
     bool m_drillOn = false;
     bool m_leftHanded = false;
     bool m_instrumentHidden = false;
-    double m_turnRad = 0.0;  ///< of the bur
-    double m_liftMm = 0.0;   ///< of shank and handpiece, follows wantedLiftMm()
+    double m_turnRad = 0.0;      ///< of the bur
+    double m_handTurnDeg = 0.0;  ///< of the handpiece about the bur, from where the hand holds it by nature
+    double m_liftMm = 0.0;       ///< of shank and handpiece, follows wantedLiftMm()
     double m_paintedForceN = 0.0;
 
     Qt::MouseButton m_turning = Qt::NoButton;
