@@ -588,6 +588,7 @@ void ToothRenderer::drawCue(const Scene& scene)
     setVector(m_lineProgram, "fromMm", glm::vec3(scene.tipMm));
     setVector(m_lineProgram, "toMm", glm::vec3(glm::dvec2(scene.tipMm), scene.surfaceBelowTipMm + 0.02));
     m_lineProgram.setUniformValue("halfWidth", kCueWide * scene.sizePx.y / scene.sizePx.x, 0.0F);
+    glUniform4fv(m_lineProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
     m_lineProgram.setUniformValue("tint", 0.06F, 0.55F, 0.56F, 0.8F);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);

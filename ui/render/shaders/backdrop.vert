@@ -7,5 +7,6 @@ void main()
 {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
     place = corner;
+    gl_ClipDistance[0] = 1.0;  // whole, also behind a mirror
     gl_Position = vec4(corner, 1.0, 1.0);
 }

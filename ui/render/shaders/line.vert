@@ -5,13 +5,16 @@ uniform mat4 clipFromTooth;
 uniform vec3 fromMm;
 uniform vec3 toMm;
 uniform vec2 halfWidth;  // clip units across
+uniform vec4 clipPlane;  // of the mirror, tooth frame; zero: nothing is cut off
 
 out float along;
 
 void main()
 {
     along = float(gl_VertexID / 2);
-    vec4 clip = clipFromTooth * vec4(mix(fromMm, toMm, along), 1.0);
+    vec4 placed = vec4(mix(fromMm, toMm, along), 1.0);
+    gl_ClipDistance[0] = dot(clipPlane, placed);
+    vec4 clip = clipFromTooth * placed;
     clip.xy += (gl_VertexID % 2 == 0 ? -1.0 : 1.0) * halfWidth * clip.w;
     gl_Position = clip;
 }
