@@ -5,6 +5,7 @@
 
 #include "core/base/Rng.h"
 #include "core/grading/Measures.h"
+#include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using namespace core::terrain;
@@ -15,13 +16,7 @@ namespace {
 /// from -3 to -1 (roof 1 mm below the top) in the square 28 .. 35.
 std::shared_ptr<ToothAnatomy> block()
 {
-    auto anatomy = std::make_shared<ToothAnatomy>();
-    anatomy->grid.side = 64;
-    anatomy->grid.cellMm = 0.1;
-    anatomy->top.assign(anatomy->grid.count(), 0.0F);
-    anatomy->bottom.assign(anatomy->grid.count(), -10.0F);
-    anatomy->areaMm2.assign(anatomy->grid.count(), 0.01F);
-    anatomy->layers.assign(anatomy->grid.count(), ColumnLayers{0.0F, 0.0F, -2.0F, 0.0F, 0.0F});
+    auto anatomy = support::slab(-2.0F);
     for (int j = 20; j <= 43; ++j)
         for (int i = 20; i <= 43; ++i) {
             anatomy->layers[anatomy->grid.index(i, j)].pulpRoof = -5.0F;

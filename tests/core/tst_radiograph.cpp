@@ -11,6 +11,7 @@
 #include "core/imaging/Bitewing.h"
 #include "core/imaging/Radiograph.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using namespace core::terrain;
@@ -23,15 +24,7 @@ constexpr double kQuarter = std::numbers::pi / 2.0;
 /// 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, all enamel: 6.4 x 6.4 x 10 mm.
 std::shared_ptr<ToothAnatomy> block()
 {
-    auto anatomy = std::make_shared<ToothAnatomy>();
-    anatomy->grid.side = 64;
-    anatomy->grid.cellMm = 0.1;
-    anatomy->grid.originMm = glm::dvec2(-3.15);
-    anatomy->top.assign(anatomy->grid.count(), 0.0F);
-    anatomy->bottom.assign(anatomy->grid.count(), -10.0F);
-    anatomy->areaMm2.assign(anatomy->grid.count(), 0.01F);
-    anatomy->layers.assign(anatomy->grid.count(), ColumnLayers{0.0F, 0.0F, -10.0F, 0.0F, 0.0F});
-    return anatomy;
+    return support::slab(-10.0F);
 }
 
 bool near(double actual, double expected, double tolerance)

@@ -9,6 +9,7 @@
 #include "core/base/Rng.h"
 #include "core/imaging/Section.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using namespace core::terrain;
@@ -22,14 +23,7 @@ constexpr double kQuarter = std::numbers::pi / 2.0;
 /// the nodes 20 .. 43 (a box from -1.2 to 1.2), decay from -3 to -1 in the nodes 30 .. 33 (from -0.2 to 0.2).
 std::shared_ptr<ToothAnatomy> block()
 {
-    auto anatomy = std::make_shared<ToothAnatomy>();
-    anatomy->grid.side = 64;
-    anatomy->grid.cellMm = 0.1;
-    anatomy->grid.originMm = glm::dvec2(-3.15);
-    anatomy->top.assign(anatomy->grid.count(), 0.0F);
-    anatomy->bottom.assign(anatomy->grid.count(), -10.0F);
-    anatomy->areaMm2.assign(anatomy->grid.count(), 0.01F);
-    anatomy->layers.assign(anatomy->grid.count(), ColumnLayers{0.0F, 0.0F, -2.0F, 0.0F, 0.0F});
+    auto anatomy = support::slab(-2.0F);
     for (int j = 20; j <= 43; ++j)
         for (int i = 20; i <= 43; ++i) {
             ColumnLayers& column = anatomy->layers[anatomy->grid.index(i, j)];

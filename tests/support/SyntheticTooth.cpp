@@ -36,4 +36,17 @@ std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block)
     return tooth;
 }
 
+std::shared_ptr<core::terrain::ToothAnatomy> slab(float dejMm)
+{
+    auto anatomy = std::make_shared<core::terrain::ToothAnatomy>();
+    anatomy->grid.side = 64;
+    anatomy->grid.cellMm = 0.1;
+    anatomy->grid.originMm = glm::dvec2(-3.15);
+    anatomy->top.assign(anatomy->grid.count(), 0.0F);
+    anatomy->bottom.assign(anatomy->grid.count(), -10.0F);
+    anatomy->areaMm2.assign(anatomy->grid.count(), 0.01F);
+    anatomy->layers.assign(anatomy->grid.count(), core::terrain::ColumnLayers{0.0F, 0.0F, dejMm, 0.0F, 0.0F});
+    return anatomy;
+}
+
 }  // namespace support

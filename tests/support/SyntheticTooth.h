@@ -24,4 +24,8 @@ struct Block
 /// Block centred on the origin of the tooth frame.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
 
+/// 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, enamel above a height and dentin below: for a test to
+/// put pulp and decay into.
+[[nodiscard]] std::shared_ptr<core::terrain::ToothAnatomy> slab(float dejMm);
+
 }  // namespace support
