@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <QOpenGLShaderProgram>
 #include <QString>
 
@@ -11,5 +13,11 @@ namespace ui::render {
 /// @param vertex, fragment  file names without their ending
 [[nodiscard]] bool buildProgram(QOpenGLShaderProgram& program, const char* vertex, const char* fragment,
                                 QString& reason);
+
+/// Sets a uniform of three floats in a program that is bound.
+inline void setVector(QOpenGLShaderProgram& program, const char* name, glm::vec3 v)
+{
+    program.setUniformValue(name, v.x, v.y, v.z);
+}
 
 }  // namespace ui::render

@@ -21,77 +21,13 @@ namespace {
 /// Sine of the elevation from which the eye looks down along the shank: 55 degrees.
 constexpr double kShankHidesTheWork = 0.82;
 constexpr double kNeighboursDimmed = 0.35;
-constexpr float kCueWide = 0.0034F;   ///< half the line under the bur, of half the height of the picture
-constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
-constexpr double kLampReachMm = 9.0;  ///< about the bur; burlight.frag has the same
-constexpr double kPenumbra = 0.14;    ///< likewise
-constexpr double kSoftestMm = 0.08;   ///< likewise
-constexpr double kThickFor = 3.0;  ///< times a box is half as large as: a rod that no corner of it is in, leaves it lit
-constexpr int kFreeUnit = 8;       ///< of a texture besides those of ToothMaps
-constexpr int kGlassCorners = 64;  ///< of the mirror's glass; glass.vert has the same
-
-/// What throws a shadow: a round rod, as burlight.frag has it.
-struct Rod
-{
-    glm::dvec3 fromMm;  ///< frame of the handpiece
-    glm::dvec3 toMm;
-    double radiusMm;
-};
-constexpr std::size_t kRods = 5;
-
-/// Bur, shank, head of the handpiece, its neck and its handle: those of SolidMesh, rounded off.
-std::array<Rod, kRods> rodsOf(const core::drilling::Bur& bur, double liftMm)
-{
-    const double chuck = core::drilling::kChuckMm + liftMm;
-    const double head = bur.headLengthMm;
-    const double round = std::min(bur.headRadiusMm, 0.5 * head);
-    return {{{{0.0, 0.0, round}, {0.0, 0.0, head - 0.5 * round}, bur.headRadiusMm},
-             {{0.0, 0.0, head + kNeckMm + liftMm + 2.0}, {0.0, 0.0, chuck}, 0.8},
-             {{0.0, 0.0, chuck + 4.0}, {0.0, 0.0, chuck + 5.0}, 4.2},
-             {{2.5, 0.0, chuck + 4.9}, {20.0, 0.0, chuck + 9.0}, 3.1},
-             {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6}}};
-}
+constexpr float kCueWide = 0.0034F;  ///< half the line under the bur, of half the height of the picture
+constexpr int kFreeUnit = 8;         ///< of a texture besides those of ToothMaps
+constexpr int kGlassCorners = 64;    ///< of the mirror's glass; glass.vert has the same
 
 void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, const char* name, const glm::mat4& matrix)
 {
     gl.glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
-}
-
-void setVector(QOpenGLShaderProgram& program, const char* name, glm::vec3 v)
-{
-    program.setUniformValue(name, v.x, v.y, v.z);
-}
-
-/// How far a way towards the light passes a rod by, from its middle line, less what is in its penumbra; mm.
-double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& towardsLight)
-{
-    const glm::dvec3 way = rod.toMm - rod.fromMm;
-    const glm::dvec3 away = from - rod.fromMm;
-    const double e = glm::dot(way, way);
-    const double b = glm::dot(towardsLight, way);
-    const double c = glm::dot(towardsLight, away);
-    const double f = glm::dot(way, away);
-    const double on = std::clamp((b * std::max((b * f - c * e) / std::max(e - b * b, 1.0e-4), 0.0) + f) / e, 0.0, 1.0);
-    const double along = std::max(b * on - c, 0.0);
-    return glm::length(away + towardsLight * along - way * on) - rod.radiusMm - kPenumbra * along - kSoftestMm;
-}
-
-/// Whether a rod may keep light from something in a box.
-bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
-{
-    const glm::dvec3 low(box.low);
-    const glm::dvec3 high(box.high);
-    const double radius = 0.5 * glm::length(high - low);
-    if (clearanceMm(0.5 * (low + high), rod, towardsLight) > (1.0 + kPenumbra) * radius)
-        return false;
-    // Beside a rod that is thick for the box, the nearest corner tells.
-    const auto isClear = [&](int corner) {
-        const glm::dvec3 at((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                            (corner & 4) != 0 ? high.z : low.z);
-        return clearanceMm(at, rod, towardsLight) > 0.0;
-    };
-    constexpr std::array<int, 8> kCorners{0, 1, 2, 3, 4, 5, 6, 7};
-    return rod.radiusMm < kThickFor * radius || !std::all_of(kCorners.begin(), kCorners.end(), isClear);
 }
 
 }  // namespace
@@ -110,9 +46,8 @@ bool ToothRenderer::initialize(QString& reason)
         !buildProgram(m_metalProgram, "metal", "metal", reason) ||
         !buildProgram(m_lineProgram, "line", "line", reason) ||
         !buildProgram(m_glassProgram, "glass", "glass", reason) ||
-        !buildProgram(m_burLightProgram, "backdrop", "burlight", reason) ||
         !buildProgram(m_brightenProgram, "brighten", "brighten", reason) || !m_neighbours.initialize(reason) ||
-        !m_maps.initialize())
+        !m_burLight.initialize(reason) || !m_maps.initialize())
         return false;
     m_nothing.create();
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
@@ -450,88 +385,27 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     glFrontFace(GL_CCW);
 }
 
-/// What bur and handpiece change of the light, for each node that they reach. It is the same for every eye.
-void ToothRenderer::findLightOfBur(const Scene& scene)
-{
-    const BurLight wanted{scene.tipMm,         scene.handAzimuthRad, scene.liftMm, scene.burIndex,
-                          scene.look.burLight, scene.towardsLight,   m_surfaces,   m_maps.uploadedBytes()};
-    const QSize size(m_maps.side(), m_maps.side());
-    if (m_burLight == wanted)
-        return;
-    m_burLight = wanted;
-    const glm::dmat4 toothFromPart = toothFromBur(scene, scene.tipMm);
-    std::array<Rod, kRods> rods = rodsOf(core::drilling::burs()[scene.burIndex], scene.liftMm);
-    std::array<glm::vec4, kRods> from{};
-    std::array<glm::vec3, kRods> to{};
-    for (std::size_t k = 0; k < kRods; ++k) {
-        rods[k].fromMm = glm::dvec3(toothFromPart * glm::dvec4(rods[k].fromMm, 1.0));
-        rods[k].toMm = glm::dvec3(toothFromPart * glm::dvec4(rods[k].toMm, 1.0));
-        from[k] = glm::vec4(glm::vec3(rods[k].fromMm), static_cast<float>(rods[k].radiusMm));
-        to[k] = glm::vec3(rods[k].toMm);
-    }
-    const glm::dvec3 towardsLight(scene.towardsLight);
-    const glm::dvec2 tip(scene.tipMm);
-    m_reached = m_maps.select(ToothMaps::Side::Upper, [&](const TileBounds& tile) {
-        const Box& box = tile.box;
-        const glm::dvec2 nearest = glm::clamp(tip, glm::dvec2(box.low), glm::dvec2(box.high));
-        return (scene.look.burLight && glm::distance(nearest, tip) < kLampReachMm) ||
-               std::any_of(rods.begin(), rods.end(),
-                           [&](const Rod& rod) { return isShadowed(box, rod, towardsLight); });
-    });
-    if (m_reached.nodes.isEmpty())
-        return;
-
-    GLint target = 0;
-    std::array<GLint, 4> viewport{};
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
-    glGetIntegerv(GL_VIEWPORT, viewport.data());
-    if (!m_burLightMap || m_burLightMap->size() != size)
-        m_burLightMap = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::NoAttachment,
-                                                                   GLenum{GL_TEXTURE_2D}, GLenum{GL_R16F});
-    m_burLightMap->bind();
-    glViewport(0, 0, size.width(), size.height());
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(m_reached.nodes.x(), m_reached.nodes.y(), m_reached.nodes.width(), m_reached.nodes.height());
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    m_burLightProgram.bind();
-    setVector(m_burLightProgram, "towardsLight", scene.towardsLight);
-    glUniform4fv(m_burLightProgram.uniformLocation("castFrom"), kRods, glm::value_ptr(from[0]));
-    glUniform3fv(m_burLightProgram.uniformLocation("castTo"), kRods, glm::value_ptr(to[0]));
-    setVector(m_burLightProgram, "tipMm", glm::vec3(scene.tipMm));
-    const double headMm = core::drilling::kChuckMm + scene.liftMm;
-    const glm::dvec3 lampMm = glm::dvec3(toothFromPart * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
-    setVector(m_burLightProgram, "burLampMm", glm::vec3(lampMm));
-    m_burLightProgram.setUniformValue("burLamp", scene.look.burLight ? 1.0F : 0.0F);
-    m_maps.bind(m_burLightProgram, ToothMaps::Side::Upper);
-    {
-        const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-    }
-    glDisable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-}
-
-/// Multiplies that upon what is drawn already: it moves with the bur, and the rest does not.
+/// Multiplies what bur and handpiece change of the light upon what is drawn already: it moves with them, and the rest
+/// does not.
 void ToothRenderer::drawLightOfBur(const Scene& scene)
 {
     if (m_maps.isEmpty() || !scene.instrumentShown || scene.burIndex >= m_burs.size())
         return;
-    findLightOfBur(scene);
-    if (m_reached.nodes.isEmpty())
+    m_burLight.find(m_maps, {toothFromBur(scene, scene.tipMm), scene.burIndex, scene.liftMm, scene.look.burLight,
+                             scene.towardsLight});
+    if (m_burLight.reached().nodes.isEmpty())
         return;
     useTooth(m_brightenProgram, scene);
     m_maps.bind(m_brightenProgram, ToothMaps::Side::Upper);
     m_brightenProgram.setUniformValue("burLight", kFreeUnit);
     glActiveTexture(GL_TEXTURE0 + kFreeUnit);
-    glBindTexture(GL_TEXTURE_2D, m_burLightMap->texture());
+    glBindTexture(GL_TEXTURE_2D, m_burLight.texture());
     glActiveTexture(GL_TEXTURE0);
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_DST_COLOR, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    m_maps.draw(m_reached);
+    m_maps.draw(m_burLight.reached());
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glFrontFace(GL_CCW);

@@ -19,6 +19,7 @@
 #include <QString>
 
 #include "ui/render/ArchRenderer.h"
+#include "ui/render/BurLight.h"
 #include "ui/render/Look.h"
 #include "ui/render/SolidMesh.h"
 #include "ui/render/StillPicture.h"
@@ -88,20 +89,6 @@ private:
         QOpenGLBuffer indices{QOpenGLBuffer::IndexBuffer};
         int count = 0;
     };
-    /// Everything that decides what the bur changes of the light.
-    struct BurLight
-    {
-        glm::dvec3 tipMm;
-        double handAzimuthRad;
-        double liftMm;
-        std::size_t burIndex;
-        bool lamp;
-        glm::vec3 towardsLight;
-        std::uint64_t surfaces;
-        std::uint64_t uploadedBytes;
-        bool operator==(const BurLight&) const = default;
-    };
-
     void upload(Part& part, const SolidMesh& mesh);
     void drawStill(const Scene& scene, const glm::dvec4& clipPlane);
     void drawRoom(const Scene& scene, const QRect& part);
@@ -109,7 +96,6 @@ private:
     void spoilStills(const ToothSurface::Changes& changes);
     void useTooth(QOpenGLShaderProgram& program, const Scene& scene);
     void showNearestFronts();
-    void findLightOfBur(const Scene& scene);
     void drawLightOfBur(const Scene& scene);
     void drawReflection(const Scene& scene);
     void drawMirror(const Scene& scene);
@@ -123,7 +109,6 @@ private:
     void drawCue(const Scene& scene);
 
     QOpenGLShaderProgram m_toothProgram;
-    QOpenGLShaderProgram m_burLightProgram;
     QOpenGLShaderProgram m_brightenProgram;
     QOpenGLShaderProgram m_backdropProgram;
     QOpenGLShaderProgram m_metalProgram;
@@ -143,10 +128,8 @@ private:
 
     /// Of each eye, straight and in the mirror.
     std::array<StillPicture, 4> m_stills;
-    std::optional<BurLight> m_burLight;                       ///< what m_burLightMap holds
-    std::unique_ptr<QOpenGLFramebufferObject> m_burLightMap;  ///< a pixel a node, from burlight.frag
-    ToothMaps::Selection m_reached;                           ///< by the bur's light and shadow
-    std::uint64_t m_surfaces = 0;                             ///< teeth and neighbours that came so far
+    BurLight m_burLight;
+    std::uint64_t m_surfaces = 0;  ///< teeth and neighbours that came so far
     glm::vec3 m_crownMm{0.0F};
     float m_crownRadiusMm = 1.0F;
 };

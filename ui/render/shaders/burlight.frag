@@ -10,13 +10,14 @@ uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
 uniform vec3 towardsLight;
 uniform vec3 tipMm;         // of the bur
 uniform vec4 castFrom[5];   // what throws the shadow: beginnings of round rods, mm, and their radius
-uniform vec3 castTo[5];     // and their ends
+uniform vec4 castTo[5];     // and their ends, and the most light that they keep away
+uniform float penumbra;     // half its width a millimetre of height
+uniform float softestMm;    // half the width of an edge, at least
+uniform float lampReachMm;  // about the bur
 uniform vec3 burLampMm;     // the handpiece's own light
 uniform float burLamp;      // 1 on, 0 off
 
 out vec4 colour;
-
-const float kPenumbra = 0.14;  // half its width a millimetre of height: the operating light is 20 cm wide, 70 cm away
 
 /// Share of the operating light that a rod keeps from a point.
 float shadowOf(vec3 from, vec3 begin, vec3 end, float radius)
@@ -31,7 +32,7 @@ float shadowOf(vec3 from, vec3 begin, vec3 end, float radius)
     float on = clamp((b * along + f) / e, 0.0, 1.0);
     along = max(b * on - c, 0.0);
     float near = length(away + towardsLight * along - rod * on);
-    float soft = kPenumbra * along + 0.08;
+    float soft = penumbra * along + softestMm;
     return min(1.0, radius / soft) * (1.0 - smoothstep(radius - soft, radius + soft, near));
 }
 
@@ -44,7 +45,9 @@ float burLightAt(vec3 from, float slope)
     for (int k = 1; k <= 10; ++k) {
         vec3 at = from + way * (0.012 * float(k * k) + 0.01);
         float ground = textureLod(heights, ((at.xy - lattice.xy) * lattice.z + 0.5) / side, 0.0).r;
-        open = min(open, 1.0 - smoothstep(0.0, 0.25 + 0.02 * float(k * k), (ground - at.z) * slope));  // beside a flank the way up is no way through
+        // Beside a flank the way up is no way through.
+        float over = (ground - at.z) * slope;
+        open = min(open, 1.0 - smoothstep(0.0, 0.25 + 0.02 * float(k * k), over));
     }
     return open;
 }
@@ -65,16 +68,15 @@ void main()
     float head = 0.18 * normal.z * mix(open, 1.0, 0.35);  // of an eye above, as most are
     float all = lamp + head + 0.22 * open + 0.04;
 
-    // Bur and shank are what a shadow tells about. The handpiece is wide and far: other lamps of the room fill its own.
     float arrives = 1.0;
     for (int k = 0; k < 5; ++k)
-        arrives *= 1.0 - (k < 2 ? 0.85 : 0.45) * shadowOf(positionMm, castFrom[k].xyz, castTo[k], castFrom[k].w);
+        arrives *= 1.0 - castTo[k].w * shadowOf(positionMm, castFrom[k].xyz, castTo[k].xyz, castFrom[k].w);
     float now = all - lamp * (1.0 - arrives);
     if (burLamp > 0.0) {
         vec3 way = burLampMm - positionMm;
         float away2 = dot(way, way);
         float own = max(dot(normal, way) * inversesqrt(away2), 0.0) * 90.0 / (away2 + 20.0);
-        own *= smoothstep(9.0, 2.0, length(positionMm.xy - tipMm.xy)) * burLightAt(positionMm + normal * 0.05, normal.z);
+        own *= (1.0 - smoothstep(2.0, lampReachMm, length(positionMm.xy - tipMm.xy))) * burLightAt(positionMm + normal * 0.05, normal.z);
         now += 0.3 * own;
     }
     colour = vec4(0.5 * sqrt(now / all));

@@ -36,7 +36,7 @@ void main()
         // Six blades with a slow helix: each a slope that ends in a step.
         float around = onPart.x + turnRad + 0.55 * onPart.y;
         float blade = fract(around * 6.0 / 6.2831853);
-        float groove = smoothstep(0.0, 0.28, blade) * smoothstep(1.0, 0.86, blade);
+        float groove = smoothstep(0.0, 0.28, blade) * (1.0 - smoothstep(0.86, 1.0, blade));
         vec3 tangent = normalize(vec3(-normal.y, normal.x, 0.0) + 1.0e-5);
         normal = normalize(normal + tangent * (blade - 0.45) * 1.1 * (1.0 - blur));
         base = vec3(0.74, 0.73, 0.71) * mix(mix(0.30, 1.1, groove), 0.9, blur);
