@@ -367,8 +367,7 @@ void Application::drawPicture()
         return;
     }
     // The view may not yet have found out itself that it cannot draw here.
-    const auto& view = m_window->view();
-    if (!view.isUsable() || !view.isValid())
+    if (!m_window->view().isUsable())
         QCoreApplication::exit(cli::failed({core::ErrorCode::FileUnwritable,
                                             "the picture could not be drawn, because this display has no OpenGL 3.3; "
                                             "use another display or xvfb-run"}));

@@ -145,17 +145,30 @@ struct Cost
     double wallMs = 0.0;
 };
 
+void paintNow(EmptyView& view)
+{
+    view.repaint();
+    QApplication::processEvents();
+}
+
+void paintNow(ui::tooth::ToothView& view)
+{
+    view.redrawNow();
+    QApplication::processEvents();
+}
+
 /// Paints frames and says what one of them costs; all that Qt does to bring it to the screen is in it.
-Cost costOf(QOpenGLWidget& view, const std::function<void()>& before)
+/// @param shown  signal of a view that has brought a frame to the screen
+template <class View, class Signal>
+Cost costOf(View& view, Signal shown, const std::function<void()>& before)
 {
     int painted = 0;
-    const auto counting = QObject::connect(&view, &QOpenGLWidget::frameSwapped, [&painted] { ++painted; });
+    const auto counting = QObject::connect(&view, shown, [&painted] { ++painted; });
     const double cpu = processCpuS();
     const std::int64_t wall = nowNs();
     for (int frame = 0; frame < kFramesARound; ++frame) {
         before();
-        view.repaint();
-        QApplication::processEvents();
+        paintNow(view);
     }
     const Cost cost{1.0e3 * (processCpuS() - cpu) / std::max(1, painted),
                     1.0e-6 * static_cast<double>(nowNs() - wall) / std::max(1, painted)};
@@ -163,13 +176,12 @@ Cost costOf(QOpenGLWidget& view, const std::function<void()>& before)
     return cost;
 }
 
-void show(QWidget& widget)
+template <class View>
+void show(View& view)
 {
-    widget.show();
-    for (int k = 0; k < 4; ++k) {
-        widget.repaint();
-        QApplication::processEvents();
-    }
+    view.show();
+    for (int k = 0; k < 4; ++k)
+        paintNow(view);
 }
 
 /// Times from a reading of the device to the frame that shows it, ms, while servo and session beat as in the program.
@@ -177,7 +189,7 @@ std::vector<double> latencies(Work& work, ui::tooth::ToothView& view)
 {
     std::vector<double> found;
     std::int64_t shown = 0;
-    const auto counting = QObject::connect(&view, &QOpenGLWidget::frameSwapped, [&] {
+    const auto counting = QObject::connect(&view, &ui::tooth::ToothView::shown, [&] {
         if (view.drawnMomentNs() == shown)
             return;
         shown = view.drawnMomentNs();
@@ -226,7 +238,7 @@ core::Result<QJsonObject> measure(QSize size)
     ui::tooth::ToothView::Uploads drilled;
     for (int round = 0; round < kRounds; ++round) {
         show(empty);
-        const double clear = costOf(empty, [] {}).cpuMs;
+        const double clear = costOf(empty, &QOpenGLWidget::frameSwapped, [] {}).cpuMs;
         empty.hide();
         clears.push_back(clear);
         for (std::size_t k = 0; k < all.size(); ++k) {
@@ -237,7 +249,7 @@ core::Result<QJsonObject> measure(QSize size)
             show(view);
             const auto before = view.uploads();
             double azimuth = 20.0;
-            const Cost cost = costOf(view, [&] {
+            const Cost cost = costOf(view, &ui::tooth::ToothView::shown, [&] {
                 work->pass(scene.pushes);
                 if (scene.turns)
                     view.setCamera(azimuth += 2.0, 45.0, view.camera().distanceMm());

@@ -47,7 +47,7 @@ void TestMouth::init()
 
 void TestMouth::cleanup()
 {
-    pictures::keep(m_mouth->grabFramebuffer(), QStringLiteral("mouth_") + QTest::currentTestFunction());
+    pictures::keep(m_mouth->grabPicture(), QStringLiteral("mouth_") + QTest::currentTestFunction());
     m_mouth.reset();
 }
 

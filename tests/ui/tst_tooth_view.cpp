@@ -179,7 +179,7 @@ void TestToothView::reportsEveryFrameWithTheNewestState()
 
 void TestToothView::paintsOnlyWhenSomethingShows()
 {
-    QSignalSpy painted(m_view.get(), &QOpenGLWidget::frameSwapped);
+    QSignalSpy painted(m_view.get(), &ToothView::shown);
     QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
     ServoState state;
     state.tick = 1;

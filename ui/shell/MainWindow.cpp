@@ -87,8 +87,8 @@ QString droppedFile(const QMimeData* data)
 
 MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new Actions(this)), m_viewMenu(new ViewMenu(*m_actions, this)),
-      m_view(std::make_unique<tooth::ToothView>(links)), m_pages(new QStackedWidget(this)),
-      m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view->pane(), m_pages)),
+      m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
+      m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room))
@@ -282,9 +282,9 @@ void MainWindow::savePicture(const QString& path, const QImage& picture)
 
 void MainWindow::connectView()
 {
-    connect(m_view.get(), &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
-    connect(m_view.get(), &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
-    connect(m_view.get(), &tooth::ToothView::pushRefused, this, [this] {
+    connect(m_view, &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
+    connect(m_view, &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
+    connect(m_view, &tooth::ToothView::pushRefused, this, [this] {
         if (!std::exchange(m_knowsTheFarSide, true))
             showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
                            "or press V."));
@@ -304,7 +304,7 @@ void MainWindow::connectView()
         m_stereoCard->hide();
         m_view->setFocus();
     });
-    connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view.get(), &tooth::ToothView::setPushForce);
+    connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view, &tooth::ToothView::setPushForce);
     m_room->panel().setPushForce(m_view->pushForce());
 }
 

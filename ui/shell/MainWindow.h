@@ -155,7 +155,7 @@ private:
     core::session::UiLinks& m_links;
     Actions* m_actions;
     ViewMenu* m_viewMenu;
-    std::unique_ptr<tooth::ToothView> m_view;  ///< not a child: see ToothView::pane()
+    tooth::ToothView* m_view;
     QStackedWidget* m_pages;
     PracticeRoom* m_room;
     ToothChooser* m_chooser;

@@ -2,14 +2,12 @@
 #include "ui/shell/Mouth.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/mat3x3.hpp>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLFramebufferObject>
 #include <QPainter>
 #include <QWheelEvent>
 
@@ -23,7 +21,6 @@ namespace {
 
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
-constexpr int kStillMs = 120;
 constexpr int kFrameMs = 16;
 constexpr int kGizmoPx = 46;
 
@@ -34,38 +31,27 @@ bool isChoosable(int fdi)
 
 }  // namespace
 
-Mouth::Mouth(QWidget* parent) : QOpenGLWidget(parent)
+Mouth::Mouth(QWidget* parent)
+    : SceneWidget(tr("This computer cannot draw the whole mouth. The flat arches do the same."), bestWay(), parent)
 {
-    QSurfaceFormat format = render::wantedFormat();
-    if (render::driver().isSoftware)
-        format.setSamples(0);
-    setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(260, 240);
     setAccessibleName(tr("Whole mouth"));
     setAccessibleDescription(tr("Arrow keys walk along the arch, Enter takes the tooth."));
-    m_still.setSingleShot(true);
-    m_still.setInterval(kStillMs);
-    connect(&m_still, &QTimer::timeout, this, [this] {
-        m_smoothWanted = true;
-        update();
-    });
     m_zooming.setInterval(kFrameMs);
     connect(&m_zooming, &QTimer::timeout, this, [this] {
         const double seconds = std::min(0.1, static_cast<double>(m_sinceZoom.nsecsElapsed()) * 1.0e-9);
         m_sinceZoom.start();
         if (!m_camera.advance(seconds))
             m_zooming.stop();
-        update();
+        redraw();
     });
 }
 
 Mouth::~Mouth()
 {
-    if (context() != nullptr)
-        disconnect(context(), nullptr, this, nullptr);
-    leaveContext();
+    leave();
 }
 
 bool Mouth::isPossible()
@@ -75,7 +61,7 @@ bool Mouth::isPossible()
 
 void Mouth::showEvent(QShowEvent* event)
 {
-    QOpenGLWidget::showEvent(event);
+    SceneWidget::showEvent(event);
     if (!m_arch)
         render::withArch(this, [this](const render::ArchPointer& arch) { take(arch); });
 }
@@ -96,7 +82,7 @@ void Mouth::showJaws()
 {
     const double elevation = m_camera.elevationDeg();
     const tooth::Jaws jaws = tooth::jawsSeen(elevation);
-    update();
+    redraw();
     if (jaws == m_jawsShown)
         return;
     m_jawsShown = jaws;
@@ -112,7 +98,7 @@ void Mouth::setSelected(int fdi)
     m_selected = isChoosable(fdi) ? fdi : 0;
     setAccessibleDescription(m_selected == 0 ? tr("Arrow keys walk along the arch, Enter takes the tooth.")
                                              : tr("%1, %2").arg(m_selected).arg(text::toothName(m_selected)));
-    update();
+    redraw();
 }
 
 void Mouth::select(int fdi)
@@ -137,34 +123,24 @@ void Mouth::hover(int fdi)
         return;
     m_hovered = fdi;
     setCursor(isChoosable(fdi) ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    update();
+    redraw();
 }
 
-void Mouth::initializeGL()
+bool Mouth::prepareScene(QString& reason)
 {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Mouth::leaveContext);
     m_renderer = std::make_unique<render::ArchRenderer>();
     m_piecesAreNew = true;
-    if (QString reason; !m_renderer->initialize(reason)) {
-        m_failed = true;
-        m_renderer.reset();
-        qWarning("The whole mouth cannot be shown: %s.", qPrintable(reason));
-    }
+    return m_renderer->initialize(reason);
 }
 
-void Mouth::leaveContext()
+void Mouth::releaseScene()
 {
-    if (!m_renderer)
-        return;
-    makeCurrent();
-    m_smoothCanvas.reset();
     m_renderer.reset();
-    doneCurrent();
 }
 
 void Mouth::resizeEvent(QResizeEvent* event)
 {
-    QOpenGLWidget::resizeEvent(event);
+    SceneWidget::resizeEvent(event);
     m_camera.setViewport({width(), height()});
     if (m_fitted)
         m_camera.set(m_camera.azimuthDeg(), m_camera.elevationDeg(), m_camera.fittingMm());
@@ -178,56 +154,19 @@ render::ArchScene Mouth::scene() const
     return scene;
 }
 
-void Mouth::drawScene()
+void Mouth::drawScene(QSize sizePx, int /*samples*/)
 {
-    const QSize size = this->size() * devicePixelRatioF();
-    const auto draw = [&] {
-        m_renderer->drawRoom({static_cast<float>(size.width()), static_cast<float>(size.height())}, {0.0F, 0.0F});
-        if (m_arch)
-            m_renderer->draw(scene());
-    };
-    if (!render::driver().isSoftware || !m_smoothWanted) {
-        draw();
-        if (render::driver().isSoftware)
-            m_still.start();
-        return;
-    }
-    // As in the tooth view: moving pictures with hard edges, smooth ones once nothing moves.
-    m_smoothWanted = false;
-    if (!m_smoothCanvas || m_smoothCanvas->size() != size) {
-        QOpenGLFramebufferObjectFormat format;
-        format.setSamples(render::wantedFormat().samples());
-        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-        m_smoothCanvas = std::make_unique<QOpenGLFramebufferObject>(size, format);
-    }
-    QOpenGLExtraFunctions* gl = context()->extraFunctions();
-    m_smoothCanvas->bind();
-    gl->glViewport(0, 0, size.width(), size.height());
-    draw();
-    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_smoothCanvas->handle());
-    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), GL_COLOR_BUFFER_BIT,
-                          GL_NEAREST);
-    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    if (m_arch && std::exchange(m_piecesAreNew, false))
+        m_renderer->setPieces(m_pieces);
+    if (m_arch)
+        m_renderer->setPieces(m_shown);
+    m_renderer->drawRoom({static_cast<float>(sizePx.width()), static_cast<float>(sizePx.height())}, {0.0F, 0.0F});
+    if (m_arch)
+        m_renderer->draw(scene());
 }
 
-void Mouth::paintGL()
+void Mouth::paintMarks(QPainter& painter)
 {
-    if (m_renderer) {
-        if (m_arch && m_piecesAreNew) {
-            m_renderer->setPieces(m_pieces);
-            m_piecesAreNew = false;
-        }
-        if (m_arch)
-            m_renderer->setPieces(m_shown);
-        drawScene();
-    }
-    drawWords();
-}
-
-void Mouth::drawWords()
-{
-    QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QPalette room = roomPalette();
     const auto write = [&](const QRectF& where, int flags, const QString& words, const QFont& font,
@@ -237,13 +176,9 @@ void Mouth::drawWords()
         painter.drawText(where, flags, words);
     };
     const QRectF all = QRectF(rect()).adjusted(kSpace4, kSpace4, -kSpace4, -kSpace4);
-    if (!m_renderer || !m_arch) {
-        if (!m_renderer)
-            painter.fillRect(rect(), room.color(QPalette::Window));
-        write(all, Qt::AlignCenter | Qt::TextWordWrap,
-              m_failed ? tr("This computer cannot draw the whole mouth. The flat arches do the same.")
-                       : tr("The teeth are being made …"),
-              typeface(kBody), QPalette::WindowText);
+    if (!m_arch) {
+        write(all, Qt::AlignCenter | Qt::TextWordWrap, tr("The teeth are being made …"), typeface(kBody),
+              QPalette::WindowText);
         return;
     }
     const auto plate = [&](const QRectF& where) {
@@ -424,21 +359,21 @@ void Mouth::keyPressEvent(QKeyEvent* event)
         showJaws();
         break;
     default:
-        QOpenGLWidget::keyPressEvent(event);
+        SceneWidget::keyPressEvent(event);
     }
 }
 
 void Mouth::focusInEvent(QFocusEvent* event)
 {
-    QOpenGLWidget::focusInEvent(event);
-    update();
+    SceneWidget::focusInEvent(event);
+    redraw();
 }
 
 void Mouth::focusOutEvent(QFocusEvent* event)
 {
-    QOpenGLWidget::focusOutEvent(event);
+    SceneWidget::focusOutEvent(event);
     m_turning = Qt::NoButton;
-    update();
+    redraw();
 }
 
 }  // namespace ui::shell

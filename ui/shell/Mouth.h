@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QPointF>
 #include <QTimer>
 
@@ -13,9 +12,7 @@
 #include "ui/render/SharedArch.h"
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/MouthScene.h"
-
-class QOpenGLFramebufferObject;
-class QPainter;
+#include "ui/tooth/SceneWidget.h"
 
 namespace ui::shell {
 
@@ -27,7 +24,7 @@ namespace ui::shell {
 /// zoom, Home resets the view.
 ///
 /// Make it only where isPossible(); ArchView does the same without OpenGL. Its meshes are made when it is first shown.
-class Mouth : public QOpenGLWidget
+class Mouth : public tooth::SceneWidget
 {
     Q_OBJECT
 public:
@@ -53,8 +50,10 @@ signals:
     void ready();
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    [[nodiscard]] bool prepareScene(QString& reason) override;
+    void releaseScene() override;
+    void drawScene(QSize sizePx, int samples) override;
+    void paintMarks(QPainter& painter) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -75,9 +74,6 @@ private:
     void turn(double azimuthDeg, double elevationDeg);
     void zoom(double steps);
     void showJaws();
-    void leaveContext();
-    void drawScene();
-    void drawWords();
     [[nodiscard]] int toothAt(QPointF position) const;
     [[nodiscard]] render::ArchScene scene() const;
     [[nodiscard]] const core::teeth::ArchPiece* pieceOf(int fdi) const;
@@ -90,13 +86,9 @@ private:
     tooth::Camera m_camera;
     int m_selected = 0;
     int m_hovered = 0;
-    bool m_failed = false;
     tooth::Jaws m_jawsShown;
     bool m_fitted = true;  ///< until someone zooms
 
-    std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
-    bool m_smoothWanted = false;                               ///< of the next picture
-    QTimer m_still;                                            ///< nothing has moved for a while
     QTimer m_zooming;
     QElapsedTimer m_sinceZoom;
     Qt::MouseButton m_turning = Qt::NoButton;

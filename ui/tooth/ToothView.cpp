@@ -11,15 +11,10 @@
 #include <glm/trigonometric.hpp>
 
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLFramebufferObject>
 #include <QPainter>
 #include <QScreen>
-#include <QSurfaceFormat>
 #include <QTabletEvent>
 #include <QWheelEvent>
 
@@ -37,9 +32,7 @@ namespace {
 
 constexpr int kFrameMs = 16;
 constexpr int kLeastFrameMs = 4;
-constexpr int kSamples = 4;
 constexpr int kLightLagMs = 400;  ///< by which light far from a cut may be behind
-constexpr int kStillMs = 120;     ///< without a change before a software driver is asked for smooth edges
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
 constexpr double kTiltPerPixel = 0.006;  ///< of the mirror's normal
@@ -65,19 +58,17 @@ glm::dvec2 toGlm(QPointF point)
 
 }  // namespace
 
-ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWidget(parent), m_links(links)
+ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
+    : SceneWidget(tr("This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics "
+                     "driver (on Debian: libgl1-mesa-dri), then start Cusp again."),
+                  way, parent),
+      m_links(links)
 {
-    QSurfaceFormat format = render::wantedFormat();
-    if (render::driver().isSoftware) {
-        format.setSamples(0);
-        // Every pixel is drawn anyway: clearing them before takes as long as copying what is kept.
-        setUpdateBehavior(QOpenGLWidget::PartialUpdate);
-    }
-    setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
-    setCursor(Qt::CrossCursor);
+    if (isUsable())
+        setCursor(Qt::CrossCursor);
     setMinimumSize(240, 180);
     setAccessibleName(tr("Tooth"));
     setAccessibleDescription(tr("Arrow keys move the bur, page down pushes, page up lifts."));
@@ -86,22 +77,11 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent) : QOpenGLWi
     connect(&m_frame, &QTimer::timeout, this, &ToothView::advanceFrame);
     m_sinceFrame.start();
     m_frame.start(kFrameMs);
-    if (!render::driver().hasOpenGl33)
-        fail(QStringLiteral("no context of version 3.3 with a core profile could be made"));
 }
 
 ToothView::~ToothView()
 {
-    if (context() != nullptr)
-        disconnect(context(), nullptr, this, nullptr);
-    leaveContext();
-    if (m_sentence && m_sentence->parent() == nullptr)
-        delete m_sentence;
-}
-
-QWidget* ToothView::pane()
-{
-    return m_usable ? static_cast<QWidget*>(this) : m_sentence;
+    leave();
 }
 
 void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation)
@@ -122,7 +102,7 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     showNeighbours();
     takePatches();
     publishPointer();
-    update();
+    redraw();
 }
 
 /// The teeth beside a tooth of ours; what stands beside a scan nobody knows.
@@ -138,7 +118,7 @@ void ToothView::showNeighbours()
             return;
         m_neighbours = arch->neighbours(anatomy->fdi);
         m_neighboursAreNew = true;
-        update();
+        redraw();
     });
 }
 
@@ -156,7 +136,7 @@ void ToothView::setPushForce(double newtons)
     m_control.setForce(newtons);
     m_sinceForceSet.start();
     m_forceTold = true;
-    update();
+    redraw();
     if (m_control.forceN() == before)
         return;
     publishPointer();
@@ -166,7 +146,7 @@ void ToothView::setPushForce(double newtons)
 void ToothView::setDrillOn(bool on)
 {
     m_drillOn = on;
-    update();
+    redraw();
 }
 
 void ToothView::setLeftHanded(bool leftHanded)
@@ -178,7 +158,7 @@ void ToothView::setLeftHanded(bool leftHanded)
         m_surface->setLight(operatingLight(m_leftHanded));
         takeChanges();
     }
-    update();
+    redraw();
 }
 
 void ToothView::setSettings(const ViewSettings& settings)
@@ -193,7 +173,7 @@ void ToothView::setSettings(const ViewSettings& settings)
         m_mirror.reset();
     else if (!m_mirror && m_surface)
         m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
-    update();
+    redraw();
 }
 
 void ToothView::resetCamera()
@@ -202,7 +182,7 @@ void ToothView::resetCamera()
     m_handTurnDeg = 0.0;
     if (m_mirror && m_surface)
         m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
-    update();
+    redraw();
 }
 
 void ToothView::turnRound()
@@ -210,13 +190,13 @@ void ToothView::turnRound()
     m_camera.turn(180.0, 0.0);
     if (m_mirror && m_surface)
         m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
-    update();
+    redraw();
 }
 
 void ToothView::setCamera(double azimuthDeg, double elevationDeg, double distanceMm)
 {
     m_camera.set(azimuthDeg, elevationDeg, distanceMm);
-    update();
+    redraw();
 }
 
 ToothView::Uploads ToothView::uploads() const
@@ -228,14 +208,11 @@ ToothView::Uploads ToothView::uploads() const
 
 QImage ToothView::picture()
 {
-    if (!m_usable)
-        return m_sentence ? m_sentence->grab().toImage() : QImage();
     m_servo = m_links.servo.latest();
     takePatches();
     if (m_surface && m_surface->isBehind())
         takeChanges();
-    m_smoothWanted = true;
-    return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    return grabPicture();
 }
 
 QImage ToothView::toothPicture()
@@ -249,35 +226,35 @@ QImage ToothView::toothPicture()
     m_settings = own;
     m_mirror = mirror;
     m_instrumentHidden = false;
-    update();
+    redraw();
     return image;
 }
 
-void ToothView::initializeGL()
+bool ToothView::prepareScene(QString& reason)
 {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::leaveContext);
     m_renderer = std::make_unique<render::ToothRenderer>();
+    m_presenter = std::make_unique<render::Presenter>();
     m_surfaceIsNew = true;
     m_neighboursAreNew = true;
     // As often as the screen shows a new picture.
     m_frame.setInterval(std::clamp(static_cast<int>(1000.0 / screen()->refreshRate()), kLeastFrameMs, kFrameMs));
-    m_presenter = std::make_unique<render::Presenter>();
-    if (QString reason; m_usable && (!m_renderer->initialize(reason) || !m_presenter->initialize(reason)))
-        fail(reason);
+    return m_renderer->initialize(reason) && m_presenter->initialize(reason);
+}
+
+void ToothView::releaseScene()
+{
+    m_presenter.reset();
+    m_renderer.reset();
 }
 
 void ToothView::resizeEvent(QResizeEvent* event)
 {
-    QOpenGLWidget::resizeEvent(event);
+    SceneWidget::resizeEvent(event);
     m_camera.setViewport({width(), height()});
-    if (m_sentence && m_sentence->parent() == this)
-        m_sentence->setGeometry(rect());
 }
 
-void ToothView::paintGL()
+void ToothView::drawScene(QSize sizePx, int samples)
 {
-    if (!m_usable || !m_renderer)
-        return;
     if (m_surface) {
         if (m_surfaceIsNew) {
             m_renderer->setSurface(*m_surface);
@@ -297,46 +274,18 @@ void ToothView::paintGL()
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     m_pose = poseAt(m_servo, m_clock.momentFor(std::chrono::nanoseconds(now).count()));
     m_paintedForceN = glm::length(m_servo.forceN);
-    drawScene();
-    drawMarks();
-    m_smoothWanted = false;
-    m_sincePaint.start();
+    m_presenter->draw(*m_renderer, scene(sizePx), m_settings.presentation, m_camera.distanceMm(), samples);
 }
 
-/// A software driver draws moving pictures with hard edges, and smooth ones once nothing moves.
-void ToothView::drawScene()
+bool ToothView::showsInstrument() const
 {
-    const render::Presentation& how = m_settings.presentation;
-    if (!render::driver().isSoftware || !m_smoothWanted || !how.isPlain()) {
-        const bool smooth = !render::driver().isSoftware || m_smoothWanted;
-        m_presenter->draw(*m_renderer, scene(), how, m_camera.distanceMm(), smooth ? kSamples : 0);
-        m_smooth = smooth;
-        return;
-    }
-    const QSize size = this->size() * devicePixelRatioF();
-    if (!m_smoothCanvas || m_smoothCanvas->size() != size) {
-        QOpenGLFramebufferObjectFormat format;
-        format.setSamples(kSamples);
-        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-        m_smoothCanvas = std::make_unique<QOpenGLFramebufferObject>(size, format);
-    }
-    QOpenGLExtraFunctions* gl = context()->extraFunctions();
-    m_smoothCanvas->bind();
-    gl->glViewport(0, 0, size.width(), size.height());
-    m_renderer->draw(scene());
-    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_smoothCanvas->handle());
-    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), GL_COLOR_BUFFER_BIT,
-                          GL_NEAREST);
-    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    m_smooth = true;
+    return m_surface != nullptr && m_servo.tick > 0 && !m_instrumentHidden;
 }
 
-render::Scene ToothView::scene() const
+render::Scene ToothView::scene(QSizeF sizePx) const
 {
-    render::Scene scene =
-        sceneThrough(m_camera, glm::vec2(width() * devicePixelRatioF(), height() * devicePixelRatioF()), m_leftHanded);
-    scene.instrumentShown = m_surface != nullptr && m_servo.tick > 0 && !m_instrumentHidden;
+    render::Scene scene = sceneThrough(m_camera, glm::vec2(sizePx.width(), sizePx.height()), m_leftHanded);
+    scene.instrumentShown = showsInstrument();
     scene.liftMm = m_liftMm;
     scene.burIndex = m_servo.burIndex;
     scene.tipMm = m_pose.anchorMm;
@@ -354,9 +303,8 @@ render::Scene ToothView::scene() const
 }
 
 /// What is painted over the picture, once for each eye that has a half of it.
-void ToothView::drawMarks()
+void ToothView::paintMarks(QPainter& painter)
 {
-    QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const render::Presentation& how = m_settings.presentation;
     const bool beside = how.stereo == render::Stereo::SideBySide;
@@ -377,7 +325,7 @@ void ToothView::drawMarks()
         drawForce(painter);
         if (m_surface && m_surface->anatomy().fdi != 0)
             drawGizmo(painter);
-        if (!scene().instrumentShown)
+        if (!showsInstrument())
             continue;
         const glm::dvec2 hand = m_camera.pixelOf(m_pose.deviceMm);
         const glm::dvec2 bur = m_camera.pixelOf(m_pose.anchorMm);
@@ -442,7 +390,7 @@ void ToothView::drawForce(QPainter& painter)
     const double wantedN = m_control.forceN();
     const double forceN = glm::length(m_servo.forceN);
     const bool pushing = m_published.pushing;
-    if (!scene().instrumentShown || (!pushing && !m_servo.touching && !m_forceTold))
+    if (!showsInstrument() || (!pushing && !m_servo.touching && !m_forceTold))
         return;
     // An arc beside the tip: its whole length is the set force.
     const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
@@ -493,27 +441,23 @@ void ToothView::advanceFrame()
     moveByKeys(seconds);
     publishPointer();
     if (m_camera.advance(m_settings.movesLittle ? kAtOnceS : seconds))
-        update();
+        redraw();
     const double lift = m_surface && m_servo.tick > 0 ? liftMm(*m_surface, m_servo.burIndex, m_servo.anchorMm) : 0.0;
     const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
         m_liftMm = next;
-        update();
+        redraw();
     }
     if (m_forceTold && m_sinceForceSet.elapsed() > kForceToldMs) {
         m_forceTold = false;
-        update();
+        redraw();
     }
     // Below a hundredth of a newton and two micrometres nothing shows.
     const bool moved = glm::distance(m_servo.anchorMm, m_pose.anchorMm) > 0.002;
     const bool pressed = std::abs(glm::length(m_servo.forceN) - m_paintedForceN) > 0.01;
     if (moved || pressed || m_servo.burIndex != before.burIndex || m_servo.touching != before.touching ||
         (m_servo.tick > 0) != (before.tick > 0)) {
-        update();
-    }
-    if (m_usable && !m_smooth && m_sincePaint.isValid() && m_sincePaint.elapsed() > kStillMs) {
-        m_smoothWanted = true;
-        update();
+        redraw();
     }
     emit frameAdvanced(m_servo);
 }
@@ -542,7 +486,7 @@ void ToothView::takeChanges(bool hurried)
     m_changes.heights = united(m_changes.heights, changes.heights);
     m_changes.normals = united(m_changes.normals, changes.normals);
     m_changes.light = united(m_changes.light, changes.light);
-    update();
+    redraw();
 }
 
 void ToothView::publishPointer()
@@ -554,7 +498,7 @@ void ToothView::publishPointer()
     if (same)
         return;
     if (wish.pushing != m_published.pushing)
-        update();
+        redraw();
     m_published = wish;
     m_links.pointer.publish(wish);
 }
@@ -567,13 +511,13 @@ render::Ray ToothView::rayAt(QPointF position) const
 void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
 {
     m_camera.turn(azimuthDeg, elevationDeg);
-    update();
+    redraw();
 }
 
 void ToothView::turnHandpiece(double degrees)
 {
     m_handTurnDeg = std::remainder(m_handTurnDeg + degrees, 360.0);
-    update();
+    redraw();
 }
 
 /// True where the glass of the mirror is seen and no tooth before it.
@@ -611,7 +555,7 @@ void ToothView::dragMirror(QPointF from, QPointF to, bool tilts)
             glm::distance(m_camera.eyeMm(), m_mirror->centreMm) * 2.0 / (m_camera.projection()[1][1] * height());
         m_mirror->centreMm += (right * by.x() - up * by.y()) * mmPerPixel;
     }
-    update();
+    redraw();
 }
 
 /// Mouse and pen. Seen from below, the bur is on the far side of the tooth.
@@ -639,7 +583,7 @@ void ToothView::mousePressEvent(QMouseEvent* event)
         m_turning = event->button();
         m_turnedAt = event->position();
     } else {
-        QOpenGLWidget::mousePressEvent(event);
+        SceneWidget::mousePressEvent(event);
     }
 }
 
@@ -647,7 +591,7 @@ void ToothView::mouseMoveEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
     if (m_settings.look.depthColoursMm > 0.0)
-        update();
+        redraw();
     if (m_mirrorHeld && m_mirror) {
         dragMirror(m_turnedAt, event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
         m_turnedAt = event->position();
@@ -696,7 +640,7 @@ void ToothView::wheelEvent(QWheelEvent* event)
         const bool onTooth =
             m_surface && m_surface->meet(rayAt(event->position()), under) && m_surface->isTooth(glm::dvec2(under));
         m_camera.zoom(notches, onTooth ? std::optional(under) : std::nullopt);
-        update();
+        redraw();
     }
     event->accept();
 }
@@ -770,17 +714,17 @@ void ToothView::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Plus:
     case Qt::Key_Equal:
         m_camera.zoom(1.0);
-        update();
+        redraw();
         break;
     case Qt::Key_Minus:
         m_camera.zoom(-1.0);
-        update();
+        redraw();
         break;
     case Qt::Key_Home:
         resetCamera();
         break;
     default:
-        QOpenGLWidget::keyPressEvent(event);
+        SceneWidget::keyPressEvent(event);
     }
 }
 
@@ -798,7 +742,7 @@ void ToothView::keyReleaseEvent(QKeyEvent* event)
         break;
     default:
         if (m_arrows.erase(event->key()) == 0)
-            QOpenGLWidget::keyReleaseEvent(event);
+            SceneWidget::keyReleaseEvent(event);
     }
     publishPointer();
 }
@@ -806,7 +750,7 @@ void ToothView::keyReleaseEvent(QKeyEvent* event)
 void ToothView::focusOutEvent(QFocusEvent* event)
 {
     release();
-    QOpenGLWidget::focusOutEvent(event);
+    SceneWidget::focusOutEvent(event);
 }
 
 /// Nothing stays pressed when the keys go elsewhere.
@@ -837,37 +781,6 @@ void ToothView::moveByKeys(double seconds)
     for (const int key : m_arrows)
         if (m_arrowsHeldS > kSpeedUpAfterS)
             stepByKey(key, pace * seconds);
-}
-
-void ToothView::fail(const QString& detail)
-{
-    m_usable = false;
-    qWarning("The tooth view cannot be used: %s.", qPrintable(detail));
-    const QString sentence = tr("This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update "
-                                "the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.");
-    // Found while drawing, the view is in a window already and the sentence lies over it.
-    m_sentence = new QLabel(sentence, context() != nullptr ? this : nullptr);
-    m_sentence->setWordWrap(true);
-    m_sentence->setAlignment(Qt::AlignCenter);
-    m_sentence->setMargin(24);
-    m_sentence->setAutoFillBackground(true);
-    m_sentence->setMinimumSize(minimumSize());
-    if (context() != nullptr) {
-        m_sentence->setGeometry(rect());
-        m_sentence->show();
-    }
-    setCursor(Qt::ArrowCursor);
-}
-
-void ToothView::leaveContext()
-{
-    if (!m_renderer)
-        return;
-    makeCurrent();
-    m_smoothCanvas.reset();
-    m_presenter.reset();
-    m_renderer.reset();
-    doneCurrent();
 }
 
 }  // namespace ui::tooth

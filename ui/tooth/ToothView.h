@@ -9,10 +9,8 @@
 
 #include <QElapsedTimer>
 #include <QImage>
-#include <QOpenGLWidget>
 #include <QPixmap>
 #include <QPointF>
-#include <QPointer>
 #include <QTimer>
 
 #include "core/session/Links.h"
@@ -24,11 +22,8 @@
 #include "ui/tooth/PatchInbox.h"
 #include "ui/tooth/PointerControl.h"
 #include "ui/tooth/PoseTrack.h"
+#include "ui/tooth/SceneWidget.h"
 #include "ui/tooth/ViewSettings.h"
-
-class QLabel;
-class QPainter;
-class QOpenGLFramebufferObject;
 
 namespace ui::tooth {
 
@@ -44,13 +39,13 @@ namespace ui::tooth {
 ///
 /// Ui thread. It is the one reader of `servo` and `patches` and the one writer of `pointer`; it polls them 60 times a
 /// second and repaints only when something that shows has changed.
-class ToothView : public QOpenGLWidget
+class ToothView : public SceneWidget
 {
     Q_OBJECT
 
 public:
     /// @param links  must outlive the view
-    explicit ToothView(core::session::UiLinks& links, QWidget* parent = nullptr);
+    explicit ToothView(core::session::UiLinks& links, QWidget* parent = nullptr, Way way = bestWay());
     ~ToothView() override;
 
     /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
@@ -78,12 +73,6 @@ public:
     [[nodiscard]] QImage picture();
     /// The same without the instrument: what has become of the tooth.
     [[nodiscard]] QImage toothPicture();
-    /// False: this computer gives no OpenGL 3.3.
-    [[nodiscard]] bool isUsable() const { return m_usable; }
-    /// What to put into a window: the view, or a page with a sentence where it is not usable. A window that holds an
-    /// OpenGL widget on a computer without OpenGL crashes in Qt 6.4, even if it is hidden; so hold the view itself
-    /// without a parent and give this one to the layout.
-    [[nodiscard]] QWidget* pane();
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
@@ -109,8 +98,10 @@ signals:
     void pushRefused();
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    [[nodiscard]] bool prepareScene(QString& reason) override;
+    void releaseScene() override;
+    void drawScene(QSize sizePx, int samples) override;
+    void paintMarks(QPainter& painter) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -133,19 +124,16 @@ private:
     void turnCamera(double azimuthDeg, double elevationDeg);
     void turnHandpiece(double degrees);
     void release();
-    void fail(const QString& detail);
-    void leaveContext();
-    void drawScene();
     void showNeighbours();
     void drawForce(QPainter& painter);
     void drawGizmo(QPainter& painter);
-    void drawMarks();
     [[nodiscard]] bool isOnMirror(QPointF position) const;
     void dragMirror(QPointF from, QPointF to, bool tilts);
     [[nodiscard]] QPointF presented(QPointF position) const;
     [[nodiscard]] QPointF presentedWay(QPointF by) const;
     [[nodiscard]] render::Ray rayAt(QPointF position) const;
-    [[nodiscard]] render::Scene scene() const;
+    [[nodiscard]] render::Scene scene(QSizeF sizePx) const;
+    [[nodiscard]] bool showsInstrument() const;
 
     core::session::UiLinks& m_links;
     std::optional<core::terrain::Tooth> m_tooth;  ///< what m_surface draws, for those who look inside
@@ -169,15 +157,10 @@ private:
     core::session::Pose m_pose;             ///< of the bur as it is drawn
     FrameClock m_clock;
 
-    std::unique_ptr<QOpenGLFramebufferObject> m_smoothCanvas;  ///< of a software driver: for smooth edges
-    bool m_smoothWanted = false;                               ///< of the next picture
-    bool m_smooth = false;                                     ///< the picture shown has smooth edges
-    QElapsedTimer m_sincePaint;
     QElapsedTimer m_sinceLight;               ///< was brought up to date everywhere
     Uploads m_uploads;                        ///< without their bytes
     bool m_surfaceIsNew = false;              ///< the renderer has not seen it
     render::ToothSurface::Changes m_changes;  ///< since the last picture
-    bool m_usable = true;
     bool m_drillOn = false;
     bool m_leftHanded = false;
     bool m_instrumentHidden = false;
@@ -195,7 +178,6 @@ private:
     QElapsedTimer m_sinceFrame;
     QElapsedTimer m_sinceForceSet;
     bool m_forceTold = false;  ///< the set force is written beside the bur
-    QPointer<QLabel> m_sentence;
 };
 
 }  // namespace ui::tooth

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include <QBoxLayout>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/OpenGlMain.h"
+#include "tests/support/SyntheticMolar.h"
+#include "tests/ui/Pictures.h"
+#include "ui/tooth/SceneWidget.h"
+#include "ui/tooth/ToothView.h"
+
+using ui::tooth::SceneWidget;
+using ui::tooth::ToothView;
+
+namespace {
+
+const QColor kGround(40, 60, 80);
+const QColor kHigh(200, 100, 50);  ///< the upper quarter of what OpenGL draws
+
+/// A ground whose upper quarter has another colour, and a white square painted on its upper left corner.
+class Marks : public SceneWidget
+{
+public:
+    explicit Marks(Way way, QWidget* parent = nullptr) : SceneWidget(QStringLiteral("no OpenGL"), way, parent) {}
+    ~Marks() override { leave(); }
+
+    int prepared = 0;
+    int released = 0;
+    int drawn = 0;
+    bool refuses = false;
+
+protected:
+    bool prepareScene(QString& reason) override
+    {
+        ++prepared;
+        reason = QStringLiteral("it would not");
+        return !refuses;
+    }
+    void releaseScene() override
+    {
+        QVERIFY(QOpenGLContext::currentContext() != nullptr);
+        ++released;
+    }
+    void drawScene(QSize sizePx, int /*samples*/) override
+    {
+        ++drawn;
+        QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+        gl->glDisable(GL_SCISSOR_TEST);
+        fill(kGround);
+        gl->glEnable(GL_SCISSOR_TEST);
+        gl->glScissor(0, sizePx.height() - sizePx.height() / 4, sizePx.width(), sizePx.height() / 4);
+        fill(kHigh);
+        gl->glDisable(GL_SCISSOR_TEST);
+    }
+    void paintMarks(QPainter& painter) override { painter.fillRect(0, 0, 20, 20, Qt::white); }
+
+private:
+    static void fill(const QColor& colour)
+    {
+        QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+        gl->glClearColor(static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
+                         static_cast<float>(colour.blueF()), 1.0F);
+        gl->glClear(GL_COLOR_BUFFER_BIT);
+    }
+};
+
+QColor at(const QImage& image, double x, double y)
+{
+    return image.pixelColor(qRound(x * (image.width() - 1)), qRound(y * (image.height() - 1)));
+}
+
+}  // namespace
+
+class TestSceneWidget : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void bothWaysShowPictureAndMarks_data() { ways(); }
+    void bothWaysShowPictureAndMarks();
+    void theMouseIsTheWidgetsOwn_data() { ways(); }
+    void theMouseIsTheWidgetsOwn();
+    void anotherWindowAndAnotherSizeAreDrawnAnew_data() { ways(); }
+    void anotherWindowAndAnotherSizeAreDrawnAnew();
+    void whatIsRefusedIsSaid_data() { ways(); }
+    void whatIsRefusedIsSaid();
+    void aSoftwareDriverSmoothesWhatRests();
+    void aToothLooksTheSameOnBothWays();
+
+private:
+    static void ways();
+};
+
+void TestSceneWidget::ways()
+{
+    QTest::addColumn<SceneWidget::Way>("way");
+    QTest::newRow("window") << SceneWidget::Way::Window;
+    QTest::newRow("image") << SceneWidget::Way::Image;
+}
+
+void TestSceneWidget::bothWaysShowPictureAndMarks()
+{
+    QFETCH(SceneWidget::Way, way);
+    Marks marks(way);
+    marks.resize(320, 240);
+    QSignalSpy shown(&marks, &SceneWidget::shown);
+    marks.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&marks));
+    QTRY_VERIFY(shown.count() > 0);
+    QVERIFY(marks.isUsable());
+    const QImage image = marks.grabPicture();
+    QCOMPARE(image.size(), QSize(320, 240));
+    QCOMPARE(at(image, 0.01, 0.01), QColor(Qt::white));
+    QCOMPARE(at(image, 0.5, 0.1), kHigh);
+    QCOMPARE(at(image, 0.5, 0.9), kGround);
+    QCOMPARE(qAlpha(image.pixel(160, 200)), 255);
+    shown.clear();
+    marks.redraw();
+    QTRY_VERIFY(shown.count() > 0);
+    shown.clear();
+    const int before = marks.drawn;
+    marks.redrawNow();
+    QCOMPARE(marks.drawn, before + 1);
+}
+
+void TestSceneWidget::theMouseIsTheWidgetsOwn()
+{
+    QFETCH(SceneWidget::Way, way);
+    struct Catches : Marks
+    {
+        using Marks::Marks;
+        int presses = 0;
+        void mousePressEvent(QMouseEvent* /*event*/) override { ++presses; }
+    };
+    QWidget window;
+    auto* catches = new Catches(way, &window);
+    window.resize(300, 200);
+    catches->resize(window.size());
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    // As the window system brings it: to the window, which looks for who is there.
+    QTest::mouseClick(window.windowHandle(), Qt::LeftButton, {}, QPoint(150, 100));
+    QCOMPARE(catches->presses, 1);
+}
+
+void TestSceneWidget::anotherWindowAndAnotherSizeAreDrawnAnew()
+{
+    QFETCH(SceneWidget::Way, way);
+    QWidget first;
+    QWidget second;
+    auto* marks = new Marks(way, &first);
+    for (QWidget* window : {&first, &second}) {
+        window->resize(300, 200);
+        marks->setParent(window);
+        marks->resize(window->size());
+        marks->show();
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        QTRY_COMPARE(at(marks->grabPicture(), 0.5, 0.9), kGround);
+        marks->resize(120, 80);
+        QCOMPARE(marks->grabPicture().size(), QSize(120, 80));
+        QCOMPARE(at(marks->grabPicture(), 0.5, 0.1), kHigh);
+    }
+    QVERIFY(marks->prepared >= 1);
+    QVERIFY(marks->prepared - marks->released == 1);
+}
+
+void TestSceneWidget::whatIsRefusedIsSaid()
+{
+    QFETCH(SceneWidget::Way, way);
+    QTest::ignoreMessage(QtWarningMsg, "No picture of a tooth can be drawn: it would not.");
+    Marks marks(way);
+    marks.refuses = true;
+    marks.resize(320, 240);
+    marks.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&marks));
+    QTRY_VERIFY(!marks.isUsable());
+    marks.redrawNow();
+    QCOMPARE(marks.drawn, 0);
+    QVERIFY(!marks.grabPicture().isNull());
+    QCOMPARE(marks.prepared, 1);
+}
+
+void TestSceneWidget::aSoftwareDriverSmoothesWhatRests()
+{
+    struct Counts : Marks
+    {
+        using Marks::Marks;
+        QList<int> samples;
+        void drawScene(QSize sizePx, int with) override
+        {
+            samples.append(with);
+            Marks::drawScene(sizePx, with);
+        }
+    };
+    Counts counts(SceneWidget::Way::Image);
+    counts.resize(100, 100);
+    counts.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&counts));
+    QTRY_VERIFY(!counts.samples.isEmpty() && counts.samples.back() > 0);
+    QCOMPARE(counts.samples.front(), 0);
+    counts.samples.clear();
+    counts.redrawNow();
+    counts.redrawNow();
+    QCOMPARE(counts.samples, QList<int>({0, 0}));
+    QTRY_COMPARE(counts.samples.size(), 3);
+    QVERIFY(counts.samples.back() > 0);
+}
+
+void TestSceneWidget::aToothLooksTheSameOnBothWays()
+{
+    core::session::UiLinks links;
+    std::array<QImage, 2> images;
+    for (std::size_t k = 0; k < 2; ++k) {
+        ToothView view(links, nullptr, k == 0 ? SceneWidget::Way::Window : SceneWidget::Way::Image);
+        view.resize(480, 360);
+        view.setTooth(support::syntheticMolar(), 1);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        images[k] = view.picture();
+        pictures::keep(images[k], QStringLiteral("tooth_%1").arg(k));
+    }
+    QCOMPARE(images[0].size(), images[1].size());
+    const int apart = pictures::difference(images[0], images[1]).pixels;
+    // Letters of the gizmo and smooth edges are painted by another engine.
+    QVERIFY2(apart < 480 * 360 / 100, qPrintable(QString::number(apart)));
+}
+
+int main(int argc, char** argv)
+{
+    return support::openGlMain<TestSceneWidget>(argc, argv);
+}
+
+#include "tst_scene_widget.moc"

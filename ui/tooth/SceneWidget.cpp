@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tooth/SceneWidget.h"
+
+#include <utility>
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QLabel>
+#include <QOpenGLContext>
+#include <QOpenGLWidget>
+#include <QPainter>
+
+#include "ui/render/Canvas.h"
+#include "ui/render/Driver.h"
+
+namespace ui::tooth {
+namespace {
+
+constexpr int kStillMs = 120;
+constexpr int kMarginPx = 24;
+
+}  // namespace
+
+/// What a graphics card shows; mouse and keys are its parent's.
+class ScenePane final : public QOpenGLWidget
+{
+public:
+    explicit ScenePane(SceneWidget& scene) : QOpenGLWidget(&scene), m_scene(scene)
+    {
+        setFormat(render::wantedFormat());
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::NoFocus);
+        connect(this, &QOpenGLWidget::frameSwapped, &scene, &SceneWidget::shown);
+    }
+    ~ScenePane() override
+    {
+        if (context() != nullptr)
+            disconnect(context(), nullptr, this, nullptr);
+        release();
+    }
+
+protected:
+    void initializeGL() override
+    {
+        connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ScenePane::release);
+        m_prepared = true;
+        if (QString reason; !m_scene.prepareScene(reason))
+            m_scene.fail(reason);
+    }
+    void paintGL() override
+    {
+        if (!m_scene.isUsable())
+            return;
+        m_scene.drawScene(size() * devicePixelRatioF(), format().samples());
+        QPainter painter(this);
+        m_scene.paintMarks(painter);
+    }
+
+private:
+    void release()
+    {
+        if (!std::exchange(m_prepared, false))
+            return;
+        makeCurrent();
+        m_scene.releaseScene();
+        doneCurrent();
+    }
+
+    SceneWidget& m_scene;
+    bool m_prepared = false;
+};
+
+SceneWidget::Way SceneWidget::bestWay()
+{
+    return render::driver().isSoftware ? Way::Image : Way::Window;
+}
+
+SceneWidget::SceneWidget(const QString& whyNot, Way way, QWidget* parent) : QWidget(parent), m_sentence(whyNot)
+{
+    m_still.setSingleShot(true);
+    m_still.setInterval(kStillMs);
+    connect(&m_still, &QTimer::timeout, this, [this] {
+        m_smoothWanted = true;
+        redraw();
+    });
+    if (!render::driver().hasOpenGl33) {
+        fail(QStringLiteral("no context of version 3.3 with a core profile could be made"));
+    } else if (way == Way::Window) {
+        m_pane = new ScenePane(*this);
+    } else {
+        setAttribute(Qt::WA_OpaquePaintEvent);
+    }
+}
+
+SceneWidget::~SceneWidget() = default;
+
+void SceneWidget::leave()
+{
+    delete std::exchange(m_pane, nullptr);
+    if (m_canvas) {
+        m_canvas->makeCurrent();
+        releaseScene();
+        m_canvas.reset();
+    }
+}
+
+void SceneWidget::redraw()
+{
+    if (m_pane != nullptr)
+        m_pane->update();
+    else
+        update();
+}
+
+void SceneWidget::redrawNow()
+{
+    redraw();
+    QCoreApplication::sendPostedEvents(window(), QEvent::UpdateRequest);
+}
+
+/// A picture drawn aside; none where that is refused.
+const QImage* SceneWidget::draw(int samples)
+{
+    const QSize size = (this->size() * devicePixelRatioF()).expandedTo({1, 1});
+    if (!m_canvas) {
+        auto canvas = render::Canvas::make(size);
+        if (!canvas) {
+            fail(QString::fromStdString(canvas.error().detail));
+            return nullptr;
+        }
+        m_canvas = std::move(*canvas);
+        if (QString reason; !prepareScene(reason)) {
+            fail(reason);
+            return nullptr;
+        }
+    }
+    m_canvas->resize(size);
+    return &m_canvas->picture([&] { drawScene(size, samples); }, samples);
+}
+
+QImage SceneWidget::grabPicture()
+{
+    if (m_pane != nullptr && isUsable())
+        return m_pane->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage* drawn = isUsable() ? draw(render::Canvas::kSamples) : nullptr;
+    if (drawn == nullptr)
+        return grab().toImage();
+    QImage image = *drawn;
+    image.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&image);
+    paintMarks(painter);
+    painter.end();
+    image.setDevicePixelRatio(1.0);
+    return image;
+}
+
+bool SceneWidget::event(QEvent* event)
+{
+    // Nobody works with what cannot be seen.
+    if (event->isInputEvent() && !isUsable()) {
+        event->ignore();
+        return false;
+    }
+    return QWidget::event(event);
+}
+
+void SceneWidget::paintEvent(QPaintEvent* /*event*/)
+{
+    if (m_pane != nullptr)
+        return;
+    const bool smooth = std::exchange(m_smoothWanted, false);
+    const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0) : nullptr;
+    QPainter painter(this);
+    if (drawn == nullptr) {
+        painter.fillRect(rect(), palette().window());
+        return;
+    }
+    painter.drawImage(QRectF(QPointF(), QSizeF(drawn->size()) / devicePixelRatioF()), *drawn);
+    paintMarks(painter);
+    if (!smooth)
+        m_still.start();
+    // Later: when this event has been dealt with, the window system has the picture.
+    QMetaObject::invokeMethod(this, &SceneWidget::shown, Qt::QueuedConnection);
+}
+
+void SceneWidget::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (m_pane != nullptr)
+        m_pane->setGeometry(rect());
+    if (m_whyNot != nullptr)
+        m_whyNot->setGeometry(rect());
+}
+
+/// Says so in place of the picture.
+void SceneWidget::fail(const QString& detail)
+{
+    qWarning("No picture of a tooth can be drawn: %s.", qPrintable(detail));
+    m_whyNot = new QLabel(m_sentence, this);
+    m_whyNot->setWordWrap(true);
+    m_whyNot->setAlignment(Qt::AlignCenter);
+    m_whyNot->setMargin(kMarginPx);
+    m_whyNot->setAutoFillBackground(true);
+    m_whyNot->setGeometry(rect());
+    m_whyNot->show();
+    setCursor(Qt::ArrowCursor);
+}
+
+}  // namespace ui::tooth
