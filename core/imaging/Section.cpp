@@ -43,7 +43,7 @@ void mixLens(const Corners& around, const auto& roof, const auto& floor, float& 
     mixedFloor = mixed(around, floor);
 }
 
-SectionSample sampleAt(const Tooth& tooth, glm::dvec2 pointMm)
+SectionSample sampleAt(const Tooth& tooth, const std::vector<float>& ideal, glm::dvec2 pointMm)
 {
     const Grid& grid = tooth.grid();
     const ToothAnatomy& anatomy = *tooth.anatomy;
@@ -58,6 +58,7 @@ SectionSample sampleAt(const Tooth& tooth, glm::dvec2 pointMm)
         return sample;
     sample.wasTooth = true;
     sample.originalTopMm = anatomy.top[nearest];
+    sample.idealTopMm = ideal[nearest];
     ColumnLayers layers = anatomy.layers[nearest];
     float top = tooth.top[nearest];
     float bottom = tooth.bottom[nearest];
@@ -78,6 +79,8 @@ SectionSample sampleAt(const Tooth& tooth, glm::dvec2 pointMm)
             return [&anatomy, height](std::size_t k) { return anatomy.layers[k].*height; };
         };
         sample.originalTopMm = mixed(around, [&](std::size_t k) { return anatomy.top[k]; });
+        if (all([&](std::size_t k) { return ideal[k] > anatomy.bottom[k]; }))
+            sample.idealTopMm = mixed(around, [&](std::size_t k) { return ideal[k]; });
         layers.dej = mixed(around, of(&ColumnLayers::dej));
         mixLens(around, of(&ColumnLayers::cariesRoof), of(&ColumnLayers::cariesFloor), layers.cariesRoof,
                 layers.cariesFloor);
@@ -109,12 +112,14 @@ glm::dvec2 SectionPlane::pointMm(double alongMm) const
     return throughMm + (alongMm - glm::dot(throughMm, right)) * right;
 }
 
-Section sectionOf(const Tooth& tooth, const SectionPlane& plane, double fromMm, double toMm, int count)
+Section sectionOf(const Tooth& tooth, const SectionPlane& plane, double fromMm, double toMm, int count,
+                  const std::vector<float>* ideal)
 {
+    const std::vector<float>& wanted = ideal != nullptr ? *ideal : tooth.anatomy->top;
     Section section{plane, fromMm, (toMm - fromMm) / (count - 1), {}};
     section.samples.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
-        section.samples.push_back(sampleAt(tooth, plane.pointMm(fromMm + k * section.stepMm)));
+        section.samples.push_back(sampleAt(tooth, wanted, plane.pointMm(fromMm + k * section.stepMm)));
     return section;
 }
 

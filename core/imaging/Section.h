@@ -31,6 +31,7 @@ struct SectionSample
 {
     bool wasTooth = false;           ///< there was tooth before anyone cut; else the rest is empty
     float originalTopMm = 0.0F;      ///< the surface as it was
+    float idealTopMm = 0.0F;         ///< and as it ought to become; kEmptyTop where nothing is to be left
     terrain::MaterialSpans present;  ///< what is there now, from below upwards; none where it was cut through
 };
 
@@ -46,8 +47,9 @@ struct Section
 /// The cut of a tooth by a plane from `fromMm` to `toMm` along it, in `count` >= 2 samples. Heights and interfaces are
 /// linear between the four nodes around a point; at the rim, and where only some of them have decay or pulp, the
 /// nearest column speaks. On a node it says exactly what the column says.
+/// @param ideal  heights of the surface as it ought to become, over the tooth's grid; null: as it was
 [[nodiscard]] Section sectionOf(const terrain::Tooth& tooth, const SectionPlane& plane, double fromMm, double toMm,
-                                int count);
+                                int count, const std::vector<float>* ideal = nullptr);
 
 /// The pulp of a tooth as it grew, opened or not: one box a column, as wide as its cell.
 class PulpChamber

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/Rng.h"
+#include "core/grading/IdealCavity.h"
 #include "core/grading/Measures.h"
 #include "tests/support/SyntheticTooth.h"
 
@@ -57,6 +58,7 @@ class TestMeasures : public QObject
     Q_OBJECT
 
 private slots:
+    void theIdealCavityTakesTheDecayAndNothingBeside();
     void anUncutToothHasLostNothing();
     void clearingTheLesionExactlyIsNoOvercut();
     void whatLiesBesideAndBelowTheLesionIsOvercut();
@@ -70,6 +72,30 @@ private slots:
     void aToothWithoutLesionOrPulpGivesZeros();
     void volumesAddUpOnRandomCuts();
 };
+
+void TestMeasures::theIdealCavityTakesTheDecayAndNothingBeside()
+{
+    const auto anatomy = block();
+    const grading::IdealTop ideal = grading::idealCavity(*anatomy);
+    QVERIFY(ideal != nullptr);
+    for (int j = 0; j < 64; ++j)
+        for (int i = 0; i < 64; ++i)
+            QCOMPARE((*ideal)[anatomy->grid.index(i, j)], i >= 28 && i <= 35 && j >= 28 && j <= 35 ? -3.0F : 0.0F);
+    const grading::Measures measures = grading::measure(restored(anatomy, *ideal));
+    QCOMPARE(measures.cariesLeftMm3, 0.0);
+    QCOMPARE(measures.overcutMm3, 0.0);
+    QVERIFY(near(removed(measures, Material::Caries), measures.lesionMm3));
+    // Without a lesion nothing is asked; one that goes through leaves nothing.
+    QVERIFY(grading::idealCavity(*support::slab(-2.0F)) == nullptr);
+    anatomy->layers[anatomy->grid.index(30, 30)].cariesFloor = -20.0F;
+    QCOMPARE((*grading::idealCavity(*anatomy))[anatomy->grid.index(30, 30)], kEmptyTop);
+    // A lesion outside the tooth is none.
+    anatomy->layers[anatomy->grid.index(2, 2)] = {6.0F, 4.0F, -2.0F, 0.0F, 0.0F};
+    anatomy->layers[anatomy->grid.index(3, 3)] = {-12.0F, -14.0F, -2.0F, 0.0F, 0.0F};
+    const grading::IdealTop again = grading::idealCavity(*anatomy);
+    QCOMPARE((*again)[anatomy->grid.index(2, 2)], 0.0F);
+    QCOMPARE((*again)[anatomy->grid.index(3, 3)], 0.0F);
+}
 
 void TestMeasures::anUncutToothHasLostNothing()
 {

@@ -68,6 +68,7 @@ private slots:
     void aPlaneRunsWhereItsAngleSays_data();
     void aPlaneRunsWhereItsAngleSays();
     void parallelSectionsAddUpToTheVolumes();
+    void theIdealSurfaceIsCutAsTheOthers();
     void whereItIsCutThroughNothingIsLeft();
     void nearestPulpIsFoundInEveryDirection_data();
     void nearestPulpIsFoundInEveryDirection();
@@ -219,6 +220,28 @@ void TestSection::parallelSectionsAddUpToTheVolumes()
         qInfo("material %zu: sections %.2f mm3, columns %.2f mm3", m, sum[m], expected[m]);
         QVERIFY(near(sum[m], expected[m], 0.01 * expected[m] + 0.02));
     }
+}
+
+void TestSection::theIdealSurfaceIsCutAsTheOthers()
+{
+    const auto anatomy = block();
+    const Tooth tooth(anatomy);
+    std::vector<float> ideal = anatomy->top;
+    for (int j = 0; j < 64; ++j)
+        for (int i = 0; i < 64; ++i)
+            ideal[anatomy->grid.index(i, j)] -= 0.01F * static_cast<float>(i);
+    for (int j = 0; j < 64; ++j)
+        ideal[anatomy->grid.index(40, j)] = kEmptyTop;
+    const glm::dvec2 at = anatomy->grid.nodeMm(10, 32);
+    const double half = 0.5 * anatomy->grid.cellMm;
+    const imaging::Section section = imaging::sectionOf(tooth, {at, 0.0}, at.x, at.x + half, 2, &ideal);
+    QVERIFY(near(section.samples[0].idealTopMm, section.samples[0].originalTopMm - 0.1F, 1e-5));
+    QVERIFY(near(section.samples[1].idealTopMm, section.samples[1].originalTopMm - 0.105F, 1e-5));
+    // What is to be cut through has no height, and gives its neighbours none.
+    const glm::dvec2 hole = anatomy->grid.nodeMm(40, 32);
+    const imaging::Section through = imaging::sectionOf(tooth, {hole, 0.0}, hole.x - 0.8 * half, hole.x, 2, &ideal);
+    QCOMPARE(through.samples[1].idealTopMm, kEmptyTop);
+    QCOMPARE(imaging::sectionOf(tooth, {at, 0.0}, at.x, at.x + half, 2).samples[0].idealTopMm, anatomy->top[0]);
 }
 
 void TestSection::whereItIsCutThroughNothingIsLeft()

@@ -30,6 +30,8 @@ constexpr QRgb kGrid = 0xFF2C3134;
 constexpr QRgb kOverTissue = 0x30000000;  ///< grid lines over the tooth
 constexpr QRgb kWords = 0xFFB6BDBF;
 constexpr QRgb kSurface = 0xFF56C7C9;  ///< the surface as it was
+constexpr QRgb kIdeal = 0xFFFFD23F;    ///< and as it ought to become
+constexpr QRgb kUnderIdeal = 0xB0101214;
 constexpr QRgb kSteel = 0xE6AEB8BC;
 constexpr QRgb kBorder = 0xFF000000;
 constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
@@ -183,25 +185,40 @@ QImage tissue(const Section& section, const Frame& frame, double pixelRatio, ren
     return image;
 }
 
-void paintSurface(QPainter& painter, const Section& section, const Frame& frame)
+/// A line of heights, where there was tooth and the height is one.
+void paintHeights(QPainter& painter, const Section& section, const Frame& frame, float SectionSample::*height,
+                  const QPen& pen)
 {
     QPainterPath path;
-    bool down = true;
+    bool isBroken = true;
     for (std::size_t k = 0; k < section.samples.size(); ++k) {
         const SectionSample& sample = section.samples[k];
-        if (sample.wasTooth) {
+        const bool isThere = sample.wasTooth && sample.*height > core::terrain::kEmptyTop;
+        if (isThere) {
             const QPointF here(frame.x(section.fromMm + static_cast<double>(k) * section.stepMm),
-                               frame.y(static_cast<double>(sample.originalTopMm)));
-            if (down)
+                               frame.y(static_cast<double>(sample.*height)));
+            if (isBroken)
                 path.moveTo(here);
             else
                 path.lineTo(here);
         }
-        down = !sample.wasTooth;
+        isBroken = !isThere;
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(kSurface), 1.6));
+    painter.setPen(pen);
     painter.drawPath(path);
+}
+
+QPen surfacePen()
+{
+    return {QColor(kSurface), 1.6};
+}
+
+QPen idealPen()
+{
+    QPen pen(QColor(kIdeal), 2.0);
+    pen.setDashPattern({3.0, 2.0});
+    return pen;
 }
 
 void paintBur(QPainter& painter, const Frame& frame, const SectionScene& scene)
@@ -242,7 +259,7 @@ void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
                      text::directionName(anatomy, scene.plane.angleRad) + QStringLiteral(" ") + QChar(0x2192));
 }
 
-void paintLegend(QPainter& painter, const QRectF& area, render::Palette palette)
+void paintLegend(QPainter& painter, const QRectF& area, const SectionScene& scene)
 {
     painter.setFont(shell::typeface(shell::kSmall));
     const QFontMetricsF metrics(painter.font());
@@ -257,7 +274,7 @@ void paintLegend(QPainter& painter, const QRectF& area, render::Palette palette)
         x += width + kApartPx;
     };
     for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
-        const shell::MaterialLook look = shell::materialLook(material, palette);
+        const shell::MaterialLook look = shell::materialLook(material, scene.palette);
         const QRectF square(x, row.center().y() - 0.5 * kSquarePx, kSquarePx, kSquarePx);
         painter.fillRect(square, look.fill);
         if (look.pattern != Qt::NoBrush) {
@@ -270,11 +287,19 @@ void paintLegend(QPainter& painter, const QRectF& area, render::Palette palette)
     }
     row.translate(0.0, kLegendRowPx);
     x = row.left();
-    painter.setPen(QPen(QColor(kSurface), 1.6));
-    painter.drawLine(QPointF(x, row.center().y()), QPointF(x + kSquarePx, row.center().y()));
-    x += kSquarePx + 5.0;
+    const auto line = [&](const QPen& pen, double width, const QString& words) {
+        painter.setPen(pen);
+        painter.drawLine(QPointF(x, row.center().y()), QPointF(x + width, row.center().y()));
+        x += width + 5.0;
+        word(words);
+    };
     //: In the key of a picture, beside a line
-    word(QCoreApplication::translate("Section", "surface before anything was cut"));
+    const QString original = QCoreApplication::translate("Section", "surface before anything was cut");
+    //: The same, where a second line stands beside it
+    const QString shortly = QCoreApplication::translate("Section", "surface before");
+    line(surfacePen(), kSquarePx, scene.ideal ? shortly : original);
+    if (scene.ideal)
+        line(idealPen(), 2.0 * kSquarePx, QCoreApplication::translate("Section", "ideal preparation"));
 }
 
 }  // namespace
@@ -294,22 +319,30 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     // A sample stands in the middle of its column of pixels.
     const double halfPixelMm = 0.5 / (pixelRatio * frame.pxPerMm);
     const double toMm = frame.leftMm + (2.0 * columns - 1.0) * halfPixelMm;
-    const Section section =
-        core::imaging::sectionOf(*scene.tooth, scene.plane, frame.leftMm + halfPixelMm, toMm, columns);
+    const Section section = core::imaging::sectionOf(*scene.tooth, scene.plane, frame.leftMm + halfPixelMm, toMm,
+                                                     columns, scene.ideal.get());
     painter.setClipRect(plot, Qt::IntersectClip);
     QImage materials = tissue(section, frame, pixelRatio, scene.palette);
     materials.setDevicePixelRatio(pixelRatio);
     painter.drawImage(plot.topLeft(), materials);
     paintGrid(painter, frame, QColor::fromRgba(kOverTissue));
     painter.setRenderHint(QPainter::Antialiasing);
-    paintSurface(painter, section, frame);
+    if (scene.ideal) {
+        // Dark beneath, so that it is seen on every tissue.
+        QPen ground = idealPen();
+        ground.setColor(QColor::fromRgba(kUnderIdeal));
+        ground.setStyle(Qt::SolidLine);
+        ground.setWidthF(4.0);
+        paintHeights(painter, section, frame, &SectionSample::idealTopMm, ground);
+        paintHeights(painter, section, frame, &SectionSample::idealTopMm, idealPen());
+    }
+    paintHeights(painter, section, frame, &SectionSample::originalTopMm, surfacePen());
     if (scene.bur != nullptr)
         paintBur(painter, frame, scene);
     painter.setClipRect(area);
     paintLabels(painter, frame);
     paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
-    paintLegend(painter, QRectF(area.left() + 8.0, area.bottom() - kLegendPx, area.width() - 16.0, kLegendPx),
-                scene.palette);
+    paintLegend(painter, QRectF(area.left() + 8.0, area.bottom() - kLegendPx, area.width() - 16.0, kLegendPx), scene);
     painter.restore();
 }
 

@@ -8,6 +8,7 @@
 #include <QRectF>
 
 #include "core/drilling/Bur.h"
+#include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "ui/shell/MaterialLook.h"
 
@@ -20,6 +21,7 @@ struct SectionScene
 {
     const core::terrain::Tooth* tooth = nullptr;
     core::imaging::SectionPlane plane;
+    core::grading::IdealTop ideal;  ///< drawn as a broken line; null: none
     /// A bur whose axis lies in the plane, drawn at its true size; null: none.
     const core::drilling::Bur* bur = nullptr;
     glm::dvec3 tipMm{0.0};
@@ -28,8 +30,8 @@ struct SectionScene
 };
 
 /// Paints the crown, and of the root what there is room for, on a millimetre grid: the materials, the original surface
-/// as a line, the bur, where the two ends of the plane point, and what the colours mean. Dark in either theme, like the
-/// room with the tooth. Needs no window. About 1.5 ms at 320 x 500.
+/// and the ideal one as lines, the bur, where the two ends of the plane point, and what the colours mean. Dark in
+/// either theme, like the room with the tooth. Needs no window. About 1.5 ms at 320 x 500.
 void paintSection(QPainter& painter, const QRectF& area, const SectionScene& scene);
 
 }  // namespace ui::inside

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -165,6 +166,12 @@ int SectionView::angleDeg() const
 void SectionView::setColours(render::Palette colours)
 {
     m_canvas->scene.palette = colours;
+    m_canvas->update();
+}
+
+void SectionView::setIdeal(core::grading::IdealTop ideal)
+{
+    m_canvas->scene.ideal = std::move(ideal);
     m_canvas->update();
 }
 

@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
+#include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
 #include "ui/shell/MaterialLook.h"
@@ -36,6 +37,8 @@ public:
     void follow(const core::terrain::Tooth* tooth, std::uint64_t revision, const core::session::ServoState& servo,
                 const core::imaging::DepthReading& reading);
     void setColours(render::Palette colours);
+    /// What the lesson asks for, over the grid of the tooth followed next; null: nothing.
+    void setIdeal(core::grading::IdealTop ideal);
     /// Without them the picture alone is there.
     void setFiguresShown(bool shown);
     /// Turns the plane about the bur, +15 degrees.
