@@ -11,8 +11,9 @@ struct Aids
     bool radiograph = true;  ///< the X-ray pictures before and now
     bool heatMap = true;     ///< colours of depth on the tooth
     bool mirror = true;      ///< the dental mirror
+    bool ideal = true;       ///< the ideal preparation, in section and colours
 
-    [[nodiscard]] static constexpr Aids none() { return {false, false, false, false, false}; }
+    [[nodiscard]] static constexpr Aids none() { return {false, false, false, false, false, false}; }
     bool operator==(const Aids&) const = default;
 };
 

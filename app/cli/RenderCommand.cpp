@@ -163,12 +163,14 @@ core::Result<Wishes> wishesOf(const QCommandLineParser& parser)
         else if (what == u"light")
             wishes.look.burLight = true;
         else if (what == u"depth")
-            wishes.look.depthColoursMm = ui::tooth::kDepthScaleMm;
+            wishes.look.depthColours = ui::render::DepthColours::BelowOriginal;
+        else if (what == u"ideal")
+            wishes.look.depthColours = ui::render::DepthColours::AgainstIdeal;
         else if (what == u"neighbours")
             wishes.neighbours = true;
         else
             return core::unexpected(core::ErrorCode::UnknownName,
-                                    "--show knows mirror, distinct, wet, light, depth and neighbours, "
+                                    "--show knows mirror, distinct, wet, light, depth, ideal and neighbours, "
                                     "but not \"" +
                                         what.toStdString() + "\"");
     }
@@ -185,6 +187,7 @@ QImage sectionPicture(const Subject& subject, double degrees, QSize size, ui::re
     scene.plane.angleRad = degrees * std::numbers::pi / 180.0;
     scene.plane.throughMm = subject.tooth.grid().middleMm();
     scene.palette = palette;
+    scene.ideal = core::grading::idealCavity(*subject.tooth.anatomy);
     if (subject.bur) {
         scene.bur = &core::drilling::burs()[subject.bur->burIndex];
         scene.tipMm = subject.bur->anchorMm;
@@ -271,6 +274,7 @@ core::Result<QImage> toothPicture(const Subject& subject, const Wishes& wishes, 
                                     "'; only a tooth chosen by its FDI number has neighbours");
     ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(false));
     surface.write(subject.tooth.top);
+    surface.setIdeal(core::grading::idealCavity(*anatomy));
     surface.refresh();
 
     const auto canvas = ui::render::Canvas::make(size);
@@ -284,14 +288,15 @@ core::Result<QImage> toothPicture(const Subject& subject, const Wishes& wishes, 
     ui::tooth::Camera camera;
     camera.setViewport({size.width(), size.height()});
     ui::tooth::showWhole(camera, surface);
-    if (const core::Status there = ui::tooth::goTo(camera, view, anatomy->fdi); !there)
+    if (const core::Status there = ui::tooth::goTo(camera, view, core::teeth::isGenerated(*anatomy) ? anatomy->fdi : 0);
+        !there)
         return tl::unexpected(there.error());
     ui::render::Scene scene = ui::tooth::sceneThrough(camera, glm::vec2(size.width(), size.height()), false);
     if (subject.bur) {
         scene.instrumentShown = true;
         scene.burIndex = subject.bur->burIndex;
         scene.tipMm = subject.bur->anchorMm;
-        scene.surfaceBelowTipMm = surface.heightMm(glm::dvec2(scene.tipMm));
+        scene.surfaceBelowTipMm = surface.topMm(glm::dvec2(scene.tipMm));
         scene.liftMm = ui::tooth::liftMm(surface, scene.burIndex, scene.tipMm);
     }
     scene.look = wishes.look;

@@ -75,6 +75,7 @@ private slots:
     void theNextWindowIsLaidOutAsThisOne();
     void theSectionIsShownAndTurned();
     void theXrayPageOpensAndSaves();
+    void oneOfTheDepthColoursIsShown();
     void whatALessonLocksRests();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
@@ -518,6 +519,40 @@ void TestMainWindow::theXrayPageOpensAndSaves()
     press(Qt::Key_Escape);
     QVERIFY(!page->isVisible());
     QVERIFY(m_window->view().isVisible());
+}
+
+void TestMainWindow::oneOfTheDepthColoursIsShown()
+{
+    using ui::render::DepthColours;
+    const auto shown = [this] { return m_window->view().settings().look.depthColours; };
+    QCOMPARE(shown(), DepthColours::Off);
+    press(Qt::Key_K);
+    QCOMPARE(shown(), DepthColours::BelowOriginal);
+    press(Qt::Key_K, Qt::ShiftModifier);
+    QCOMPARE(shown(), DepthColours::AgainstIdeal);
+    QVERIFY(!actions().depthColours->isChecked());
+    press(Qt::Key_K);
+    QCOMPARE(shown(), DepthColours::BelowOriginal);
+    QVERIFY(!actions().idealColours->isChecked());
+    press(Qt::Key_K, Qt::ShiftModifier);
+    lessons::Aids aids;
+    aids.ideal = false;
+    m_window->setAids(aids);
+    QCOMPARE(shown(), DepthColours::Off);
+    QVERIFY(!actions().idealColours->isEnabled());
+    QVERIFY(actions().idealColours->toolTip().contains("does not allow"));
+    m_window->setAids({});
+    QCOMPARE(shown(), DepthColours::AgainstIdeal);
+    // A tooth without decay has no ideal.
+    auto sound = std::make_shared<core::terrain::ToothAnatomy>(*support::syntheticMolar(64));
+    for (core::terrain::ColumnLayers& column : sound->layers)
+        column.cariesFloor = column.cariesRoof;
+    m_window->showTooth(sound, 77, {});
+    QCOMPARE(shown(), DepthColours::Off);
+    QVERIFY(!actions().idealColours->isEnabled());
+    QVERIFY(actions().idealColours->toolTip().contains("decay"));
+    press(Qt::Key_K, Qt::ShiftModifier);
+    QCOMPARE(shown(), DepthColours::Off);
 }
 
 void TestMainWindow::whatALessonLocksRests()

@@ -34,6 +34,7 @@ private slots:
     void theMirrorShowsThePointWhereItsImageStands();
     void theMirrorsBackShowsNoReflection();
     void depthColoursMarkTheCutAlone();
+    void idealColoursTellWhatIsToGoAndWhatIsTooDeep();
     void everyTissueHasItsOwnColourAndPattern();
     void theHandpiecesLightReachesTheWorkAndNotTheShadow();
     void aWetToothShines();
@@ -152,9 +153,9 @@ void TestPresenter::depthColoursMarkTheCutAlone()
     const glm::dvec2 place = pictures::tileMiddle(m_surface->lattice(), {2.6, 1.2});
     const double whole = m_surface->heightMm(place);
     Scene seen = scene();
-    seen.look.depthColoursMm = 3.0;
+    seen.look.depthColours = ui::render::DepthColours::BelowOriginal;
     cut(place, static_cast<float>(whole - 0.4));
-    QVERIFY(std::abs(m_surface->cutDepthMm(place) - 0.4) < 0.05);
+    QVERIFY(std::abs(m_surface->belowUncutMm({place, whole - 0.4}) - 0.4) < 0.05);
     const pictures::Colour shallow = at(draw(seen), {place, whole - 0.4});
     QVERIFY(shallow.blue > 1.2 * shallow.red);
     cut(place, static_cast<float>(whole - 2.8));
@@ -165,7 +166,36 @@ void TestPresenter::depthColoursMarkTheCutAlone()
     const glm::dvec2 away(-2.0, 1.8);
     const pictures::Colour uncut = at(deep, {away, m_surface->heightMm(away)});
     QVERIFY(std::abs(uncut.red - uncut.blue) < 14.0);
-    QCOMPARE(m_surface->cutDepthMm(away), 0.0);
+    QVERIFY(std::abs(m_surface->belowUncutMm({away, m_surface->heightMm(away)})) < 1e-5);
+}
+
+void TestPresenter::idealColoursTellWhatIsToGoAndWhatIsTooDeep()
+{
+    m_camera.set(0.0, 88.0, m_camera.fittingMm());
+    const core::terrain::ToothAnatomy& tooth = m_surface->anatomy();
+    const auto ideal = core::grading::idealCavity(tooth);
+    QVERIFY(ideal != nullptr);
+    m_surface->setIdeal(ideal);
+    m_renderer->setSurface(*m_surface);
+    Scene seen = scene();
+    seen.look.depthColours = ui::render::DepthColours::AgainstIdeal;
+    const glm::dvec2 place(support::kLesionX, support::kLesionY);
+    const glm::dvec2 node = glm::round(tooth.grid.latticeOf(place));
+    const float floor = (*ideal)[tooth.grid.index(static_cast<int>(node.x), static_cast<int>(node.y))];
+    const double whole = m_surface->heightMm(place);
+    QVERIFY(whole - static_cast<double>(floor) > 0.8);
+    const pictures::Colour toGo = at(draw(seen), {place, whole});
+    QVERIFY2(toGo.blue > 1.3 * toGo.red, qPrintable(QString("%1 %2").arg(toGo.red).arg(toGo.blue)));
+    cut(place, floor);
+    const pictures::Colour right = at(draw(seen), {place, static_cast<double>(floor)});
+    QVERIFY(std::abs(right.red - right.blue) < 25.0);
+    cut(place, floor - 1.0F);
+    const QImage deep = draw(seen);
+    const pictures::Colour tooDeep = at(deep, {place, static_cast<double>(floor) - 1.0});
+    QVERIFY(tooDeep.red > 1.3 * tooDeep.blue);
+    const glm::dvec2 away(-2.6, 1.8);
+    const pictures::Colour sound = at(deep, {away, m_surface->heightMm(away)});
+    QVERIFY(std::abs(sound.red - sound.blue) < 14.0);
 }
 
 void TestPresenter::everyTissueHasItsOwnColourAndPattern()

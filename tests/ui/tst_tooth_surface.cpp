@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/Pictures.h"
 #include "ui/render/SolidMesh.h"
@@ -15,6 +16,7 @@
 using core::session::kTileSide;
 using core::session::TilePatch;
 using core::terrain::NodeRect;
+using core::terrain::ToothAnatomy;
 using pictures::cutTile;
 using ui::render::Ray;
 using ui::render::ToothSurface;
@@ -34,6 +36,9 @@ private slots:
     void emptyToothIsEmpty();
     void rayMeetsTheTopOrTheRestingPlane();
     void fossaIsToothAndTheFlankIsBeside();
+    void everyDecayIsWorkedOn_data();
+    void everyDecayIsWorkedOn();
+    void aWallTellsHowDeepItIs();
     void metalMeshesAreWholeAndFaceOutwards();
 };
 
@@ -219,11 +224,70 @@ void TestToothSurface::rayMeetsTheTopOrTheRestingPlane()
 void TestToothSurface::fossaIsToothAndTheFlankIsBeside()
 {
     const ToothSurface surface(support::syntheticMolar(), kLight);
-    QVERIFY(surface.isTooth({0.0, 0.0}));
     QVERIFY(surface.heightMm({0.0, 0.0}) < -2.0);
-    QVERIFY(!surface.isTooth({5.3, 0.0}));
-    QCOMPARE(surface.heightMm({5.3, 0.0}), surface.restingHeightMm());
+    // The flank is tooth as well, far below.
+    QVERIFY(surface.topMm({5.3, 0.0}).value() < surface.restingHeightMm());
+    QVERIFY(!surface.topMm({9.0, 0.0}));
+    QVERIFY(std::abs(surface.heightMm({5.5, 0.0}) - surface.restingHeightMm()) < 1e-5);
     QVERIFY(surface.highestWithinMm({-2.6, -2.6}, 0.5) > surface.heightMm({-2.2, -2.2}));
+}
+
+void TestToothSurface::everyDecayIsWorkedOn_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int quadrant : {20, 30})
+        for (int place = 1; place <= 8; ++place)
+            QTest::addRow("%d", quadrant + place) << quadrant + place;
+}
+
+void TestToothSurface::everyDecayIsWorkedOn()
+{
+    // Where a lesion is open the bur follows the tooth, not a plane above it.
+    QFETCH(int, fdi);
+    const auto built = core::teeth::buildTooth({fdi}, {});
+    QVERIFY(built);
+    const ToothAnatomy& anatomy = *built->anatomy;
+    const ToothSurface surface(built->anatomy, kLight);
+    int open = 0;
+    for (int j = 0; j < anatomy.grid.side; ++j) {
+        for (int i = 0; i < anatomy.grid.side; ++i) {
+            const std::size_t k = anatomy.grid.index(i, j);
+            if (anatomy.layers[k].cariesRoof <= anatomy.layers[k].cariesFloor ||
+                anatomy.layers[k].cariesRoof < anatomy.top[k])
+                continue;
+            ++open;
+            QCOMPARE(surface.heightMm(anatomy.grid.nodeMm(i, j)), static_cast<double>(anatomy.top[k]));
+        }
+    }
+    QVERIFY(open > 20);
+}
+
+void TestToothSurface::aWallTellsHowDeepItIs()
+{
+    const auto tooth = support::syntheticMolar();
+    ToothSurface surface(tooth, kLight);
+    const glm::dvec2 middle = pictures::tileMiddle(tooth->grid, {0.0, 1.0});
+    const double whole = surface.topMm(middle).value();
+    surface.write(pictures::cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
+    surface.refresh();
+    // A ray that comes in flatly meets the wall on the far side half way down.
+    const double half = 0.5 * (core::session::kTileSide - 1) * tooth->grid.cellMm;
+    const glm::dvec3 wall(middle.x + half + 0.5 * tooth->grid.cellMm, middle.y, whole - 0.7);
+    const glm::dvec3 from = wall + glm::dvec3(-1.0, 0.0, 1.2) * 8.0;
+    const auto met = surface.meetTooth({from, glm::normalize(wall - from)});
+    QVERIFY(met);
+    QVERIFY2(glm::length(*met - wall) < 0.06, qPrintable(QString::number(glm::length(*met - wall))));
+    const double before = ToothSurface(tooth, kLight).topMm(glm::dvec2(*met)).value();
+    QVERIFY(before - met->z > 0.3);
+    QVERIFY(std::abs(surface.belowUncutMm(*met) - (before - met->z)) < 1e-5);
+    QVERIFY(std::abs(surface.belowUncutMm({middle, whole - 1.5}) - 1.5) < 1e-4);
+    // What ought to be gone is told from the ideal.
+    auto ideal = std::make_shared<std::vector<float>>(tooth->top);
+    for (float& top : *ideal)
+        top -= 1.0F;
+    surface.setIdeal(ideal);
+    QVERIFY(std::abs(surface.belowIdealMm({middle, whole - 1.5}) - 0.5) < 1e-4);
+    QVERIFY(std::abs(surface.belowIdealMm({middle, whole}) + 1.0) < 1e-4);
 }
 
 void TestToothSurface::metalMeshesAreWholeAndFaceOutwards()

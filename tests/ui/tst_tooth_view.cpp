@@ -434,9 +434,9 @@ void TestToothView::startsOnTheSideOfTheLesion()
                 const std::size_t k = grid.index(i, j);
                 const auto& layers = built->anatomy->layers[k];
                 const glm::dvec3 point(grid.nodeMm(i, j), built->anatomy->top[k]);
-                glm::dvec3 met(0.0);
-                if (layers.cariesFloor < layers.cariesRoof && layers.cariesRoof >= built->anatomy->top[k] &&
-                    surface.meet(camera.rayThrough(camera.pixelOf(point)), met) && glm::length(met - point) < 0.2)
+                const auto met = surface.meetTooth(camera.rayThrough(camera.pixelOf(point)));
+                if (layers.cariesFloor < layers.cariesRoof && layers.cariesRoof >= built->anatomy->top[k] && met &&
+                    glm::length(*met - point) < 0.2)
                     ++count;
             }
         }
@@ -447,7 +447,7 @@ void TestToothView::startsOnTheSideOfTheLesion()
     const int here = seen(m_view->camera());
     const int there = seen(behind);
     QVERIFY2(3 * here >= there, qPrintable(QString("%1 columns of decay, %2 from behind").arg(here).arg(there)));
-    QCOMPARE(here > 0 || there > 0, fdi != 22);  // the pit of a lateral incisor hides its own
+    QVERIFY(here > 0 || there > 0);
     // The other hand sees it as well, at once and in the view from the start.
     m_view->setLeftHanded(true);
     QCOMPARE(seen(m_view->camera()), here);

@@ -14,13 +14,22 @@ namespace ui::render {
 /// Colours of the materials: as a tooth has them, or such that nobody confuses them, with patterns besides.
 enum class Palette : std::uint8_t { Natural, Distinct };
 
+/// What the colours of depth tell: nothing, how far below the surface as it was a cut goes, or how far the tooth is
+/// above or below the ideal preparation.
+enum class DepthColours : std::uint8_t { Off, BelowOriginal, AgainstIdeal };
+
+/// End of the scale below the original, mm: the deepest cavities that are taught reach the pulp.
+inline constexpr double kDepthScaleMm = 3.0;
+/// Either end of the scale about the ideal, mm.
+inline constexpr double kIdealScaleMm = 1.0;
+
 /// How the tooth is made to look.
 struct Look
 {
     Palette palette = Palette::Natural;
     bool isWet = false;
-    bool burLight = false;        ///< a light at the handpiece's head, with the shadows that it throws into a cavity
-    double depthColoursMm = 0.0;  ///< the cut coloured by its depth, so much is the end of the scale; 0: it is not
+    bool burLight = false;  ///< a light at the handpiece's head, with the shadows that it throws into a cavity
+    DepthColours depthColours = DepthColours::Off;
     bool operator==(const Look&) const = default;
 };
 

@@ -3,11 +3,24 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ui/render/Shaders.h"
 
 namespace ui::render {
+
+QColor seenAs(const QColor& colour, Stereo stereo)
+{
+    if (stereo != Stereo::RedCyan && stereo != Stereo::RedCyanGrey)
+        return colour;
+    // Both eyes' share of present.frag together.
+    constexpr glm::dmat3 kBoth(0.4126, 0.3384, -0.0874, 0.4126, 0.6958, -0.1336, 0.1748, -0.0343, 1.2209);
+    const glm::dvec3 own(colour.redF(), colour.greenF(), colour.blueF());
+    const glm::dvec3 seen = stereo == Stereo::RedCyan ? glm::clamp(kBoth * own, 0.0, 1.0)
+                                                      : glm::dvec3(glm::dot(own, glm::dvec3(0.299, 0.587, 0.114)));
+    return QColor::fromRgbF(static_cast<float>(seen.x), static_cast<float>(seen.y), static_cast<float>(seen.z));
+}
 
 bool Presenter::initialize(QString& reason)
 {

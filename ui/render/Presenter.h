@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 
+#include <QColor>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
@@ -18,6 +19,9 @@ namespace ui::render {
 /// How two eyes get two pictures: not at all, by red and cyan glasses (in colours of little ghosting after Dubois 2001,
 /// or in grey, which ghosts least), or as halves of one picture for a display that parts them.
 enum class Stereo : std::uint8_t { Off, RedCyan, RedCyanGrey, SideBySide, TopBottom };
+
+/// A colour of one surface as a picture for both eyes has it: what is painted over such a picture must match it.
+[[nodiscard]] QColor seenAs(const QColor& colour, Stereo stereo);
 
 /// What becomes of a picture on its way to the screen.
 struct Presentation

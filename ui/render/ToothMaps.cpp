@@ -85,6 +85,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
         make(m_light, QOpenGLTexture::RGBA8_UNorm, 4);
         make(m_upperLayers, QOpenGLTexture::RGBA32F, 16);
         make(m_lowerLayers, QOpenGLTexture::RGBA32F, 16);
+        make(m_ideal, QOpenGLTexture::R32F, 4);
     }
     m_lattice = lattice;
     m_tilesPerSide = surface.tilesPerSide();
@@ -92,6 +93,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
     const core::terrain::NodeRect all = wholeOf(lattice);
     write(m_upperLayers, surface.upperLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
     write(m_lowerLayers, surface.lowerLayers().data(), QOpenGLTexture::RGBA, QOpenGLTexture::Float32, all);
+    writeIdeal(surface);
     const QOpenGLVertexArrayObject::Binder bound(&m_layout);
     m_triangles.bind();
     m_triangles.allocate(surface.indices().data(), static_cast<int>(surface.indices().size() * sizeof(std::uint32_t)));
@@ -101,6 +103,11 @@ void ToothMaps::setSurface(const ToothSurface& surface)
     writeLight(surface, all);
     m_tiles.assign(surface.indexCounts().size(), {});
     measureTiles(surface, all);
+}
+
+void ToothMaps::writeIdeal(const ToothSurface& surface)
+{
+    write(m_ideal, surface.idealBelow().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, wholeOf(*m_lattice));
 }
 
 void ToothMaps::update(const ToothSurface& surface, const ToothSurface::Changes& changes)
@@ -259,12 +266,13 @@ ToothMaps::Selection ToothMaps::select(Side side, const std::function<bool(const
 void ToothMaps::bind(QOpenGLShaderProgram& program, Side side)
 {
     const bool upper = side == Side::Upper;
-    const std::array<std::pair<const char*, Map*>, 6> maps{{{"places", &m_places},
+    const std::array<std::pair<const char*, Map*>, 7> maps{{{"places", &m_places},
                                                             {"heights", upper ? &m_tops : &m_bottoms},
                                                             {"normals", upper ? &m_topNormals : &m_bottomNormals},
                                                             {"light", &m_light},
                                                             {"upperLayers", &m_upperLayers},
-                                                            {"lowerLayers", &m_lowerLayers}}};
+                                                            {"lowerLayers", &m_lowerLayers},
+                                                            {"ideal", &m_ideal}}};
     for (std::size_t unit = 0; unit < maps.size(); ++unit) {
         maps[unit].second->texture->bind(static_cast<uint>(unit));
         program.setUniformValue(maps[unit].first, static_cast<int>(unit));

@@ -108,6 +108,7 @@ private:
     void writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void writeIdeal(const ToothSurface& surface);
     [[nodiscard]] static TileBounds boundsOf(const ToothSurface& surface, std::size_t tile, Side side);
     void measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
 
@@ -121,6 +122,7 @@ private:
     Map m_light;
     Map m_upperLayers;
     Map m_lowerLayers;
+    Map m_ideal;
     std::optional<core::terrain::Grid> m_lattice;
     int m_tilesPerSide = 0;
     std::vector<Tile> m_tiles;

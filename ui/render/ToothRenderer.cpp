@@ -368,7 +368,10 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     useTooth(m_toothProgram, scene);
     m_toothProgram.setUniformValue("distinct", scene.look.palette == Palette::Distinct);
     m_toothProgram.setUniformValue("wet", scene.look.isWet ? 1.0F : 0.0F);
-    m_toothProgram.setUniformValue("depthColoursMm", static_cast<float>(scene.look.depthColoursMm));
+    const DepthColours colours = scene.look.depthColours;
+    m_toothProgram.setUniformValue("depthColours", static_cast<int>(colours));
+    m_toothProgram.setUniformValue(
+        "scaleMm", static_cast<float>(colours == DepthColours::AgainstIdeal ? kIdealScaleMm : kDepthScaleMm));
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
     const QSize size(static_cast<int>(scene.sizePx.x), static_cast<int>(scene.sizePx.y));
     const auto isSeen = [&](const TileBounds& tile) {
@@ -454,13 +457,13 @@ void ToothRenderer::drawInstrument(const Scene& scene)
 /// A thin line from the tip to the tooth below it: where the bur will land.
 void ToothRenderer::drawCue(const Scene& scene)
 {
-    if (scene.tipMm.z - scene.surfaceBelowTipMm < 0.25)
+    if (!scene.surfaceBelowTipMm || scene.tipMm.z - *scene.surfaceBelowTipMm < 0.25)
         return;
     const QOpenGLVertexArrayObject::Binder bound(&m_nothing);
     m_lineProgram.bind();
     setMatrix(*this, m_lineProgram, "clipFromTooth", glm::mat4(scene.clipFromEye * scene.eyeFromTooth));
     setVector(m_lineProgram, "fromMm", glm::vec3(scene.tipMm));
-    setVector(m_lineProgram, "toMm", glm::vec3(glm::dvec2(scene.tipMm), scene.surfaceBelowTipMm + 0.02));
+    setVector(m_lineProgram, "toMm", glm::vec3(glm::dvec2(scene.tipMm), *scene.surfaceBelowTipMm + 0.02));
     m_lineProgram.setUniformValue("halfWidth", kCueWide * scene.sizePx.y / scene.sizePx.x, 0.0F);
     glUniform4fv(m_lineProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
     m_lineProgram.setUniformValue("tint", 0.06F, 0.55F, 0.56F, 0.8F);

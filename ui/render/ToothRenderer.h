@@ -39,10 +39,10 @@ struct Scene
 
     bool instrumentShown = false;
     std::size_t burIndex = 0;
-    glm::dvec3 tipMm{0.0};           ///< of the bur
-    double surfaceBelowTipMm = 0.0;  ///< height of the tooth under the tip; the cue line ends there
-    double handAzimuthRad = 0.0;     ///< from +x to where the handle points, about +z
-    double turnRad = 0.0;            ///< of the bur about its axis
+    glm::dvec3 tipMm{0.0};                    ///< of the bur
+    std::optional<double> surfaceBelowTipMm;  ///< height of the tooth under the tip, if any; the cue line ends there
+    double handAzimuthRad = 0.0;              ///< from +x to where the handle points, about +z
+    double turnRad = 0.0;                     ///< of the bur about its axis
     bool drillOn = false;
     double liftMm = 0.0;  ///< of shank and handpiece along the bur, so that they clear the tooth
 

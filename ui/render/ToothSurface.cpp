@@ -37,6 +37,7 @@ constexpr float kPenumbra = 0.5F;
 constexpr float kCutFromMm = 0.01F;
 constexpr float kCutFullMm = 0.06F;
 constexpr double kCrownMm = 8.0;      ///< tallest part of a tooth that is taken for its crown
+constexpr double kInsideMm = 2.0;     ///< from the outline, and more: no flank
 constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
 constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
 constexpr int kLightBlur = 3;         ///< nodes around one that its light is averaged over
@@ -116,6 +117,7 @@ void ToothSurface::takeAnatomy()
     m_solidBottom.assign(count, kEmptyBottom);
     m_steep.emplace(m_lattice);
     m_drawnTop.assign(count, 0.0F);
+    m_idealBelow.assign(count, 0.0F);
     m_shifts.assign(count, glm::vec2(0.0F));
     m_drawnBottom.assign(count, 0.0F);
     m_risen.assign(count, kEmptyTop);
@@ -137,8 +139,8 @@ void ToothSurface::takeAnatomy()
 }
 
 /// The resting height is low enough that a bur beside the tooth is beside it, and high enough that it need not climb
-/// far: the height that a quarter of the tooth lies below. Low ground counts as beside the tooth only when it is
-/// joined to the outside; a fossa that deep stays tooth.
+/// far: the height that a quarter of the tooth lies below. But nothing that is worked on lies below it: no fossa, no
+/// fissure and no decay. What does is a flank near the outline.
 void ToothSurface::findResting()
 {
     std::vector<float> heights;
@@ -153,32 +155,46 @@ void ToothSurface::findResting()
     m_restingMm = *quarter;
 
     const int side = m_lattice.side;
-    std::vector<std::size_t> reached;
+    // Nodes to the outline, as a king walks.
+    std::vector<int> inside(m_lattice.count(), 0);
+    const int enough = static_cast<int>(std::ceil(kInsideMm / m_lattice.cellMm));
+    std::vector<std::size_t> ring;
+    for (std::size_t k = 0; k < inside.size(); ++k) {
+        inside[k] = m_wholeTop[k] > m_wholeBottom[k] ? enough : 0;
+        if (inside[k] == 0)
+            ring.push_back(k);
+    }
+    for (int away = 1; away < enough; ++away) {
+        std::vector<std::size_t> next;
+        for (const std::size_t k : ring) {
+            const int i = static_cast<int>(k % static_cast<std::size_t>(side));
+            const int j = static_cast<int>(k / static_cast<std::size_t>(side));
+            for (int dj = -1; dj <= 1; ++dj) {
+                for (int di = -1; di <= 1; ++di) {
+                    if (!m_lattice.contains(i + di, j + dj))
+                        continue;
+                    const std::size_t n = m_lattice.index(i + di, j + dj);
+                    if (inside[n] > away) {
+                        inside[n] = away;
+                        next.push_back(n);
+                    }
+                }
+            }
+        }
+        ring = std::move(next);
+    }
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const std::size_t k = m_lattice.index(i, j);
-            const bool outside = m_wholeTop[k] <= m_wholeBottom[k];
-            m_beside[k] = outside ? 1 : 0;
-            if (outside)
-                reached.push_back(k);
+            const core::terrain::ColumnLayers& column =
+                m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)];
+            const bool isDecayed = column.cariesRoof > column.cariesFloor && column.cariesRoof >= m_wholeTop[k];
+            if (inside[k] >= enough || (inside[k] > 0 && isDecayed))
+                m_restingMm = std::min(m_restingMm, static_cast<double>(m_wholeTop[k]));
         }
     }
-    while (!reached.empty()) {
-        const std::size_t k = reached.back();
-        reached.pop_back();
-        const int i = static_cast<int>(k % static_cast<std::size_t>(side));
-        const int j = static_cast<int>(k / static_cast<std::size_t>(side));
-        constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-        for (const auto& [di, dj] : kSteps) {
-            if (!m_lattice.contains(i + di, j + dj))
-                continue;
-            const std::size_t next = m_lattice.index(i + di, j + dj);
-            if (m_beside[next] == 0 && m_wholeTop[next] < m_restingMm) {
-                m_beside[next] = 1;
-                reached.push_back(next);
-            }
-        }
-    }
+    for (std::size_t k = 0; k < inside.size(); ++k)
+        m_beside[k] = inside[k] > 0 && static_cast<double>(m_wholeTop[k]) >= m_restingMm ? 0 : 1;
 }
 
 /// A fissure is hardly wider than a cell: its bottom would go up and down as the lattice happens to meet it, like a
@@ -863,14 +879,10 @@ std::vector<ToothSurface::Stretch> ToothSurface::buildTriangles(const NodeRect& 
     return changed;
 }
 
-float ToothSurface::pickHeight(int i, int j) const
+float ToothSurface::pickHeight(std::size_t k) const
 {
-    const auto resting = static_cast<float>(m_restingMm);
-    if (!m_lattice.contains(i, j))
-        return resting;
-    const std::size_t k = m_lattice.index(i, j);
     if (m_beside[k] != 0)
-        return resting;
+        return static_cast<float>(m_restingMm);
     return m_nodes[k] == Node::Solid ? m_top[k] : m_wholeBottom[k];
 }
 
@@ -879,29 +891,72 @@ double ToothSurface::heightMm(glm::dvec2 pointMm) const
     const glm::dvec2 at = m_lattice.latticeOf(pointMm);
     if (at.x < 0.0 || at.y < 0.0 || at.x >= m_lattice.side - 1 || at.y >= m_lattice.side - 1)
         return m_restingMm;
-    const int i = static_cast<int>(at.x);
-    const int j = static_cast<int>(at.y);
+    return between(pointMm, [this](std::size_t k) { return pickHeight(k); });
+}
+
+std::optional<double> ToothSurface::topMm(glm::dvec2 pointMm) const
+{
+    const glm::dvec2 at = m_lattice.latticeOf(pointMm);
+    const int i = static_cast<int>(std::floor(at.x));
+    const int j = static_cast<int>(std::floor(at.y));
+    bool isSolidAround = true;
+    for (const auto& [x, y] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}})
+        isSolidAround = isSolidAround && m_lattice.contains(x, y) && isSolid(x, y);
+    if (isSolidAround)
+        return between(pointMm, [this](std::size_t k) { return m_top[k]; });
+    const int nearI = static_cast<int>(std::lround(at.x));
+    const int nearJ = static_cast<int>(std::lround(at.y));
+    if (!m_lattice.contains(nearI, nearJ) || !isSolid(nearI, nearJ))
+        return std::nullopt;
+    return m_top[m_lattice.index(nearI, nearJ)];
+}
+
+/// Linear between the four nodes around a point on the lattice; at its edge as the nearest has it.
+template <class Value>
+double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
+{
+    const glm::dvec2 at = glm::clamp(m_lattice.latticeOf(pointMm), glm::dvec2(0.0), glm::dvec2(m_lattice.side - 1));
+    const int i = std::min(static_cast<int>(at.x), m_lattice.side - 2);
+    const int j = std::min(static_cast<int>(at.y), m_lattice.side - 2);
     const double u = at.x - i;
     const double v = at.y - j;
-    return (1.0 - v) * ((1.0 - u) * pickHeight(i, j) + u * pickHeight(i + 1, j)) +
-           v * ((1.0 - u) * pickHeight(i, j + 1) + u * pickHeight(i + 1, j + 1));
+    const auto of = [&](int x, int y) { return static_cast<double>(value(m_lattice.index(x, y))); };
+    return (1.0 - v) * ((1.0 - u) * of(i, j) + u * of(i + 1, j)) +
+           v * ((1.0 - u) * of(i, j + 1) + u * of(i + 1, j + 1));
 }
 
-double ToothSurface::cutDepthMm(glm::dvec2 pointMm) const
+double ToothSurface::belowUncutMm(const glm::dvec3& pointMm) const
 {
-    if (!isTooth(pointMm))
-        return 0.0;
-    const glm::dvec2 at = glm::round(m_lattice.latticeOf(pointMm));
-    const std::size_t k = m_lattice.index(static_cast<int>(at.x), static_cast<int>(at.y));
-    return std::max(0.0, static_cast<double>(m_wholeTop[k] - std::max(m_top[k], m_wholeBottom[k])));
+    const glm::dvec2 at = glm::round(m_lattice.latticeOf(glm::dvec2(pointMm)));
+    // At the rim the nearest node speaks, as in topMm().
+    bool isWholeAround = true;
+    double uncut = between(glm::dvec2(pointMm), [&](std::size_t k) {
+        isWholeAround = isWholeAround && m_wholeTop[k] > m_wholeBottom[k];
+        return m_wholeTop[k];
+    });
+    if (!isWholeAround && m_lattice.contains(static_cast<int>(at.x), static_cast<int>(at.y)))
+        uncut = m_wholeTop[m_lattice.index(static_cast<int>(at.x), static_cast<int>(at.y))];
+    return uncut - pointMm.z;
 }
 
-bool ToothSurface::isTooth(glm::dvec2 pointMm) const
+double ToothSurface::belowIdealMm(const glm::dvec3& pointMm) const
 {
-    const glm::dvec2 at = glm::round(m_lattice.latticeOf(pointMm));
-    const int i = static_cast<int>(at.x);
-    const int j = static_cast<int>(at.y);
-    return m_lattice.contains(i, j) && m_beside[m_lattice.index(i, j)] == 0;
+    return belowUncutMm(pointMm) - between(glm::dvec2(pointMm), [this](std::size_t k) { return m_idealBelow[k]; });
+}
+
+void ToothSurface::setIdeal(const core::grading::IdealTop& ideal)
+{
+    m_idealBelow.assign(m_lattice.count(), 0.0F);
+    if (!ideal)
+        return;
+    for (int j = 0; j < m_lattice.side; ++j) {
+        for (int i = 0; i < m_lattice.side; ++i) {
+            const std::size_t k = m_lattice.index(i, j);
+            const float wanted = (*ideal)[m_anatomy->grid.index(i * m_stride, j * m_stride)];
+            if (m_wholeTop[k] > m_wholeBottom[k])
+                m_idealBelow[k] = m_wholeTop[k] - std::max(wanted, m_wholeBottom[k]);
+        }
+    }
 }
 
 double ToothSurface::highestWithinMm(glm::dvec2 centreMm, double radiusMm) const
@@ -911,8 +966,8 @@ double ToothSurface::highestWithinMm(glm::dvec2 centreMm, double radiusMm) const
     double highest = heightMm(centreMm);
     for (int j = static_cast<int>(std::ceil(at.y - reach)); j <= static_cast<int>(std::floor(at.y + reach)); ++j)
         for (int i = static_cast<int>(std::ceil(at.x - reach)); i <= static_cast<int>(std::floor(at.x + reach)); ++i)
-            if ((i - at.x) * (i - at.x) + (j - at.y) * (j - at.y) <= reach * reach)
-                highest = std::max(highest, static_cast<double>(pickHeight(i, j)));
+            if (m_lattice.contains(i, j) && (i - at.x) * (i - at.x) + (j - at.y) * (j - at.y) <= reach * reach)
+                highest = std::max(highest, static_cast<double>(pickHeight(m_lattice.index(i, j))));
     return highest;
 }
 
@@ -947,18 +1002,20 @@ bool ToothSurface::meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointM
     return true;
 }
 
-bool ToothSurface::meet(const Ray& ray, glm::dvec3& pointMm) const
+/// Where a ray first lies below a height, which `height` gives for a point seen from above.
+template <class Height>
+std::optional<glm::dvec3> ToothSurface::firstBelow(const Ray& ray, Height&& height) const
 {
     glm::dvec3 above;
     glm::dvec3 below;
     if (!meetPlane(ray, m_highestMm.z + 0.01, above) || !meetPlane(ray, m_lowestMm.z - 0.01, below))
-        return false;
+        return std::nullopt;
     const double length = glm::length(below - above);
     const double step = 0.5 * m_lattice.cellMm;
     double before = 0.0;
     for (double along = 0.0; along < length; along += step) {
         const glm::dvec3 point = above + ray.direction * along;
-        if (point.z > heightMm({point.x, point.y})) {
+        if (point.z > height(glm::dvec2(point))) {
             before = along;
             continue;
         }
@@ -966,13 +1023,25 @@ bool ToothSurface::meet(const Ray& ray, glm::dvec3& pointMm) const
         for (int halving = 0; halving < 16; ++halving) {
             const double middle = 0.5 * (before + after);
             const glm::dvec3 at = above + ray.direction * middle;
-            (at.z > heightMm({at.x, at.y}) ? before : after) = middle;
+            (at.z > height(glm::dvec2(at)) ? before : after) = middle;
         }
-        pointMm = above + ray.direction * after;
+        return above + ray.direction * after;
+    }
+    return std::nullopt;
+}
+
+bool ToothSurface::meet(const Ray& ray, glm::dvec3& pointMm) const
+{
+    if (const auto met = firstBelow(ray, [this](glm::dvec2 at) { return heightMm(at); })) {
+        pointMm = *met;
         return true;
     }
-    pointMm = below;
-    return true;
+    return meetPlane(ray, m_lowestMm.z - 0.01, pointMm);
+}
+
+std::optional<glm::dvec3> ToothSurface::meetTooth(const Ray& ray) const
+{
+    return firstBelow(ray, [this](glm::dvec2 at) { return topMm(at).value_or(core::terrain::kEmptyTop); });
 }
 
 }  // namespace ui::render

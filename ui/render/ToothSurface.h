@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/grading/IdealCavity.h"
 #include "core/session/Links.h"
 #include "core/terrain/NodeRect.h"
 #include "core/terrain/Tooth.h"
@@ -68,6 +69,8 @@ public:
     Changes refresh(bool hurried = false);
     /// Light was left for later.
     [[nodiscard]] bool isBehind() const { return !m_lightDue.isEmpty(); }
+    /// The surface as it ought to become, over the anatomy's grid; null: as it was.
+    void setIdeal(const core::grading::IdealTop& ideal);
     /// Moves the operating light; the next refresh() reports all shading as changed.
     void setLight(glm::vec3 towardsLight);
 
@@ -77,9 +80,9 @@ public:
     [[nodiscard]] const core::terrain::Grid& lattice() const { return m_lattice; }
     [[nodiscard]] bool isSolid(int i, int j) const { return m_nodes[m_lattice.index(i, j)] == Node::Solid; }
 
-    /// First point where the ray meets the tooth from above or, beside it, the plane at restingHeightMm(). The two
-    /// join without a step at the sides of the tooth, so that a moving ray finds a moving point. False when the ray
-    /// does not go down.
+    /// Where a bur goes that follows the ray: first point where that meets the chewing surface from above or, beside
+    /// it, the plane at restingHeightMm(). The two join without a step at the sides of the tooth, so that a moving ray
+    /// finds a moving point. False when the ray does not go down.
     [[nodiscard]] bool meet(const Ray& ray, glm::dvec3& pointMm) const;
     /// Where a ray meets the horizontal plane at a height. False when the ray does not go down.
     [[nodiscard]] static bool meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm);
@@ -87,12 +90,17 @@ public:
     [[nodiscard]] double highestWithinMm(glm::dvec2 centreMm, double radiusMm) const;
     /// The same along the way from one point to another: over what a bur of that radius must be lifted to go there.
     [[nodiscard]] double highestBetweenMm(glm::dvec2 fromMm, glm::dvec2 toMm, double radiusMm) const;
-    /// Height of the tooth below a point, restingHeightMm() beside it.
+    /// Height of the chewing surface below a point, restingHeightMm() beside it.
     [[nodiscard]] double heightMm(glm::dvec2 pointMm) const;
-    /// How far below the uncut surface the tooth is there, mm; 0 beside it.
-    [[nodiscard]] double cutDepthMm(glm::dvec2 pointMm) const;
-    /// False beside the tooth: where heightMm() is the resting height for want of a chewing surface.
-    [[nodiscard]] bool isTooth(glm::dvec2 pointMm) const;
+
+    /// Height of the tooth there as cut so far, down to the neck; nothing beside it and in a hole.
+    [[nodiscard]] std::optional<double> topMm(glm::dvec2 pointMm) const;
+    /// First point where the ray meets the tooth itself from above, flanks included.
+    [[nodiscard]] std::optional<glm::dvec3> meetTooth(const Ray& ray) const;
+    /// How far a point of the tooth lies below the uncut surface, mm.
+    [[nodiscard]] double belowUncutMm(const glm::dvec3& pointMm) const;
+    /// The same below the ideal surface; negative above it: so much is still to go.
+    [[nodiscard]] double belowIdealMm(const glm::dvec3& pointMm) const;
     /// Height at which a bur waits beside the tooth.
     [[nodiscard]] double restingHeightMm() const { return m_restingMm; }
     /// Box of the uncut tooth.
@@ -120,6 +128,8 @@ public:
     /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion. z: the
     /// uncut surface, mm. w: share of columns around whose decay is open.
     [[nodiscard]] const std::vector<glm::vec4>& lowerLayers() const { return m_lowerLayers; }
+    /// How far the ideal surface lies below the uncut one, mm.
+    [[nodiscard]] const std::vector<float>& idealBelow() const { return m_idealBelow; }
     /// Triangles of the upper surface, tile by tile; the lower surface has the same ones turned over.
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return m_indices; }  ///< kTileIndices a tile
@@ -151,7 +161,11 @@ private:
     {
         return m_lattice.contains(i, j) && m_nodes[m_lattice.index(i, j)] != Node::Empty;
     }
-    [[nodiscard]] float pickHeight(int i, int j) const;
+    [[nodiscard]] float pickHeight(std::size_t k) const;
+    template <class Height>
+    [[nodiscard]] std::optional<glm::dvec3> firstBelow(const Ray& ray, Height&& height) const;
+    template <class Value>
+    [[nodiscard]] double between(glm::dvec2 pointMm, Value&& value) const;
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
     core::terrain::Grid m_lattice;
@@ -185,6 +199,7 @@ private:
     std::vector<Light> m_light;
     std::vector<glm::vec4> m_upperLayers;
     std::vector<glm::vec4> m_lowerLayers;
+    std::vector<float> m_idealBelow;
     std::vector<std::uint32_t> m_indices;
     std::vector<int> m_indexCounts;
     std::vector<std::uint8_t> m_beside;  ///< 1: outside the chewing surface, a bur waits at the resting height

@@ -84,6 +84,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     burLight = choice("light", tr("Light on the handpiece"), tr("Let the handpiece light the cavity"), {Qt::Key_L});
     depthColours = choice("depth", tr("Colours of depth"),
                           tr("Colour the cut by its depth and tell it under the pointer"), {Qt::Key_K});
+    idealColours = choice("ideal", tr("Colours against the ideal"),
+                          tr("Colour what is too deep and what is still to go, and tell it under the pointer"),
+                          {Qt::SHIFT | Qt::Key_K});
     neighbours =
         choice("mouth", tr("Neighbouring teeth"), tr("Show the teeth beside this one, and the gum"), {Qt::Key_N});
     handPlace = choice("ghost", tr("Where the hand is"), tr("Show faintly where the hand holds the bur"), {Qt::Key_B});
@@ -120,11 +123,13 @@ void Actions::showReplayPaused(bool paused)
     pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
 }
 
-void Actions::setAllowed(QAction* aid, bool allowed)
+void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)
 {
     if (!aid->property(kOwnTip).isValid())
         aid->setProperty(kOwnTip, aid->toolTip());
-    aid->setToolTip(allowed ? aid->property(kOwnTip).toString() : tr("This lesson does not allow it."));
+    aid->setToolTip(allowed            ? aid->property(kOwnTip).toString()
+                    : whyNot.isEmpty() ? tr("This lesson does not allow it.")
+                                       : whyNot);
 }
 
 QAction* Actions::add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys)

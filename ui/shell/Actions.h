@@ -30,8 +30,9 @@ public:
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
     /// What pauseReplay offers: to let the recording go on, or to hold it.
     void showReplayPaused(bool paused);
-    /// An aid that the lesson does not allow says so in its tooltip. Whether it is enabled is the window's business.
-    static void setAllowed(QAction* aid, bool allowed);
+    /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
+    /// enabled is the window's business.
+    static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
 
     QAction* drill = nullptr;  ///< checkable: the bur turns
     QAction* otherHand = nullptr;
@@ -56,6 +57,7 @@ public:
     QAction* mirror = nullptr;
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;
+    QAction* idealColours = nullptr;
     QAction* handPlace = nullptr;
     QAction* neighbours = nullptr;
     QAction* distinctColours = nullptr;

@@ -239,12 +239,12 @@ void MainWindow::offerHome()
 void MainWindow::setAids(const lessons::Aids& aids)
 {
     m_aids = aids;
+    showIdeal();
     Actions::setAllowed(m_actions->section, aids.section);
     Actions::setAllowed(m_actions->turnSection, aids.section);
     Actions::setAllowed(m_actions->radiograph, aids.radiograph);
     Actions::setAllowed(m_actions->depthColours, aids.heatMap);
     Actions::setAllowed(m_actions->mirror, aids.mirror);
-    m_viewMenu->setAllowed(aids);
     m_room->panel().setDepthGauge(aids.depthGauge);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -254,6 +254,17 @@ void MainWindow::setAids(const lessons::Aids& aids)
     if (!aids.radiograph && m_pages->currentWidget() == m_xray)
         goTo(m_room);
     enableActions();
+}
+
+/// In section and colours, where the lesson has one and lets it be seen.
+void MainWindow::showIdeal()
+{
+    lessons::Aids given = m_aids;
+    given.ideal = m_aids.ideal && m_ideal != nullptr;
+    Actions::setAllowed(m_actions->idealColours, m_aids.heatMap && given.ideal,
+                        m_aids.ideal ? tr("Only a tooth with decay has an ideal preparation.") : QString());
+    m_viewMenu->setAllowed(given);
+    m_room->section().setIdeal(given.ideal ? m_ideal : nullptr);
 }
 
 void MainWindow::showXray()
@@ -440,6 +451,8 @@ void MainWindow::enableActions()
     for (QAction* action : m_viewMenu->actions())
         action->setEnabled(inRoom && m_view->isUsable());
     m_actions->depthColours->setEnabled(m_actions->depthColours->isEnabled() && m_aids.heatMap);
+    m_actions->idealColours->setEnabled(m_actions->idealColours->isEnabled() && m_aids.heatMap && m_aids.ideal &&
+                                        m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
@@ -486,6 +499,9 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     }
     m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
+    m_ideal = core::grading::idealCavity(*m_tooth);
+    m_view->setIdeal(m_ideal);
+    showIdeal();
     const QString title = text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
     //: Beside the name of the tooth, where otherwise "lower left first molar" stands

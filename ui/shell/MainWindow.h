@@ -13,6 +13,7 @@
 #include <QStringList>
 
 #include "core/base/Result.h"
+#include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
 #include "database/records.h"
@@ -142,6 +143,7 @@ private:
     void offerToStop(const QString& sentence);
     void enableActions();
     void placeOverlays();
+    void showIdeal();
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
@@ -174,6 +176,7 @@ private:
     std::function<void()> m_afterSaving;            ///< what waits for the work to be saved
     core::session::SessionState m_session;
     std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
+    core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     lessons::Aids m_aids;
     Wish m_drillWish;
     Wish m_burWish;

@@ -44,8 +44,8 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : {actions.resetView, actions.turnRound})
         m_menu->addAction(action);
     m_menu->addSeparator();
-    for (QAction* action :
-         {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours, actions.handPlace})
+    for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
+                            actions.idealColours, actions.handPlace})
         m_menu->addAction(action);
     m_menu->addSeparator();
     for (QAction* action : {actions.distinctColours, actions.wetLook})
@@ -58,8 +58,8 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
         m_menu->addAction(action);
     read();
     for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
-                            actions.handPlace, actions.distinctColours, actions.wetLook, actions.stereo,
-                            actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
+                            actions.idealColours, actions.handPlace, actions.distinctColours, actions.wetLook,
+                            actions.stereo, actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
         connect(action, &QAction::triggered, this, &ViewMenu::take);
     connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
 }
@@ -74,8 +74,8 @@ QList<QAction*> ViewMenu::actions() const
 tooth::ViewSettings ViewMenu::settings() const
 {
     tooth::ViewSettings shown = m_settings;
-    if (!m_aids.heatMap)
-        shown.look.depthColoursMm = 0.0;
+    if (!m_aids.heatMap || (shown.look.depthColours == render::DepthColours::AgainstIdeal && !m_aids.ideal))
+        shown.look.depthColours = render::DepthColours::Off;
     shown.showsMirror = shown.showsMirror && m_aids.mirror;
     return shown;
 }
@@ -113,6 +113,7 @@ void ViewMenu::read()
     };
     m_actions.burLight->setChecked(isOn("light"));
     m_actions.depthColours->setChecked(isOn("depth"));
+    m_actions.idealColours->setChecked(isOn("ideal"));
     m_actions.handPlace->setChecked(isOn("hand"));
     m_actions.neighbours->setChecked(isOn("neighbours"));
     m_actions.distinctColours->setChecked(isOn("distinct"));
@@ -138,7 +139,15 @@ void ViewMenu::take()
     now.look.burLight = m_actions.burLight->isChecked();
     now.look.isWet = m_actions.wetLook->isChecked();
     now.look.palette = m_actions.distinctColours->isChecked() ? render::Palette::Distinct : render::Palette::Natural;
-    now.look.depthColoursMm = m_actions.depthColours->isChecked() ? tooth::kDepthScaleMm : 0.0;
+    // Of the two that colour the tooth the one that was chosen last.
+    const bool belowOriginal = m_actions.depthColours->isChecked();
+    const bool againstIdeal = m_actions.idealColours->isChecked();
+    const bool wasAgainstIdeal = m_settings.look.depthColours == render::DepthColours::AgainstIdeal;
+    now.look.depthColours = againstIdeal && !(belowOriginal && wasAgainstIdeal) ? render::DepthColours::AgainstIdeal
+                            : belowOriginal                                     ? render::DepthColours::BelowOriginal
+                                                                                : render::DepthColours::Off;
+    m_actions.depthColours->setChecked(now.look.depthColours == render::DepthColours::BelowOriginal);
+    m_actions.idealColours->setChecked(now.look.depthColours == render::DepthColours::AgainstIdeal);
     now.presentation.stereo = m_actions.stereo->isChecked() ? m_lastStereo : render::Stereo::Off;
     now.presentation.flipLeftRight = m_actions.flipLeftRight->isChecked();
     now.presentation.flipUpDown = m_actions.flipUpDown->isChecked();
@@ -152,7 +161,8 @@ void ViewMenu::take()
         kept.setValue(QLatin1String("view/") + QLatin1String(key), value);
     };
     keep("light", now.look.burLight);
-    keep("depth", now.look.depthColoursMm > 0.0);
+    keep("depth", now.look.depthColours == render::DepthColours::BelowOriginal);
+    keep("ideal", now.look.depthColours == render::DepthColours::AgainstIdeal);
     keep("hand", now.showsHand);
     keep("neighbours", now.showsNeighbours);
     keep("distinct", now.look.palette == render::Palette::Distinct);

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] tooth::ViewSettings settings() const;
     /// All that the menu holds.
     [[nodiscard]] QList<QAction*> actions() const;
-    /// What a lesson does not allow is not shown, whatever was chosen.
+    /// What a lesson does not allow, or has not, is not shown, whatever was chosen.
     void setAllowed(const lessons::Aids& aids);
     /// A button with the menu, for a bar.
     [[nodiscard]] QToolButton* makeButton(QWidget* parent);

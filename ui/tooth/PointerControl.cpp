@@ -79,8 +79,7 @@ core::session::PointerInput PointerControl::input(std::optional<glm::dvec3> anch
 
 bool PointerControl::meetsTooth(const render::Ray& ray) const
 {
-    glm::dvec3 point;
-    return m_surface != nullptr && m_surface->meet(ray, point) && m_surface->isTooth(glm::dvec2(point));
+    return m_surface != nullptr && m_surface->meetTooth(ray).has_value();
 }
 
 void PointerControl::setTarget(glm::dvec2 targetMm)

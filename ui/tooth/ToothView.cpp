@@ -105,6 +105,13 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     redraw();
 }
 
+void ToothView::setIdeal(const core::grading::IdealTop& ideal)
+{
+    m_surface->setIdeal(ideal);
+    m_surfaceIsNew = true;
+    redraw();
+}
+
 /// The teeth beside a tooth of ours; what stands beside a scan nobody knows.
 void ToothView::showNeighbours()
 {
@@ -289,7 +296,8 @@ render::Scene ToothView::scene(QSizeF sizePx) const
     scene.liftMm = m_liftMm;
     scene.burIndex = m_servo.burIndex;
     scene.tipMm = m_pose.anchorMm;
-    scene.surfaceBelowTipMm = m_surface ? m_surface->heightMm(glm::dvec2(m_pose.anchorMm)) : 0.0;
+    if (m_surface)
+        scene.surfaceBelowTipMm = m_surface->topMm(glm::dvec2(m_pose.anchorMm));
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
     scene.look = m_settings.look;
@@ -323,7 +331,7 @@ void ToothView::paintMarks(QPainter& painter)
         painter.translate(beside ? 0.5 * eye * size.width() : 0.0, above ? 0.5 * eye * size.height() : 0.0);
         painter.scale(beside ? 0.5 : 1.0, above ? 0.5 : 1.0);
         drawForce(painter);
-        if (m_surface && m_surface->anatomy().fdi != 0)
+        if (m_surface && core::teeth::isGenerated(m_surface->anatomy()))
             drawGizmo(painter);
         if (!showsInstrument())
             continue;
@@ -331,15 +339,12 @@ void ToothView::paintMarks(QPainter& painter)
         const glm::dvec2 bur = m_camera.pixelOf(m_pose.anchorMm);
         if (!QRectF(QPointF(), size).contains(hand.x, hand.y))
             paintArrowOut(painter, size, {bur.x, bur.y}, {hand.x, hand.y});
-        if (m_settings.look.depthColoursMm <= 0.0 || !m_surface)
+        if (m_settings.look.depthColours == render::DepthColours::Off)
             continue;
-        paintDepthScale(painter, size, m_settings.look.depthColoursMm);
-        glm::dvec3 under(0.0);
-        if (m_surface->meet(rayAt(m_pointer), under) && m_surface->isTooth(glm::dvec2(under))) {
-            //: Depth of the cut under the pointer
-            const QString depth = tr("%1 mm").arg(QLocale().toString(m_surface->cutDepthMm(glm::dvec2(under)), 'f', 2));
-            paintPlate(painter, presented(m_pointer) + QPointF(m_leftHanded ? -22.0 : 22.0, 18.0), depth, m_leftHanded);
-        }
+        paintDepthScale(painter, size, m_settings.look, how);
+        if (const auto under = m_surface->meetTooth(rayAt(m_pointer)))
+            paintPlate(painter, presented(m_pointer) + QPointF(m_leftHanded ? -22.0 : 22.0, 18.0),
+                       depthWords(*m_surface, *under, m_settings.look.depthColours), m_leftHanded);
     }
 }
 
@@ -531,9 +536,8 @@ bool ToothView::isOnMirror(QPointF position) const
         return false;
     const double along = glm::dot(m_mirror->centreMm - ray.originMm, m_mirror->normal) / falls;
     const glm::dvec3 hit = ray.originMm + ray.direction * along;
-    glm::dvec3 met(0.0);
-    const bool behindTooth = m_surface && m_surface->meet(ray, met) && m_surface->isTooth(glm::dvec2(met)) &&
-                             glm::dot(met - ray.originMm, ray.direction) < along;
+    const auto met = m_surface ? m_surface->meetTooth(ray) : std::nullopt;
+    const bool behindTooth = met && glm::dot(*met - ray.originMm, ray.direction) < along;
     return !behindTooth && glm::distance(hit, m_mirror->centreMm) < render::DentalMirror::kRadiusMm;
 }
 
@@ -590,7 +594,7 @@ void ToothView::mousePressEvent(QMouseEvent* event)
 void ToothView::mouseMoveEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
-    if (m_settings.look.depthColoursMm > 0.0)
+    if (m_settings.look.depthColours != render::DepthColours::Off)
         redraw();
     if (m_mirrorHeld && m_mirror) {
         dragMirror(m_turnedAt, event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
@@ -636,10 +640,7 @@ void ToothView::wheelEvent(QWheelEvent* event)
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         setPushForce(m_control.forceN() + PointerControl::kStepN * notches);
     } else {
-        glm::dvec3 under(0.0);
-        const bool onTooth =
-            m_surface && m_surface->meet(rayAt(event->position()), under) && m_surface->isTooth(glm::dvec2(under));
-        m_camera.zoom(notches, onTooth ? std::optional(under) : std::nullopt);
+        m_camera.zoom(notches, m_surface ? m_surface->meetTooth(rayAt(event->position())) : std::nullopt);
         redraw();
     }
     event->accept();

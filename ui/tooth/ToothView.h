@@ -50,6 +50,8 @@ public:
 
     /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
     void setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation);
+    /// What the lesson asks for, over the grid of the tooth that is shown; null: nothing. A new tooth has none.
+    void setIdeal(const core::grading::IdealTop& ideal);
     /// The tooth shown as it has been cut so far: its whole top map.
     void setHeights(const std::vector<float>& top);
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.

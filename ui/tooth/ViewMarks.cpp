@@ -21,7 +21,7 @@ constexpr double kHeadPx = 26.0;
 constexpr double kScaleWide = 14.0;
 constexpr double kScaleHigh = 150.0;
 constexpr double kMargin = 20.0;
-constexpr int kSteps = 3;
+constexpr double kSameMm = 0.05;  ///< nearer to the ideal than this is on it
 
 QFont wordsFont(const QPainter& painter)
 {
@@ -65,31 +65,65 @@ void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards
     painter.drawPath(arrow);
 }
 
-void paintDepthScale(QPainter& painter, QSizeF view, double endMm)
+QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointMm, render::DepthColours colours)
 {
+    const auto millimetres = [](double mm) {
+        //: A length in millimetres
+        return QCoreApplication::translate("ViewMarks", "%1 mm").arg(QLocale().toString(std::abs(mm), 'f', 2));
+    };
+    if (colours == render::DepthColours::BelowOriginal)
+        return millimetres(std::max(0.0, surface.belowUncutMm(pointMm)));
+    const double below = surface.belowIdealMm(pointMm);
+    if (std::abs(below) < kSameMm)
+        return QCoreApplication::translate("ViewMarks", "as it should be");
+    //: %1 is a length: the tooth is cut deeper than it should be
+    return below > 0.0 ? QCoreApplication::translate("ViewMarks", "%1 too deep").arg(millimetres(below))
+                       //: %1 is a length: so much is still to be taken away
+                       : QCoreApplication::translate("ViewMarks", "%1 to go").arg(millimetres(below));
+}
+
+void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how)
+{
+    const bool aboutIdeal = look.depthColours == render::DepthColours::AgainstIdeal;
+    const double endMm = aboutIdeal ? render::kIdealScaleMm : render::kDepthScaleMm;
+    const double beginMm = aboutIdeal ? -endMm : 0.0;
     // Half way up: below, a hint or the bar of a replay may lie over the view.
     const QRectF bar(kMargin + 8.0, 0.5 * (view.height() - kScaleHigh), kScaleWide, kScaleHigh);
     painter.setFont(wordsFont(painter));
     const QFontMetricsF words(painter.font());
-    const QString title = QCoreApplication::translate("ViewMarks", "depth, mm");
-    const double wide = std::max(words.horizontalAdvance(title), kScaleWide + 44.0);
+    //: Titles of a scale of colours: how deep a cut is, and how much deeper than it should be
+    const QString title = aboutIdeal ? QCoreApplication::translate("ViewMarks", "too deep by, mm")
+                                     : QCoreApplication::translate("ViewMarks", "depth, mm");
+    const double wide = std::max(words.horizontalAdvance(title), kScaleWide + 58.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);
     painter.drawRoundedRect(QRectF(bar.left() - 10.0, bar.top() - 34.0, wide + 20.0, kScaleHigh + 46.0), 6.0, 6.0);
     QLinearGradient colours(bar.topLeft(), bar.bottomLeft());
     // As in tooth.frag, after its tone curve.
-    colours.setColorAt(0.0, QColor(102, 158, 214));
-    colours.setColorAt(0.5, QColor(240, 240, 236));
-    colours.setColorAt(1.0, QColor(216, 104, 52));
+    colours.setColorAt(0.0, render::seenAs(QColor(102, 158, 214), how.stereo));
+    colours.setColorAt(0.5, render::seenAs(QColor(240, 240, 236), how.stereo));
+    colours.setColorAt(1.0, render::seenAs(QColor(216, 104, 52), how.stereo));
     painter.setBrush(colours);
     painter.drawRoundedRect(bar, 3.0, 3.0);
     painter.setPen(kWords);
     painter.drawText(QPointF(bar.left(), bar.top() - 14.0), title);
-    for (int k = 0; k <= kSteps; ++k) {
-        const double share = static_cast<double>(k) / kSteps;
+    const int steps = aboutIdeal ? 4 : 3;
+    for (int k = 0; k <= steps; ++k) {
+        const double share = static_cast<double>(k) / steps;
         const double y = bar.top() + share * kScaleHigh;
         painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 5.0, y));
-        painter.drawText(QPointF(bar.right() + 9.0, y + 0.36 * kWordsPx), QLocale().toString(endMm * share, 'f', 1));
+        const double mm = beginMm + (endMm - beginMm) * share;
+        QString figure = QLocale().toString(std::abs(mm), 'f', 1);
+        if (mm < 0.0)
+            figure.prepend(QChar(0x2212));
+        else if (aboutIdeal && mm > 0.0)
+            figure.prepend(u'+');
+        // Beyond an end the colour stays.
+        if (k == steps)
+            figure.prepend(QStringLiteral("\u2265\u2009"));
+        else if (k == 0 && aboutIdeal)
+            figure.prepend(QStringLiteral("\u2264\u2009"));
+        painter.drawText(QPointF(bar.right() + 9.0, y + 0.36 * kWordsPx), figure);
     }
 }
 

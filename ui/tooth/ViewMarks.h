@@ -5,6 +5,10 @@
 #include <QPointF>
 #include <QRectF>
 #include <QSizeF>
+#include <QString>
+
+#include "ui/render/Presenter.h"
+#include "ui/render/ToothSurface.h"
 
 namespace ui::tooth {
 
@@ -13,8 +17,12 @@ namespace ui::tooth {
 /// An arrow from the bur towards a handpiece that has left the view: red, and seen through.
 void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards);
 
-/// The scale of the depth colours with its figures, in the lower left corner.
-void paintDepthScale(QPainter& painter, QSizeF view, double endMm);
+/// The scale of the depth colours with its figures, at the left.
+void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, const render::Presentation& how);
+
+/// How deep the tooth is cut at a place, in the words of that scale.
+[[nodiscard]] QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointMm,
+                                 render::DepthColours colours);
 
 /// A short text on a dark plate beside a place.
 void paintPlate(QPainter& painter, QPointF beside, const QString& text, bool onTheLeft);

@@ -56,8 +56,8 @@ int lesionColumnsSeen(const render::ToothSurface& surface, const Camera& camera)
             if (layers.cariesFloor >= layers.cariesRoof || layers.cariesRoof < anatomy.top[k])
                 continue;
             const glm::dvec3 point(grid.nodeMm(i, j), anatomy.top[k]);
-            glm::dvec3 met(0.0);
-            if (surface.meet(camera.rayThrough(camera.pixelOf(point)), met) && glm::length(met - point) < kSameMm)
+            const auto met = surface.meetTooth(camera.rayThrough(camera.pixelOf(point)));
+            if (met && glm::length(*met - point) < kSameMm)
                 ++seen;
         }
     }
@@ -159,7 +159,7 @@ core::Status goTo(Camera& camera, const QString& viewpoint, int fdi)
         if (named.isOfMouth && fdi == 0)
             return core::unexpected(core::ErrorCode::UnknownName,
                                     "nothing says which side of this tooth is " + viewpoint.toStdString() +
-                                        "; name the tooth with --fdi, or give --view as AZ,EL,DIST");
+                                        "; give --view as start, occlusal, below or AZ,EL,DIST");
         const bool turned = named.isOfMouth && isUpper(fdi) && std::abs(named.azimuthDeg) != 90.0;
         camera.reset();
         camera.set(named.azimuthDeg + (turned ? 180.0 : 0.0), named.elevationDeg, camera.fittingMm());

@@ -25,9 +25,6 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 /// How much higher than on a bur held in the air shank and handpiece must be drawn to clear the tooth, mm.
 [[nodiscard]] double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm);
 
-/// End of the scale of depths, mm: the deepest cavities that are taught reach the pulp.
-inline constexpr double kDepthScaleMm = 3.0;
-
 /// Where the dental mirror is held first: beside the tooth on the far side, over the other hand, so that it shows what
 /// the eye does not see.
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,

@@ -5,6 +5,7 @@ in vec3 positionMm;
 in vec3 normalHere;
 in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
 in float cutMm;       // below the uncut surface
+in float tooDeepMm;   // below the ideal one
 in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
 uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut, mm; share of open ones
@@ -14,7 +15,8 @@ uniform vec3 eyeMm;
 uniform vec3 towardsLight;
 uniform bool distinct;         // colours and patterns that nobody confuses
 uniform float wet;             // 1 under a film of water
-uniform float depthColoursMm;  // end of the scale of depths, 0: not coloured
+uniform int depthColours;      // 0 none, 1 below the uncut surface, 2 against the ideal one
+uniform float scaleMm;         // end of their scale
 
 out vec4 colour;
 
@@ -76,19 +78,22 @@ void main()
         base = mix(base, mix(vec3(0.0, 0.16, 0.44), vec3(0.10, 0.42, 0.80), stripes(at.x - at.y + 0.5 * at.z)),
                    smoothstep(0.2, 0.5, inDecay));
     }
-    bool depthColours = depthColoursMm > 0.0;
-    if (depthColours) {
-        // Grey where nothing is gone; blue over white to vermilion, each end as dark to every eye.
-        float deep = cutMm / depthColoursMm;
+    bool isScale = depthColours > 0;
+    if (isScale) {
+        // Grey where nothing is gone nor to go; blue over white to vermilion, each end as dark to every eye.
+        float deep = depthColours == 1 ? cutMm / scaleMm : 0.5 + 0.5 * tooDeepMm / scaleMm;
+        float told = smoothstep(0.015, 0.05, cutMm);
+        if (depthColours == 2)
+            told = max(told, smoothstep(0.02, 0.06, abs(tooDeepMm)));
         vec3 scale = mix(vec3(0.13, 0.35, 0.68), vec3(0.90, 0.90, 0.86), smoothstep(0.0, 0.5, deep));
         scale = mix(scale, vec3(0.72, 0.14, 0.03), smoothstep(0.5, 1.0, deep));
-        base = mix(vec3(0.52), scale, facing > 0.0 ? smoothstep(0.015, 0.05, cutMm) : 0.0);
+        base = mix(vec3(0.34), scale, facing > 0.0 ? told : 0.0);
     }
     float hard = (1.0 - inDecay) * (1.0 - inPulp) * isEnamel;
 
     // Fissures are stained a little, and hold less light than the map of the sky can tell.
     float crevice = clamp(2.0 * shade.a - 1.0, -1.0, 1.0);
-    float stain = depthColours ? 0.0 : smoothstep(0.06, 0.34, crevice) * (1.0 - cut);
+    float stain = isScale ? 0.0 : smoothstep(0.06, 0.34, crevice) * (1.0 - cut);
     base *= mix(vec3(1.0), vec3(0.50, 0.38, 0.26), stain);
     float open = shade.r * sqrt(shade.r) * (1.0 - 0.35 * smoothstep(0.03, 0.42, crevice));
 
@@ -106,7 +111,7 @@ void main()
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * normal.z) * open;
     vec3 lit = base * (0.72 * lamp * mix(open, 1.0, 0.5) * kLamp * warm + 0.22 * head + 0.27 * sky);
     // A scale is to be read: shade tells the shape, and no more.
-    if (depthColours)
+    if (isScale)
         lit = mix(lit, base * 0.9, 0.65);
     // Light bounced about in a cavity takes the colour of its walls, and so does what wanders within them into a shadow.
     lit += base * base * ((1.0 - open) * 0.10 + (1.0 - shade.g) * 0.10) * vec3(1.0, 0.90, 0.74);

@@ -7,6 +7,7 @@ uniform sampler2D places;   // x, y as drawn, mm
 uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
 uniform sampler2D lowerLayers;  // of it only the uncut surface, mm
+uniform sampler2D ideal;    // how far the ideal surface lies below the uncut one, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
 uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
 uniform float facing;       // 1 upper surface, -1 lower
@@ -17,6 +18,7 @@ out vec3 positionMm;
 out vec3 normalHere;  // turned linearly from node to node, or the rim, where z goes through 0, would show
 out vec4 shadeHere;
 out float cutMm;     // below the uncut surface
+out float tooDeepMm;  // below the ideal one
 out vec2 onLattice;  // where the layers of this column are, as a texture is read
 
 void main()
@@ -26,6 +28,7 @@ void main()
     vec2 placeMm = texelFetch(places, node, 0).rg;
     positionMm = vec3(placeMm, texelFetch(heights, node, 0).r);
     cutMm = texelFetch(lowerLayers, node, 0).b - positionMm.z;
+    tooDeepMm = cutMm - texelFetch(ideal, node, 0).r;
     vec2 across = texelFetch(normals, node, 0).rg;
     normalHere = vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0)));
     shadeHere = texelFetch(light, node, 0);
