@@ -79,5 +79,6 @@ void main()
         own *= (1.0 - smoothstep(2.0, lampReachMm, length(positionMm.xy - tipMm.xy))) * burLightAt(positionMm + normal * 0.05, normal.z);
         now += 0.3 * own;
     }
-    colour = vec4(0.5 * sqrt(now / all));
+    // The under surface has no such map: what changes on the upper one fades towards the height of contour.
+    colour = vec4(0.5 * mix(1.0, sqrt(now / all), smoothstep(0.0, 0.35, normal.z)));
 }
