@@ -301,7 +301,7 @@ core::Result<QImage> toothPicture(const Subject& subject, const Wishes& wishes, 
     }
     scene.look = wishes.look;
     if (wishes.mirror)
-        scene.mirror = ui::tooth::mirrorBeside(camera, surface, false);
+        scene.mirror = ui::tooth::mirrorBeside(camera, surface, false, wishes.neighbours);
     return (*canvas)->picture([&] {
         renderer.setSurface(surface);
         if (wishes.neighbours)

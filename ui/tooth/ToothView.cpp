@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -35,12 +36,17 @@ constexpr int kLeastFrameMs = 4;
 constexpr int kLightLagMs = 400;  ///< by which light far from a cut may be behind
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
-constexpr double kTiltPerPixel = 0.006;  ///< of the mirror's normal
+constexpr double kTiltPerPixel = 0.006;    ///< of the mirror's normal
+constexpr double kMirrorStepMm = 1.0;      ///< a notch of the wheel
+constexpr double kMirrorStepPx = 12.0;     ///< a key
+constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
 constexpr int kForceToldMs = 1200;
 constexpr int kGizmoPx = 36;  ///< radius
 constexpr int kGizmoInPx = 16;
 constexpr double kLiftFollowS = 0.05;
-constexpr double kAtOnceS = 10.0;  ///< in which whatever glides has come to its end
+constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
+constexpr int kTurnEveryMs = 33;       ///< while nothing else asks for a picture
+constexpr double kAtOnceS = 10.0;      ///< in which whatever glides has come to its end
 
 // Keys: one step at once, then a pace that grows while the key is held.
 constexpr double kKeyStepMm = 0.1;
@@ -97,9 +103,9 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     m_control.setSurface(m_surface.get());
     m_inbox.setGeneration(generation);
     showWhole(m_camera, *m_surface);
-    if (m_settings.showsMirror)
-        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    m_mirror.reset();
     showNeighbours();
+    placeMirror();
     takePatches();
     publishPointer();
     redraw();
@@ -159,8 +165,7 @@ void ToothView::setDrillOn(bool on)
 void ToothView::setLeftHanded(bool leftHanded)
 {
     m_leftHanded = leftHanded;
-    if (m_settings.showsMirror && m_surface)
-        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    placeMirror();
     if (m_surface) {
         m_surface->setLight(operatingLight(m_leftHanded));
         takeChanges();
@@ -176,27 +181,35 @@ void ToothView::setSettings(const ViewSettings& settings)
     m_settings = settings;
     if (beside)
         showNeighbours();
-    if (!settings.showsMirror)
-        m_mirror.reset();
-    else if (!m_mirror && m_surface)
-        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    placeMirror();
     redraw();
+}
+
+/// To where a mirror is held first. What a person has placed stays there as long as its glass can be seen.
+void ToothView::placeMirror()
+{
+    if (!m_settings.showsMirror || !m_surface) {
+        m_mirror.reset();
+        return;
+    }
+    if (m_mirror && m_mirrorIsPlaced && glm::dot(m_mirror->normal, m_camera.eyeMm() - m_mirror->centreMm) > 0.0)
+        return;
+    m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded, m_settings.showsNeighbours);
+    m_mirrorIsPlaced = false;
 }
 
 void ToothView::resetCamera()
 {
     m_camera.reset();
     m_handTurnDeg = 0.0;
-    if (m_mirror && m_surface)
-        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    placeMirror();
     redraw();
 }
 
 void ToothView::turnRound()
 {
     m_camera.turn(180.0, 0.0);
-    if (m_mirror && m_surface)
-        m_mirror = mirrorBeside(m_camera, *m_surface, m_leftHanded);
+    placeMirror();
     redraw();
 }
 
@@ -275,8 +288,6 @@ void ToothView::drawScene(QSize sizePx, int samples)
     }
     if (std::exchange(m_neighboursAreNew, false))
         m_renderer->setNeighbours(m_neighbours);
-    if (m_drillOn && !m_settings.movesLittle)
-        m_turnRad += 0.9;
     m_servo = m_links.servo.latest();
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     m_pose = poseAt(m_servo, m_clock.momentFor(std::chrono::nanoseconds(now).count()));
@@ -447,6 +458,13 @@ void ToothView::advanceFrame()
     publishPointer();
     if (m_camera.advance(m_settings.movesLittle ? kAtOnceS : seconds))
         redraw();
+    if (m_drillOn && !m_settings.movesLittle && showsInstrument()) {
+        m_turnRad = std::fmod(m_turnRad + kTurnRadPerS * seconds, 2.0 * std::numbers::pi);
+        if (m_sinceTurn.elapsed() >= kTurnEveryMs || !m_sinceTurn.isValid()) {
+            m_sinceTurn.start();
+            redraw();
+        }
+    }
     const double lift = m_surface && m_servo.tick > 0 ? liftMm(*m_surface, m_servo.burIndex, m_servo.anchorMm) : 0.0;
     const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
@@ -541,14 +559,14 @@ bool ToothView::isOnMirror(QPointF position) const
     return !behindTooth && glm::distance(hit, m_mirror->centreMm) < render::DentalMirror::kRadiusMm;
 }
 
-/// Moves the mirror with the pointer, at its distance from the eye, or turns it: to the side about what is up in the
-/// picture, up and down about what is right.
-void ToothView::dragMirror(QPointF from, QPointF to, bool tilts)
+/// Moves the mirror by so many pixels of the picture, at its distance from the eye, or turns it: to the side about what
+/// is up in the picture, up and down about what is right.
+void ToothView::dragMirror(QPointF by, bool tilts)
 {
+    m_mirrorIsPlaced = true;
     const glm::dmat4 toothFromEye = glm::inverse(m_camera.view());
     const glm::dvec3 right(toothFromEye[0]);
     const glm::dvec3 up(toothFromEye[1]);
-    const QPointF by = presentedWay(to - from);
     if (tilts) {
         const glm::dvec3 turned = m_mirror->normal + (right * by.x() - up * by.y()) * kTiltPerPixel;
         // Its back shows nothing.
@@ -559,6 +577,17 @@ void ToothView::dragMirror(QPointF from, QPointF to, bool tilts)
             glm::distance(m_camera.eyeMm(), m_mirror->centreMm) * 2.0 / (m_camera.projection()[1][1] * height());
         m_mirror->centreMm += (right * by.x() - up * by.y()) * mmPerPixel;
     }
+    redraw();
+}
+
+/// Nearer to the eye, or farther away.
+void ToothView::pushMirror(double millimetres)
+{
+    const glm::dvec3 away = m_mirror->centreMm - m_camera.eyeMm();
+    const double far = glm::length(away);
+    const double wanted = std::clamp(far + millimetres, kNearestMirrorMm, 2.0 * m_camera.distanceMm());
+    m_mirror->centreMm = m_camera.eyeMm() + away * (wanted / far);
+    m_mirrorIsPlaced = true;
     redraw();
 }
 
@@ -591,13 +620,19 @@ void ToothView::mousePressEvent(QMouseEvent* event)
     }
 }
 
-void ToothView::mouseMoveEvent(QMouseEvent* event)
+/// What lies under the pointer may be told.
+void ToothView::pointAt(QPointF position)
 {
-    m_pointer = event->position();
+    m_pointer = position;
     if (m_settings.look.depthColours != render::DepthColours::Off)
         redraw();
+}
+
+void ToothView::mouseMoveEvent(QMouseEvent* event)
+{
+    pointAt(event->position());
     if (m_mirrorHeld && m_mirror) {
-        dragMirror(m_turnedAt, event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+        dragMirror(presentedWay(event->position() - m_turnedAt), event->modifiers().testFlag(Qt::ShiftModifier));
         m_turnedAt = event->position();
         return;
     }
@@ -627,8 +662,9 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event)
 
 void ToothView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    // Two quick pecks of the bur on the tooth are no double click.
-    if (event->button() == Qt::LeftButton && m_control.meetsTooth(rayAt(event->position())))
+    // Two quick pecks of the bur on the tooth are no double click, nor is taking hold of the mirror twice.
+    if (event->button() == Qt::LeftButton &&
+        (isOnMirror(event->position()) || m_control.meetsTooth(rayAt(event->position()))))
         mousePressEvent(event);
     else
         resetCamera();
@@ -639,6 +675,8 @@ void ToothView::wheelEvent(QWheelEvent* event)
     const double notches = event->angleDelta().y() / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         setPushForce(m_control.forceN() + PointerControl::kStepN * notches);
+    } else if (isOnMirror(event->position())) {
+        pushMirror(-kMirrorStepMm * notches);
     } else {
         m_camera.zoom(notches, m_surface ? m_surface->meetTooth(rayAt(event->position())) : std::nullopt);
         redraw();
@@ -648,11 +686,15 @@ void ToothView::wheelEvent(QWheelEvent* event)
 
 void ToothView::tabletEvent(QTabletEvent* event)
 {
-    if (event->type() == QEvent::TabletPress && event->button() == Qt::LeftButton) {
+    const bool isTip = event->button() == Qt::LeftButton;
+    const bool takesMirror = m_mirrorHeld || (event->type() == QEvent::TabletPress && isOnMirror(event->position()));
+    if (event->type() == QEvent::TabletPress && isTip && !takesMirror) {
         pushAt(event->position());
-    } else if (event->type() == QEvent::TabletRelease && event->button() == Qt::LeftButton) {
+    } else if (event->type() == QEvent::TabletRelease && isTip && !takesMirror) {
         m_control.push(false);
-    } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton) {
+    } else if (event->type() == QEvent::TabletMove && m_turning == Qt::NoButton && event->buttons() <= Qt::LeftButton &&
+               !takesMirror) {
+        pointAt(event->position());
         m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
     } else {
         // Not accepted: Qt makes a mouse event of it, as for the buttons on the pen.
@@ -675,7 +717,17 @@ void ToothView::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Right:
     case Qt::Key_Up:
     case Qt::Key_Down:
-        if (control && m_fine) {
+        if (event->modifiers().testFlag(Qt::AltModifier)) {
+            if (m_mirror)
+                dragMirror(QPointF(key == Qt::Key_Right  ? 1
+                                   : key == Qt::Key_Left ? -1
+                                                         : 0,
+                                   key == Qt::Key_Down ? 1
+                                   : key == Qt::Key_Up ? -1
+                                                       : 0) *
+                               kMirrorStepPx,
+                           m_fine);
+        } else if (control && m_fine) {
             if (key == Qt::Key_Left || key == Qt::Key_Right)
                 turnHandpiece(key == Qt::Key_Left ? -kKeyTurnDeg : kKeyTurnDeg);
         } else if (control) {
@@ -694,6 +746,11 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         }
         break;
     case Qt::Key_PageDown:
+        if (event->modifiers().testFlag(Qt::AltModifier)) {
+            if (m_mirror)
+                pushMirror(kMirrorStepMm);
+            break;
+        }
         if (!event->isAutoRepeat()) {
             if (m_camera.elevationDeg() > 0.0)
                 m_control.push(true);
@@ -703,6 +760,11 @@ void ToothView::keyPressEvent(QKeyEvent* event)
         publishPointer();
         break;
     case Qt::Key_PageUp:
+        if (event->modifiers().testFlag(Qt::AltModifier)) {
+            if (m_mirror)
+                pushMirror(-kMirrorStepMm);
+            break;
+        }
         m_control.lift(true);
         publishPointer();
         break;

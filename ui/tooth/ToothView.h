@@ -64,8 +64,8 @@ public:
     void setLeftHanded(bool leftHanded);
     /// Half a circle, as it is for who sits on the other side of the patient.
     void turnRound();
-    /// The mirror is put beside the tooth when it is shown; then it is moved by dragging its glass, and tilted so with
-    /// Shift.
+    /// The mirror is put beside the tooth when it is shown; then it is moved by dragging its glass, tilted so with
+    /// Shift, and moved to and fro with the wheel over it; with Alt, arrows and page keys do the same.
     void setSettings(const ViewSettings& settings);
     [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
     void resetCamera();
@@ -130,7 +130,10 @@ private:
     void drawForce(QPainter& painter);
     void drawGizmo(QPainter& painter);
     [[nodiscard]] bool isOnMirror(QPointF position) const;
-    void dragMirror(QPointF from, QPointF to, bool tilts);
+    void dragMirror(QPointF by, bool tilts);
+    void pushMirror(double millimetres);
+    void placeMirror();
+    void pointAt(QPointF position);
     [[nodiscard]] QPointF presented(QPointF position) const;
     [[nodiscard]] QPointF presentedWay(QPointF by) const;
     [[nodiscard]] render::Ray rayAt(QPointF position) const;
@@ -148,7 +151,8 @@ private:
     bool m_neighboursAreNew = false;  ///< the renderer has not seen them
     std::optional<render::DentalMirror> m_mirror;
     bool m_mirrorHeld = false;
-    QPointF m_pointer;  ///< where the mouse was last
+    bool m_mirrorIsPlaced = false;  ///< by a person
+    QPointF m_pointer;              ///< where the mouse was last
     PatchInbox m_inbox;
     Camera m_camera;
     PointerControl m_control;
@@ -159,6 +163,7 @@ private:
     core::session::Pose m_pose;             ///< of the bur as it is drawn
     FrameClock m_clock;
 
+    QElapsedTimer m_sinceTurn;                ///< of the bur was shown
     QElapsedTimer m_sinceLight;               ///< was brought up to date everywhere
     Uploads m_uploads;                        ///< without their bytes
     bool m_surfaceIsNew = false;              ///< the renderer has not seen it

@@ -18,6 +18,8 @@ constexpr double kShankClearMm = 0.9;  ///< around the bur's axis, what the shan
 // Where the dental mirror is taken in hand.
 constexpr double kMirrorBehind = 0.9;  ///< the middle of the crown, of its radius
 constexpr double kMirrorSeen = 0.55;   ///< of its radius, on the outer side
+constexpr double kBehindTheRowMm = 6.0;
+constexpr double kOverTheMiddleMm = 1.0;
 constexpr double kMirrorAbove = 0.22;  ///< the middle of the view, of half its height
 constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
 
@@ -117,7 +119,8 @@ double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const g
     return std::clamp(lift, 0.0, render::kMostLiftMm);
 }
 
-render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface, bool leftHanded)
+render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface, bool leftHanded,
+                                  bool amongNeighbours)
 {
     render::DentalMirror mirror;
     const glm::dvec3 middle = surface.crownMiddleMm();
@@ -133,9 +136,19 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
     const glm::dvec4 inEye(leftHanded ? aside : -aside, kMirrorAbove * high, -depth, 1.0);
     mirror.centreMm = glm::dvec3(glm::inverse(eyeFromTooth) * inEye);
     // Half way between where the eye is and what it wants to see: the crown from behind.
-    const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - mirror.centreMm);
-    const glm::dvec3 towardsCrown = glm::normalize(middle + glm::dvec3(0.0, 0.0, 0.2 * radius) - mirror.centreMm);
-    mirror.normal = glm::normalize(towardsEye + towardsCrown);
+    const auto aim = [&] {
+        const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - mirror.centreMm);
+        const glm::dvec3 towardsCrown = glm::normalize(middle + glm::dvec3(0.0, 0.0, 0.2 * radius) - mirror.centreMm);
+        mirror.normal = glm::normalize(towardsEye + towardsCrown);
+    };
+    aim();
+    if (amongNeighbours) {
+        // Beside the tooth stands another: behind the row, towards its far side.
+        const double farSide = camera.eyeMm().y < middle.y ? 1.0 : -1.0;
+        const double halfDepth = 0.5 * (surface.highestMm().y - surface.lowestMm().y);
+        mirror.centreMm = middle + glm::dvec3(0.0, farSide * (halfDepth + kBehindTheRowMm), kOverTheMiddleMm);
+        aim();
+    }
     return mirror;
 }
 

@@ -26,9 +26,9 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 [[nodiscard]] double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm);
 
 /// Where the dental mirror is held first: beside the tooth on the far side, over the other hand, so that it shows what
-/// the eye does not see.
+/// the eye does not see; among neighbours behind the row.
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,
-                                                bool leftHanded);
+                                                bool leftHanded, bool amongNeighbours);
 
 /// Names of viewpoints: start, occlusal, below, and by the directions of the mouth buccal, lingual, mesial, distal.
 [[nodiscard]] QStringList viewpointNames();
