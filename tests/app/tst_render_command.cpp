@@ -85,8 +85,38 @@ void TestRenderCommand::drawsWhatAnAttemptLeft()
     const QStringList common{"--view", "occlusal", "--size", "400x300", "--out"};
     const QString cut = m_folder.filePath("cut.png");
     const QString whole = m_folder.filePath("whole.png");
-    const Ending ending = runCusp(QStringList{"render", "--recording", recording} + common + QStringList{cut});
+    const Ending ending =
+        runCusp(QStringList{"render", "--tooth", "36", "--recording", recording} + common + QStringList{cut});
     QVERIFY2(ending.exitCode == 0, ending.error);
+    const Ending other = runCusp(QStringList{"render", "--tooth", "37", "--recording", recording} + common +
+                                 QStringList{m_folder.filePath("other.png")});
+    QCOMPARE(other.exitCode, 1);
+    QVERIFY2(other.isOneSentence() && other.error.contains("'36'"), other.error);
+    // Two films beside each other: the left one is whole, the right one is not.
+    const auto films = [&](const QStringList& more) {
+        const QString file = m_folder.filePath("films.png");
+        return runCusp(QStringList{"render", "--recording", recording, "--xray", "--size", "812x400", "--out", file} +
+                       more)
+                           .exitCode == 0
+                   ? QImage(file)
+                   : QImage();
+    };
+    const QImage both = films({"--show", "before"});
+    QCOMPARE(both.size(), QSize(812, 400));
+    int darker = 0;
+    for (int y = 0; y < 400; ++y)
+        for (int x = 0; x < 400; ++x)
+            darker += qGray(both.pixel(x, y)) > qGray(both.pixel(x + 412, y)) + 10 ? 1 : 0;
+    QVERIFY2(darker > 100, qPrintable(QString::number(darker)));
+    const auto mean = [](const QImage& film) {
+        double sum = 0.0;
+        for (int y = 0; y < film.height(); ++y)
+            for (int x = 0; x < film.width(); ++x)
+                sum += qGray(film.pixel(x, y));
+        return sum / film.width() / film.height();
+    };
+    QVERIFY(mean(films({"--exposure", "2"})) < mean(films({})) - 5.0);
+    QVERIFY(films({"--angle", "40"}) != films({}));
     QCOMPARE(runCusp(QStringList{"render", "--tooth", "36"} + common + QStringList{whole}).exitCode, 0);
     const QImage a(cut);
     const QImage b(whole);
@@ -133,7 +163,10 @@ void TestRenderCommand::wrongUsage_data()
 {
     QTest::addColumn<QStringList>("arguments");
     QTest::newRow("nothing to draw") << QStringList{"--out", "a.png"};
-    QTest::newRow("two things to draw") << QStringList{"--tooth", "36", "--recording", "a.cusprec", "--out", "a.png"};
+    QTest::newRow("a beam without a film") << QStringList{"--tooth", "36", "--out", "a.png", "--angle", "10"};
+    QTest::newRow("a beam from behind") << QStringList{"--tooth", "36", "--out", "a.png", "--xray", "--angle", "100"};
+    QTest::newRow("no exposure") << QStringList{"--tooth", "36", "--out", "a.png", "--xray", "--exposure", "0"};
+    QTest::newRow("before in space") << QStringList{"--tooth", "36", "--out", "a.png", "--show", "before"};
     QTest::newRow("no picture") << QStringList{"--tooth", "36"};
     QTest::newRow("another format") << QStringList{"--tooth", "36", "--out", "a.bmp"};
     QTest::newRow("no size") << QStringList{"--tooth", "36", "--out", "a.png", "--size", "big"};

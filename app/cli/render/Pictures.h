@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QImage>
+#include <QSize>
+#include <QString>
+
+#include "app/cli/render/Wishes.h"
+#include "core/base/Result.h"
+#include "core/session/Links.h"
+#include "core/terrain/Tooth.h"
+
+namespace app::cli {
+
+/// What is to be drawn: a tooth whole or as an attempt left it, and where the bur was then.
+struct RenderSubject
+{
+    core::terrain::Tooth tooth;
+    std::optional<core::session::ServoState> bur;
+};
+
+/// The picture of a tooth that was wished for, any but that of the mouth. Needs a display.
+/// @param view  as ui::tooth::goTo() takes it
+[[nodiscard]] core::Result<QImage> rendered(const RenderSubject& subject, const RenderWishes& wishes,
+                                            const QString& view, QSize size);
+
+/// The whole mouth as the page shows it on which a tooth is chosen. Needs a display.
+/// @param chosenFdi  is tinted; 0: none
+[[nodiscard]] core::Result<QImage> renderedArch(int chosenFdi, QSize size);
+
+}  // namespace app::cli
