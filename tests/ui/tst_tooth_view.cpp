@@ -51,6 +51,8 @@ private slots:
     void theOtherHandKeepsTheToothAsItIsSeen();
     void startsOnTheSideOfTheLesion_data();
     void startsOnTheSideOfTheLesion();
+    void theMirrorIsTheUsersToPlace();
+    void aBurThatRunsIsSeenToTurn();
     void isAnEmptyRoomWithoutATooth();
     void theGizmoTurnsWithTheTooth();
     void theToothIsTurnedUnderTheHandpiece();
@@ -453,6 +455,88 @@ void TestToothView::startsOnTheSideOfTheLesion()
     QCOMPARE(seen(m_view->camera()), here);
     m_view->resetCamera();
     QCOMPARE(seen(m_view->camera()), here);
+}
+
+void TestToothView::theMirrorIsTheUsersToPlace()
+{
+    ui::tooth::ViewSettings settings;
+    settings.showsMirror = true;
+    m_view->setSettings(settings);
+    QVERIFY(m_view->mirror());
+    const glm::dvec3 first = m_view->mirror()->centreMm;
+    const auto onGlass = [this] { return pixelOf(m_view->mirror()->centreMm); };
+    const auto away = [&] { return glm::distance(m_view->camera().eyeMm(), m_view->mirror()->centreMm); };
+    // Its middle may be outside the view: what is held is a place on the glass that is not.
+    QPoint grip = onGlass();
+    grip.setX(std::clamp(grip.x(), 8, 631));
+    grip.setY(std::clamp(grip.y(), 8, 471));
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, grip);
+    QVERIFY(!pointer().pushing);
+    move(grip + QPoint(10, 6), Qt::LeftButton);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, grip + QPoint(10, 6));
+    const glm::dvec3 placed = m_view->mirror()->centreMm;
+    QVERIFY(glm::distance(placed, first) > 0.1);
+    // Taking hold twice is no double click that throws the view back, and another hand leaves it where it is.
+    m_view->setCamera(m_view->camera().azimuthDeg() + 7.0, m_view->camera().elevationDeg(),
+                      m_view->camera().distanceMm());
+    grip = onGlass();
+    grip.setX(std::clamp(grip.x(), 8, 631));
+    grip.setY(std::clamp(grip.y(), 8, 471));
+    const double azimuth = m_view->camera().azimuthDeg();
+    QTest::mouseDClick(m_view.get(), Qt::LeftButton, {}, grip);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, grip);
+    QCOMPARE(m_view->camera().azimuthDeg(), azimuth);
+    m_view->setLeftHanded(true);
+    m_view->resetCamera();
+    QCOMPARE(glm::distance(m_view->mirror()->centreMm, placed), 0.0);
+    // To and fro, moved and tilted by keys.
+    const double before = away();
+    QTest::keyClick(m_view.get(), Qt::Key_PageUp, Qt::AltModifier);
+    QVERIFY(std::abs(away() - (before - 1.0)) < 1e-6);
+    QTest::keyClick(m_view.get(), Qt::Key_PageDown, Qt::AltModifier);
+    QVERIFY(std::abs(away() - before) < 1e-6);
+    const glm::dvec3 normal = m_view->mirror()->normal;
+    QTest::keyClick(m_view.get(), Qt::Key_Left, Qt::AltModifier);
+    QVERIFY(glm::distance(m_view->mirror()->centreMm, placed) > 0.05);
+    QCOMPARE(glm::distance(m_view->mirror()->normal, normal), 0.0);
+    QTest::keyClick(m_view.get(), Qt::Key_Up, Qt::AltModifier | Qt::ShiftModifier);
+    QVERIFY(glm::distance(m_view->mirror()->normal, normal) > 0.01);
+    // From behind, its back would be seen: it is taken in hand anew.
+    m_view->turnRound();
+    const auto& mirror = *m_view->mirror();
+    QVERIFY(glm::dot(mirror.normal, m_view->camera().eyeMm() - mirror.centreMm) > 0.0);
+    // Put away and taken again it is where it is held first.
+    m_view->setLeftHanded(false);
+    m_view->turnRound();
+    m_view->resetCamera();
+    m_view->setSettings({});
+    QVERIFY(!m_view->mirror());
+    m_view->setSettings(settings);
+    QVERIFY(glm::distance(m_view->mirror()->centreMm, first) < 1e-6);
+}
+
+void TestToothView::aBurThatRunsIsSeenToTurn()
+{
+    ServoState state;
+    state.tick = 1;
+    state.anchorMm = {0.0, 0.0, 1.0};
+    m_links->servo.publish(state);
+    QSignalSpy shown(m_view.get(), &ToothView::shown);
+    QTRY_VERIFY(shown.count() > 0);
+    m_view->setDrillOn(true);
+    for (int pass = 0; pass < 3; ++pass) {
+        shown.clear();
+        QTRY_VERIFY2(shown.count() > 3, "nothing else moves");
+    }
+    // With less motion it rests, and so does the view.
+    ui::tooth::ViewSettings settings;
+    settings.movesLittle = true;
+    m_view->setSettings(settings);
+    QTest::qWait(400);
+    shown.clear();
+    QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
+    QTRY_VERIFY(frames.count() > 10);
+    QCOMPARE(shown.count(), 0);
 }
 
 void TestToothView::isAnEmptyRoomWithoutATooth()

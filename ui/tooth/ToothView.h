@@ -77,6 +77,8 @@ public:
     [[nodiscard]] QImage toothPicture();
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
+    /// The dental mirror where it is held; nothing while it is put away.
+    [[nodiscard]] const std::optional<render::DentalMirror>& mirror() const { return m_mirror; }
     /// The tooth that is shown, as cut so far, at its own grid; null before the first. Valid until the next setTooth().
     [[nodiscard]] const core::terrain::Tooth* tooth() const { return m_tooth ? &*m_tooth : nullptr; }
     /// When the device was where the last picture shows it: steady clock, ns; 0 before the first.
