@@ -32,8 +32,9 @@ constexpr int kNear = 20;
 constexpr double kMostAway = 0.003;
 constexpr double kMeanNear = 1.5;
 
-/// Around a section stand words, and which letters a computer has is its own affair.
+/// Around a section stand words, and at the left of coloured depths; which letters a computer has is its own affair.
 constexpr QMargins kWords(32, 24, 8, 68);
+constexpr QMargins kScale(170, 0, 0, 0);
 
 /// What a picture is drawn of.
 enum class Of { Tooth, Cutting, Cut, Nothing };
@@ -44,7 +45,7 @@ struct Row
     const char* name;
     Of of;
     const char* options;
-    bool hasWords = false;  ///< in kWords, which are not compared
+    QMargins words = {};  ///< in them, which are not compared
 };
 constexpr std::array kRows{
     Row{"tooth", Of::Tooth, ""},
@@ -64,6 +65,9 @@ constexpr std::array kRows{
     Row{"instrument", Of::Cutting, ""},
     Row{"instrument-away", Of::Cut, ""},
     Row{"instrument-mirror", Of::Cutting, "--show mirror,neighbours"},
+    Row{"hand", Of::Cutting, "--show hand,gizmo"},
+    Row{"arrow", Of::Cut, "--show hand --view 20,70,9"},
+    Row{"left-hand", Of::Cutting, "--show left-hand,mirror"},
     Row{"red-cyan", Of::Cutting, "--stereo red-cyan"},
     Row{"grey", Of::Cutting, "--stereo grey"},
     Row{"side-by-side", Of::Cutting, "--stereo side-by-side"},
@@ -77,14 +81,18 @@ constexpr std::array kRows{
     Row{"cavity", Of::Cut, "--view 20,60,14"},
     Row{"cavity-distinct", Of::Cut, "--view 20,60,14 --show distinct"},
     Row{"cavity-wet", Of::Cut, "--view 20,60,14 --show wet"},
-    Row{"cavity-depth", Of::Cut, "--view 20,60,14 --show depth"},
+    Row{"cavity-depth", Of::Cut, "--view 20,60,14 --show depth", kScale},
+    Row{"cavity-ideal", Of::Cut, "--view 20,60,14 --show ideal", kScale},
+    Row{"ideal", Of::Tooth, "--show ideal", kScale},
     Row{"drilling", Of::Cutting, "--view 20,40,14"},
     Row{"drilling-light", Of::Cutting, "--view 20,40,14 --show light"},
     // Inside.
-    Row{"section-0", Of::Cutting, "--section 0", true},
-    Row{"section-90", Of::Cutting, "--section 90", true},
-    Row{"section-distinct", Of::Cutting, "--section 90 --show distinct", true},
+    Row{"section-0", Of::Cutting, "--section 0", kWords},
+    Row{"section-90", Of::Cutting, "--section 90", kWords},
+    Row{"section-distinct", Of::Cutting, "--section 90 --show distinct", kWords},
     Row{"xray", Of::Cut, "--xray"},
+    Row{"xray-before", Of::Cut, "--xray --show before"},
+    Row{"xray-turned", Of::Cut, "--xray --angle 40 --exposure 2"},
     Row{"bitewing", Of::Cut, "--bitewing"},
     Row{"bitewing-sound", Of::Tooth, "--bitewing --caries none"},
 };
@@ -107,7 +115,7 @@ struct Difference
 Difference difference(const Row& row, const QImage& one, const QImage& other)
 {
     const auto shrunk = [&](const QImage& picture) {
-        const QRect compared = row.hasWords ? picture.rect().marginsRemoved(kWords) : picture.rect();
+        const QRect compared = picture.rect().marginsRemoved(row.words);
         return picture.copy(compared)
             .convertToFormat(QImage::Format_RGB32)
             .scaled(compared.size() / kShrink, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
