@@ -22,6 +22,7 @@ private slots:
     void zoomIsReachedSmoothly();
     void zoomKeepsWhatIsUnderThePointer();
     void fittedDistanceFollowsTheWindowUntilSomeoneZooms();
+    void whatIsBehindTheEyeLiesOutsideOnItsSide();
     void resetBringsBackTheStart();
 };
 
@@ -162,6 +163,19 @@ void TestCamera::fittedDistanceFollowsTheWindowUntilSomeoneZooms()
     const double chosen = camera.distanceMm();
     camera.setViewport({1280.0, 800.0});
     QCOMPARE(camera.distanceMm(), chosen);
+}
+
+void TestCamera::whatIsBehindTheEyeLiesOutsideOnItsSide()
+{
+    const Camera camera = molarCamera();
+    const glm::dmat4 toothFromEye = glm::inverse(camera.view());
+    for (const glm::dvec2 aside : {glm::dvec2(2.0, 0.0), glm::dvec2(-2.0, 0.0), glm::dvec2(0.0, 2.0)}) {
+        const glm::dvec3 behind(toothFromEye * glm::dvec4(aside, 3.0, 1.0));
+        const glm::dvec2 pixel = camera.pixelOf(behind);
+        QVERIFY(aside.x <= 0.0 || pixel.x > 2000.0);
+        QVERIFY(aside.x >= 0.0 || pixel.x < -2000.0);
+        QVERIFY(aside.y <= 0.0 || pixel.y < -2000.0);
+    }
 }
 
 void TestCamera::resetBringsBackTheStart()

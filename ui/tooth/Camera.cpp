@@ -12,9 +12,10 @@
 namespace ui::tooth {
 namespace {
 
-constexpr double kPerNotch = 0.88;  ///< distance after one notch of the wheel
-constexpr double kFollowS = 0.07;   ///< time constant of the zoom
-constexpr double kClosest = 0.22;   ///< of the fitting distance
+constexpr double kLeastDepthMm = 0.01;  ///< before the eye, of what is looked for on the screen
+constexpr double kPerNotch = 0.88;      ///< distance after one notch of the wheel
+constexpr double kFollowS = 0.07;       ///< time constant of the zoom
+constexpr double kClosest = 0.22;       ///< of the fitting distance
 constexpr double kFurthest = 2.5;
 
 }  // namespace
@@ -152,7 +153,8 @@ render::Ray Camera::rayThrough(glm::dvec2 pixel) const
 glm::dvec2 Camera::pixelOf(glm::dvec3 pointMm) const
 {
     const glm::dvec4 clip = projection() * view() * glm::dvec4(pointMm, 1.0);
-    return {0.5 * (1.0 + clip.x / clip.w) * m_sizePx.x, 0.5 * (1.0 - clip.y / clip.w) * m_sizePx.y};
+    const double depth = std::max(clip.w, kLeastDepthMm);
+    return {0.5 * (1.0 + clip.x / depth) * m_sizePx.x, 0.5 * (1.0 - clip.y / depth) * m_sizePx.y};
 }
 
 glm::dvec2 Camera::rightOnTooth() const

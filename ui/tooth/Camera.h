@@ -53,6 +53,7 @@ public:
     [[nodiscard]] glm::dmat4 projection() const;  ///< clip from eye
     /// The ray of sight through a point of the viewport, pixels from its upper left corner.
     [[nodiscard]] render::Ray rayThrough(glm::dvec2 pixel) const;
+    /// Where a point is seen; one behind the eye lies far outside, towards the side it is on.
     [[nodiscard]] glm::dvec2 pixelOf(glm::dvec3 pointMm) const;
     /// Unit vectors of the tooth's x, y plane that point right and up (away) on the screen.
     [[nodiscard]] glm::dvec2 rightOnTooth() const;
