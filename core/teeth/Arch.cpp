@@ -172,6 +172,7 @@ LookMesh lookMesh(const CoarseTooth& tooth)
     for (const auto& t : tooth.mesh.triangles)
         mesh.indices.insert(mesh.indices.end(), t.begin(), t.end());
     smoothNormals(mesh);
+    softenGrooves(mesh, tooth.crownVertices);
     return mesh;
 }
 

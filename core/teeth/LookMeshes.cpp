@@ -29,6 +29,35 @@ void smoothNormals(LookMesh& mesh)
     }
 }
 
+void softenGrooves(LookMesh& mesh, std::size_t count)
+{
+    constexpr int kPasses = 10;
+    constexpr float kShare = 0.6F;
+    std::vector<glm::vec3> sums(mesh.vertices.size());
+    std::vector<float> counts(mesh.vertices.size());
+    for (int pass = 0; pass < kPasses; ++pass) {
+        std::fill(sums.begin(), sums.end(), glm::vec3(0.0F));
+        std::fill(counts.begin(), counts.end(), 0.0F);
+        for (std::size_t k = 0; k < mesh.indices.size(); ++k) {
+            const std::uint32_t from = mesh.indices[k];
+            const std::uint32_t to = mesh.indices[k % 3 == 2 ? k - 2 : k + 1];
+            sums[from] += mesh.vertices[to].positionMm;
+            sums[to] += mesh.vertices[from].positionMm;
+            counts[from] += 1.0F;
+            counts[to] += 1.0F;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            LookVertex& v = mesh.vertices[k];
+            const glm::vec3 way = sums[k] / std::max(counts[k], 1.0F) - v.positionMm;
+            // In a groove what lies around is higher.
+            const float out = glm::dot(way, v.normal);
+            if (counts[k] > 0.0F && out > 0.0F)
+                v.positionMm += kShare * out * v.normal;
+        }
+        smoothNormals(mesh);
+    }
+}
+
 void findBall(LookMesh& mesh)
 {
     glm::vec3 low(1.0e9F);

@@ -11,6 +11,9 @@ inline constexpr double kNothingMm = -1.0e6;
 
 /// Sets the normals to the mean of the triangles around, weighed by their area.
 void smoothNormals(LookMesh& mesh);
+/// Lifts the bottoms of grooves that are hardly wider than a triangle, among the first `count` vertices: a coarse mesh
+/// meets them here and there, like a seam that is torn. Nothing else moves. Needs normals and renews them.
+void softenGrooves(LookMesh& mesh, std::size_t count);
 /// Sets the ball around the mesh.
 void findBall(LookMesh& mesh);
 /// Adds what stands up from the jaw to a map of heights seen from the opposing jaw.
