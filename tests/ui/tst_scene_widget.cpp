@@ -192,9 +192,11 @@ void TestSceneWidget::aSoftwareDriverSmoothesWhatRests()
     {
         using Marks::Marks;
         QList<int> samples;
+        QSize size;
         void drawScene(QSize sizePx, int with) override
         {
             samples.append(with);
+            size = sizePx;
             Marks::drawScene(sizePx, with);
         }
     };
@@ -209,6 +211,11 @@ void TestSceneWidget::aSoftwareDriverSmoothesWhatRests()
     counts.redrawNow();
     QCOMPARE(counts.samples, QList<int>({0, 0}));
     QTRY_COMPARE(counts.samples.size(), 3);
+    QVERIFY(counts.samples.back() > 0);
+    // While the eye moves half as fine, then as fine as before.
+    counts.redrawMoving();
+    QTRY_COMPARE(counts.size, QSize(50, 50));
+    QTRY_COMPARE(counts.size, QSize(100, 100));
     QVERIFY(counts.samples.back() > 0);
 }
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kStillMs = 120;
 constexpr int kMarginPx = 24;
+constexpr int kCoarse = 2;
 
 }  // namespace
 
@@ -112,6 +113,12 @@ void SceneWidget::redraw()
         update();
 }
 
+void SceneWidget::redrawMoving()
+{
+    m_eyeMoves = true;
+    redraw();
+}
+
 void SceneWidget::redrawNow()
 {
     redraw();
@@ -119,9 +126,10 @@ void SceneWidget::redrawNow()
 }
 
 /// A picture drawn aside; none where that is refused.
-const QImage* SceneWidget::draw(int samples)
+/// @param coarse  pixels of the screen to one of the picture, along a side
+const QImage* SceneWidget::draw(int samples, int coarse)
 {
-    const QSize size = (this->size() * devicePixelRatioF()).expandedTo({1, 1});
+    const QSize size = (this->size() * devicePixelRatioF() / coarse).expandedTo({1, 1});
     if (!m_canvas) {
         auto canvas = render::Canvas::make(size);
         if (!canvas) {
@@ -169,13 +177,15 @@ void SceneWidget::paintEvent(QPaintEvent* /*event*/)
     if (m_pane != nullptr)
         return;
     const bool smooth = std::exchange(m_smoothWanted, false);
-    const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0) : nullptr;
+    const bool coarse = std::exchange(m_eyeMoves, false) && !smooth;
+    const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0, coarse ? kCoarse : 1) : nullptr;
     QPainter painter(this);
     if (drawn == nullptr) {
         painter.fillRect(rect(), palette().window());
         return;
     }
-    painter.drawImage(QRectF(QPointF(), QSizeF(drawn->size()) / devicePixelRatioF()), *drawn);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, coarse);
+    painter.drawImage(QRectF(QPointF(), QSizeF(drawn->size()) * (coarse ? kCoarse : 1) / devicePixelRatioF()), *drawn);
     paintMarks(painter);
     if (!smooth)
         m_still.start();

@@ -26,7 +26,8 @@ class ScenePane;
 /// For a graphics card this is a QOpenGLWidget. With one in it, Qt puts the whole window together by OpenGL once more
 /// for every picture. For a software driver that is most of the work (20 ms of processor time at 1280 x 800, ten times
 /// what it takes to read a picture back), so there the picture is drawn aside and laid on the window as an image.
-/// Such a driver draws moving pictures with hard edges, and smooth ones once nothing has moved for a while.
+/// Such a driver draws moving pictures with hard edges, and smooth ones once nothing has moved for a while; while the
+/// eye moves, and all of the picture with it, half as fine.
 ///
 /// Ui thread.
 class SceneWidget : public QWidget
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] QImage grabPicture();
     /// Shows a new picture as soon as Qt paints again. QWidget::update() would not do: what draws may be a child.
     void redraw();
+    /// The same for an eye that moves.
+    void redrawMoving();
     /// At once.
     void redrawNow();
 
@@ -75,7 +78,7 @@ protected:
 private:
     friend class ScenePane;
     void fail(const QString& detail);
-    [[nodiscard]] const QImage* draw(int samples);
+    [[nodiscard]] const QImage* draw(int samples, int coarse = 1);
 
     std::unique_ptr<render::Canvas> m_canvas;  ///< of a picture that comes as an image, once one was drawn
     ScenePane* m_pane = nullptr;               ///< what shows pictures otherwise
@@ -83,6 +86,7 @@ private:
     QString m_sentence;
     QTimer m_still;  ///< nothing has moved for a while
     bool m_smoothWanted = false;
+    bool m_eyeMoves = false;  ///< since the last picture
 };
 
 }  // namespace ui::tooth

@@ -216,7 +216,7 @@ void ToothView::turnRound()
 void ToothView::setCamera(double azimuthDeg, double elevationDeg, double distanceMm)
 {
     m_camera.set(azimuthDeg, elevationDeg, distanceMm);
-    redraw();
+    redrawMoving();
 }
 
 ToothView::Uploads ToothView::uploads() const
@@ -457,7 +457,7 @@ void ToothView::advanceFrame()
     moveByKeys(seconds);
     publishPointer();
     if (m_camera.advance(m_settings.movesLittle ? kAtOnceS : seconds))
-        redraw();
+        redrawMoving();
     if (m_drillOn && !m_settings.movesLittle && showsInstrument()) {
         m_turnRad = std::fmod(m_turnRad + kTurnRadPerS * seconds, 2.0 * std::numbers::pi);
         if (m_sinceTurn.elapsed() >= kTurnEveryMs || !m_sinceTurn.isValid()) {
@@ -534,7 +534,7 @@ render::Ray ToothView::rayAt(QPointF position) const
 void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
 {
     m_camera.turn(azimuthDeg, elevationDeg);
-    redraw();
+    redrawMoving();
 }
 
 void ToothView::turnHandpiece(double degrees)
