@@ -151,6 +151,11 @@ void ToothMaps::writeHeights(const ToothSurface& surface, const core::terrain::N
     write(m_places, surface.places().data(), QOpenGLTexture::RG, QOpenGLTexture::Float32, rect);
     write(m_tops, surface.tops().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
     write(m_bottoms, surface.bottoms().data(), QOpenGLTexture::Red, QOpenGLTexture::Float32, rect);
+    m_shownTops.resize(m_lattice->count());
+    for (int j = rect.beginJ; j < rect.endJ; ++j) {
+        const auto first = static_cast<std::ptrdiff_t>(m_lattice->index(rect.beginI, j));
+        std::copy_n(surface.tops().begin() + first, rect.endI - rect.beginI, m_shownTops.begin() + first);
+    }
 }
 
 void ToothMaps::writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect)
@@ -227,17 +232,28 @@ Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
     const auto cell = static_cast<float>(m_lattice->cellMm);
     float low = std::numeric_limits<float>::max();
     float high = std::numeric_limits<float>::lowest();
+    // Triangles reach to the next nodes.
+    const core::terrain::NodeRect around = grown(rect, 1, *m_lattice);
+    for (int j = around.beginJ; j < around.endJ; ++j) {
+        for (int i = around.beginI; i < around.endI; ++i) {
+            const float top = m_shownTops[m_lattice->index(i, j)];
+            low = std::min(low, top);
+            high = std::max(high, top);
+        }
+    }
+    // Where a column is gone, what was below it is gone as well.
     const int lastX = std::min((rect.endI - 1) / kCells, m_tilesPerSide - 1);
     const int lastY = std::min((rect.endJ - 1) / kCells, m_tilesPerSide - 1);
     for (int y = std::max(0, rect.beginJ - 1) / kCells; y <= lastY; ++y) {
         for (int x = std::max(0, rect.beginI - 1) / kCells; x <= lastX; ++x) {
             const Tile& tile = m_tiles[static_cast<std::size_t>(y * m_tilesPerSide + x)];
-            // Where a column is gone, what was below it is gone as well.
-            low = std::min(low, tile.count < tile.mostCount ? tile.lowestMm : tile.upper.box.low.z);
-            high = std::max(high, tile.highestMm);
+            if (tile.count < tile.mostCount) {
+                low = std::min(low, tile.lowestMm);
+                high = std::max(high, tile.highestMm);
+            }
         }
     }
-    // Drawn nodes stand up to half a cell aside, and triangles reach to the next ones.
+    // Drawn nodes stand up to half a cell aside.
     const glm::vec2 first = glm::vec2(m_lattice->nodeMm(rect.beginI, rect.beginJ)) - 1.5F * cell;
     const glm::vec2 last = glm::vec2(m_lattice->nodeMm(rect.endI - 1, rect.endJ - 1)) + 1.5F * cell;
     return {{first, std::min(low, high)}, {last, high}};

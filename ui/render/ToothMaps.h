@@ -62,7 +62,7 @@ public:
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
     [[nodiscard]] bool isEmpty() const { return !m_lattice; }
 
-    /// Where a change shows: from what stood there uncut down to what is left.
+    /// Where what is drawn of a rectangle of nodes lies, and, if part of that is gone, where it was.
     [[nodiscard]] Box boxOf(const core::terrain::NodeRect& rect) const;
 
     /// Tiles of one surface.
@@ -126,6 +126,7 @@ private:
     std::optional<core::terrain::Grid> m_lattice;
     int m_tilesPerSide = 0;
     std::vector<Tile> m_tiles;
+    std::vector<float> m_shownTops;  ///< as they were uploaded
     std::uint64_t m_uploadedBytes = 0;
 };
 
