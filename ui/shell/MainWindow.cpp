@@ -303,6 +303,7 @@ void MainWindow::connectView()
     const auto take = [this](const tooth::ViewSettings& settings) {
         m_view->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
+        m_room->panel().setColours(settings.look.palette);
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
     take(m_viewMenu->settings());

@@ -22,6 +22,12 @@ void MaterialSwatch::setMaterial(std::optional<core::terrain::Material> material
     update();
 }
 
+void MaterialSwatch::setColours(render::Palette colours)
+{
+    m_colours = colours;
+    update();
+}
+
 void MaterialSwatch::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -32,7 +38,7 @@ void MaterialSwatch::paintEvent(QPaintEvent*)
         painter.drawEllipse(disc);
         return;
     }
-    const MaterialLook look = materialLook(*m_material);
+    const MaterialLook look = materialLook(*m_material, m_colours);
     painter.setBrush(look.fill);
     painter.drawEllipse(disc);
     painter.setPen(look.letter);

@@ -6,10 +6,12 @@
 #include <QWidget>
 
 #include "core/terrain/Tooth.h"
+#include "ui/render/Look.h"
 
 namespace ui::shell {
 
-/// A small disc in the natural colour of a material with its letter, so that it is told by more than its colour.
+/// A small disc in the colour of a material with its letter, so that it is told by more than its colour. Patterns are
+/// left out: under the letter there is no room for them.
 class MaterialSwatch : public QWidget
 {
     Q_OBJECT
@@ -18,6 +20,7 @@ public:
 
     /// Nothing: an empty ring.
     void setMaterial(std::optional<core::terrain::Material> material);
+    void setColours(render::Palette colours);
     [[nodiscard]] QSize sizeHint() const override { return {m_sidePx, m_sidePx}; }
 
 protected:
@@ -26,6 +29,7 @@ protected:
 private:
     int m_sidePx;
     std::optional<core::terrain::Material> m_material;
+    render::Palette m_colours = render::Palette::Natural;
 };
 
 }  // namespace ui::shell

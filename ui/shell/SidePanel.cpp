@@ -213,6 +213,12 @@ void SidePanel::setFigure(const Figure& figure, const QString& words, const QStr
     figure.block->setAccessibleName(QStringLiteral("%1: %2 %3").arg(figure.caption, words, unit));
 }
 
+void SidePanel::setColours(render::Palette colours)
+{
+    for (MaterialSwatch* swatch : findChildren<MaterialSwatch*>())
+        swatch->setColours(colours);
+}
+
 void SidePanel::setDepthGauge(bool shown)
 {
     m_depth.block->setVisible(shown);

@@ -8,6 +8,7 @@
 
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
+#include "ui/render/Look.h"
 
 class QLabel;
 class QSlider;
@@ -31,6 +32,8 @@ public:
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
     void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
+    /// Of the discs beside the names of tissues.
+    void setColours(render::Palette colours);
     /// Without it neither depth nor the dentin left is told.
     void setDepthGauge(bool shown);
     /// Shows this push force without announcing it.
