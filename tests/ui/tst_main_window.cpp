@@ -35,6 +35,9 @@
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/MainWindow.h"
+#include "ui/shell/MaterialLook.h"
+#include "ui/shell/MaterialSwatch.h"
+#include "ui/shell/Memory.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
@@ -73,6 +76,8 @@ private slots:
     void homeIsOfferedWhereAHandCanBeLed();
     void otherHandPanelAndFullScreen();
     void theNextWindowIsLaidOutAsThisOne();
+    void rubbishInTheMemoryCountsAsNothing();
+    void swatchesFollowTheColoursOfTheTooth();
     void theSectionIsShownAndTurned();
     void theXrayPageOpensAndSaves();
     void oneOfTheDepthColoursIsShown();
@@ -478,6 +483,46 @@ void TestMainWindow::theNextWindowIsLaidOutAsThisOne()
     cleanup();
     openWindow();
     QVERIFY(child<ui::inside::SectionView>()->isVisible());
+}
+
+void TestMainWindow::rubbishInTheMemoryCountsAsNothing()
+{
+    cleanup();
+    for (const char* key : {"window/panel", "window/section", "window/leftHanded", "view/wet"})
+        memory().setValue(key, "banana");
+    openWindow();
+    QVERIFY(child<SidePanel>()->isVisible());
+    QVERIFY(!child<ui::inside::SectionView>()->isVisible());
+    QVERIFY(!actions().otherHand->isChecked());
+    QVERIFY(!actions().wetLook->isChecked());
+    cleanup();
+    for (const char* key : {"window/panel", "window/section", "window/leftHanded"})
+        memory().setValue(key, "1");
+    openWindow();
+    QVERIFY(child<SidePanel>()->isVisible());
+    QVERIFY(!child<ui::inside::SectionView>()->isVisible());
+    QVERIFY(!actions().otherHand->isChecked());
+}
+
+void TestMainWindow::swatchesFollowTheColoursOfTheTooth()
+{
+    const auto swatches = child<SidePanel>()->findChildren<MaterialSwatch*>();
+    const auto discs = [&] {
+        QList<QColor> fills;
+        for (MaterialSwatch* swatch : swatches)
+            fills << swatch->grab().toImage().pixelColor(swatch->width() / 2, 3);
+        return fills;
+    };
+    // The first shows what is under the bur, and that is nothing; then enamel, dentin and pulp.
+    QCOMPARE(swatches.size(), 4);
+    using ui::render::Palette;
+    for (const Palette colours : {Palette::Natural, Palette::Distinct, Palette::Natural}) {
+        QCOMPARE(actions().distinctColours->isChecked(), colours == Palette::Distinct);
+        QCOMPARE(discs()[1], materialLook(Material::Enamel, colours).fill);
+        QCOMPARE(discs()[2], materialLook(Material::Dentin, colours).fill);
+        QCOMPARE(discs()[3], materialLook(Material::Pulp, colours).fill);
+        press(Qt::Key_P);
+    }
 }
 
 void TestMainWindow::theSectionIsShownAndTurned()

@@ -19,7 +19,6 @@
 #include <QPushButton>
 #include <QSaveFile>
 #include <QScreen>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTimer>
@@ -31,6 +30,7 @@
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
+#include "ui/shell/Memory.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
@@ -69,12 +69,6 @@ const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
 const QString kSection = QStringLiteral("window/section");
 const QString kLeftHanded = QStringLiteral("window/leftHanded");
-
-/// What the window remembers from run to run: ~/.config/cusp/cusp.conf.
-QSettings memory()
-{
-    return QSettings(QStringLiteral("cusp"), QStringLiteral("cusp"));
-}
 
 /// The file a drag carries, empty when it carries anything else.
 QString droppedFile(const QMimeData* data)
@@ -136,11 +130,11 @@ void MainWindow::recallLayout()
     const QSettings kept = memory();
     static_cast<void>(restoreGeometry(kept.value(kGeometry).toByteArray()));
     setWindowState(windowState().setFlag(Qt::WindowFullScreen, false));
-    m_actions->panel->setChecked(kept.value(kPanel, true).toBool());
+    m_actions->panel->setChecked(recalled(kept, kPanel, true));
     m_room->setPanelVisible(m_actions->panel->isChecked());
-    m_actions->section->setChecked(kept.value(kSection).toBool());
+    m_actions->section->setChecked(recalled(kept, kSection, false));
     m_room->setSectionVisible(m_actions->section->isChecked());
-    m_actions->otherHand->setChecked(kept.value(kLeftHanded).toBool());
+    m_actions->otherHand->setChecked(recalled(kept, kLeftHanded, false));
     m_view->setLeftHanded(m_actions->otherHand->isChecked());
 }
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include <QMenu>
-#include <QSettings>
 #include <QToolButton>
 
 #include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
+#include "ui/shell/Memory.h"
 #include "ui/shell/Theme.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -19,11 +19,6 @@ constexpr double kLeastApart = 0.005;
 constexpr double kMostApart = 0.1;
 constexpr double kNearest = 0.6;
 constexpr double kFarthest = 1.6;
-
-QSettings memory()
-{
-    return QSettings(QStringLiteral("cusp"), QStringLiteral("cusp"));
-}
 
 /// What the two eyes can be given without harm, whatever a file says.
 void keepInBounds(render::Presentation& how)
@@ -107,9 +102,8 @@ QToolButton* ViewMenu::makeButton(QWidget* parent)
 void ViewMenu::read()
 {
     const QSettings kept = memory();
-    // Only what was written here: to Qt any word is true.
     const auto isOn = [&](const char* key) {
-        return kept.value(QLatin1String("view/") + QLatin1String(key)).toString() == u"true";
+        return recalled(kept, QLatin1String("view/") + QLatin1String(key), false);
     };
     m_actions.burLight->setChecked(isOn("light"));
     m_actions.depthColours->setChecked(isOn("depth"));
