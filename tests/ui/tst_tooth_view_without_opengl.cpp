@@ -10,6 +10,7 @@
 #include "ui/shell/ArchView.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/shell/Mouth.h"
+#include "ui/shell/Theme.h"
 #include "ui/tooth/ToothView.h"
 
 using ui::tooth::ToothView;
@@ -20,6 +21,7 @@ class TestToothViewWithoutOpenGl : public QObject
     Q_OBJECT
 
 private slots:
+    void initTestCase();
     void init();
     void cleanup();
     void saysWhatIsMissingAndWhatToDo();
@@ -31,6 +33,11 @@ private:
     std::unique_ptr<core::session::UiLinks> m_links;
     std::unique_ptr<ToothView> m_view;
 };
+
+void TestToothViewWithoutOpenGl::initTestCase()
+{
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+}
 
 void TestToothViewWithoutOpenGl::init()
 {
@@ -49,7 +56,7 @@ void TestToothViewWithoutOpenGl::cleanup()
 void TestToothViewWithoutOpenGl::saysWhatIsMissingAndWhatToDo()
 {
     QVERIFY(!m_view->isUsable());
-    const auto* label = m_view->findChild<QLabel*>();
+    const auto* label = m_view->findChild<QLabel*>("whyNot");
     QVERIFY(label != nullptr);
     const QString sentence = label->text();
     QVERIFY(sentence.contains("OpenGL 3.3"));
@@ -65,10 +72,15 @@ void TestToothViewWithoutOpenGl::aWindowShowsTheSentence()
     window.resize(400, 300);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    const auto* label = window.findChild<QLabel*>();
+    const auto* label = window.findChild<QLabel*>("whyNot");
     QVERIFY(label != nullptr && label->isVisible());
     QVERIFY(label->text().contains("OpenGL 3.3"));
-    QVERIFY(!view->picture().isNull());
+    // Dark like the room around it, in a light theme too, and to be read at arm's length.
+    const QImage picture = view->picture();
+    QCOMPARE(picture.pixelColor(2, 2), ui::shell::roomPalette().color(QPalette::Window));
+    QVERIFY(ui::shell::contrast(label->palette().color(label->foregroundRole()), picture.pixelColor(2, 2)) >= 4.5);
+    QVERIFY(label->font().pixelSize() >= ui::shell::kBody);
+    QVERIFY(label->height() >= label->heightForWidth(label->width()));
     // Nobody drills what cannot be seen.
     QTest::mousePress(view, Qt::LeftButton);
     QVERIFY(!m_links->pointer.latest().pushing);

@@ -9,16 +9,20 @@
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
 #include <QPainter>
+#include <QVBoxLayout>
 
 #include "ui/render/Canvas.h"
 #include "ui/render/Driver.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
 
 namespace ui::tooth {
 namespace {
 
 constexpr int kStillMs = 120;
-constexpr int kMarginPx = 24;
 constexpr int kCoarse = 2;
+constexpr int kWhyNotIconPx = 56;
+constexpr int kWhyNotWidthPx = 520;
 
 }  // namespace
 
@@ -181,7 +185,7 @@ void SceneWidget::paintEvent(QPaintEvent* /*event*/)
     const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0, coarse ? kCoarse : 1) : nullptr;
     QPainter painter(this);
     if (drawn == nullptr) {
-        painter.fillRect(rect(), palette().window());
+        painter.fillRect(rect(), shell::roomPalette().window());
         return;
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform, coarse);
@@ -202,15 +206,43 @@ void SceneWidget::resizeEvent(QResizeEvent* event)
         m_whyNot->setGeometry(rect());
 }
 
-/// Says so in place of the picture.
+/// Says so in place of the picture, which is dark in either theme.
 void SceneWidget::fail(const QString& detail)
 {
     qWarning("No picture of a tooth can be drawn: %s.", qPrintable(detail));
-    m_whyNot = new QLabel(m_sentence, this);
-    m_whyNot->setWordWrap(true);
-    m_whyNot->setAlignment(Qt::AlignCenter);
-    m_whyNot->setMargin(kMarginPx);
+    m_whyNot = new QWidget(this);
+    m_whyNot->setPalette(shell::roomPalette());
     m_whyNot->setAutoFillBackground(true);
+    auto* icon = new QLabel(m_whyNot);
+    icon->setPixmap(shell::linePixmap(QStringLiteral("tooth"), m_whyNot->palette().color(QPalette::PlaceholderText),
+                                      kWhyNotIconPx, devicePixelRatioF()));
+    icon->setAlignment(Qt::AlignCenter);
+    //: Heading where a picture would be; a sentence below says why
+    auto* heading = new QLabel(tr("No picture"), m_whyNot);
+    heading->setFont(shell::typeface(shell::kTitle, QFont::DemiBold));
+    heading->setAlignment(Qt::AlignCenter);
+    auto* sentence = new QLabel(m_sentence, m_whyNot);
+    sentence->setFont(shell::typeface(shell::kBody));
+    sentence->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    sentence->setWordWrap(true);
+    sentence->setObjectName(QStringLiteral("whyNot"));
+    // Made before this widget has its place in a window, they would keep the application's colours.
+    for (QLabel* words : {heading, sentence})
+        words->setPalette(shell::roomPalette());
+    auto* column = new QVBoxLayout;
+    column->setSpacing(shell::kSpace2);
+    column->addStretch(1);
+    column->addWidget(icon);
+    column->addWidget(heading);
+    column->addWidget(sentence);
+    column->addStretch(1);
+    auto* middle = new QWidget(m_whyNot);
+    middle->setMaximumWidth(kWhyNotWidthPx);
+    middle->setLayout(column);
+    auto* row = new QHBoxLayout(m_whyNot);
+    row->addStretch(1);
+    row->addWidget(middle, 1000);
+    row->addStretch(1);
     m_whyNot->setGeometry(rect());
     m_whyNot->show();
     setCursor(Qt::ArrowCursor);

@@ -9,7 +9,6 @@
 #include <QTimer>
 #include <QWidget>
 
-class QLabel;
 class QPainter;
 
 namespace ui::render {
@@ -82,7 +81,7 @@ private:
 
     std::unique_ptr<render::Canvas> m_canvas;  ///< of a picture that comes as an image, once one was drawn
     ScenePane* m_pane = nullptr;               ///< what shows pictures otherwise
-    QLabel* m_whyNot = nullptr;
+    QWidget* m_whyNot = nullptr;               ///< stands in the place of a picture that cannot be drawn
     QString m_sentence;
     QTimer m_still;  ///< nothing has moved for a while
     bool m_smoothWanted = false;
