@@ -4,6 +4,7 @@
 #include <QAbstractSlider>
 #include <QAccessible>
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
@@ -43,6 +44,7 @@
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
+#include "ui/shell/StereoCard.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
@@ -79,6 +81,7 @@ private slots:
     void rubbishInTheMemoryCountsAsNothing();
     void swatchesFollowTheColoursOfTheTooth();
     void theSectionIsShownAndTurned();
+    void theStereoPageHasAWayBack();
     void theXrayPageOpensAndSaves();
     void oneOfTheDepthColoursIsShown();
     void whatALessonLocksRests();
@@ -539,6 +542,43 @@ void TestMainWindow::theSectionIsShownAndTurned()
     QCOMPARE(section->angleDeg(), 105);
     press(Qt::Key_X);
     QVERIFY(!section->isVisible());
+}
+
+void TestMainWindow::theStereoPageHasAWayBack()
+{
+    using ui::render::Stereo;
+    auto* card = child<StereoCard>();
+    auto* mode = card->findChild<QComboBox*>();
+    const auto shown = [this] { return m_window->view().settings().presentation; };
+    const auto before = shown();
+    QCOMPARE(before.stereo, Stereo::Off);
+    press(Qt::Key_S, Qt::ShiftModifier);
+    QVERIFY(card->isVisible());
+    QCOMPARE(shown().stereo, Stereo::RedCyan);
+    mode->setCurrentIndex(2);
+    QCOMPARE(shown().stereo, Stereo::SideBySide);
+    for (QSlider* slider : card->findChildren<QSlider*>())
+        slider->setValue(slider->maximum());
+    QVERIFY(shown().apart > before.apart);
+    // Asked for twice, it does not take its own doing for what was there before.
+    actions().stereoPage->trigger();
+    press(Qt::Key_Escape);
+    QVERIFY(!card->isVisible());
+    QVERIFY(shown() == before);
+    QVERIFY(!actions().stereo->isChecked());
+    press(Qt::Key_S);
+    QCOMPARE(shown().stereo, Stereo::RedCyan);
+    press(Qt::Key_S);
+    press(Qt::Key_S, Qt::ShiftModifier);
+    mode->setCurrentIndex(3);
+    QTest::mouseClick(card->findChild<QPushButton*>("cancelStereo"), Qt::LeftButton);
+    QVERIFY(!card->isVisible());
+    QVERIFY(shown() == before);
+    press(Qt::Key_S, Qt::ShiftModifier);
+    mode->setCurrentIndex(2);
+    QTest::mouseClick(card->findChild<QPushButton*>("keepStereo"), Qt::LeftButton);
+    QVERIFY(!card->isVisible());
+    QCOMPARE(shown().stereo, Stereo::SideBySide);
 }
 
 void TestMainWindow::theXrayPageOpensAndSaves()

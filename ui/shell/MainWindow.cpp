@@ -302,7 +302,7 @@ void MainWindow::connectView()
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
     take(m_viewMenu->settings());
     connect(m_viewMenu, &ViewMenu::stereoPageWanted, this, [this] {
-        m_stereoCard->open(m_viewMenu->settings().presentation);
+        m_stereoCard->open(m_viewMenu->settings().presentation, m_viewMenu->stereoWay());
         placeOverlays();
     });
     connect(m_stereoCard, &StereoCard::changed, m_viewMenu, &ViewMenu::setStereo);
@@ -424,7 +424,7 @@ void MainWindow::goBack()
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
     } else if (m_stereoCard->isVisible()) {
-        emit m_stereoCard->done();
+        m_stereoCard->cancel();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {

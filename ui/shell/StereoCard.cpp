@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -52,6 +53,10 @@ StereoCard::StereoCard(QWidget* parent)
     auto* ready = new QPushButton(tr("Done"), this);
     ready->setProperty("kind", "filled");
     auto* off = new QPushButton(tr("Without stereo"), this);
+    auto* back = new QPushButton(tr("Cancel"), this);
+    back->setToolTip(tr("Leave everything as it was before (Esc)"));
+    back->setObjectName(QStringLiteral("cancelStereo"));
+    ready->setObjectName(QStringLiteral("keepStereo"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     grid->setVerticalSpacing(kSpace2);
@@ -71,11 +76,17 @@ StereoCard::StereoCard(QWidget* parent)
     grid->addWidget(words(tr("3. Move the tooth before or behind the screen until you see it without effort."), this),
                     row++, 0, 1, 2);
     grid->addWidget(m_convergence, row++, 0, 1, 2);
-    grid->addWidget(off, row, 0);
-    grid->addWidget(ready, row, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    buttons->addWidget(off);
+    buttons->addStretch(1);
+    buttons->addWidget(back);
+    buttons->addWidget(ready);
+    grid->addLayout(buttons, row, 0, 1, 2);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &StereoCard::tell);
     connect(m_apart, &QSlider::valueChanged, this, &StereoCard::tell);
     connect(m_convergence, &QSlider::valueChanged, this, &StereoCard::tell);
+    connect(back, &QPushButton::clicked, this, &StereoCard::cancel);
     connect(ready, &QPushButton::clicked, this, &StereoCard::done);
     connect(off, &QPushButton::clicked, this, [this] {
         emit changed(render::Stereo::Off, m_apart->value() * kPerMille, m_convergence->value() * kPerMille);
@@ -84,11 +95,16 @@ StereoCard::StereoCard(QWidget* parent)
     hide();
 }
 
-void StereoCard::open(const render::Presentation& now)
+void StereoCard::open(const render::Presentation& now, render::Stereo way)
 {
+    // Asked for again while it is open, it still knows the way back.
+    if (isHidden()) {
+        m_before = now;
+        m_wayBefore = way;
+    }
     {
         const QSignalBlocker quiet(this);
-        m_mode->setCurrentIndex(std::max(0, static_cast<int>(now.stereo) - 1));
+        m_mode->setCurrentIndex(static_cast<int>(now.stereo == render::Stereo::Off ? way : now.stereo) - 1);
         m_apart->setValue(static_cast<int>(std::lround(now.apart / kPerMille)));
         m_convergence->setValue(static_cast<int>(std::lround(now.convergence / kPerMille)));
     }
@@ -97,6 +113,14 @@ void StereoCard::open(const render::Presentation& now)
     raise();
     m_mode->setFocus();
     tell();
+}
+
+void StereoCard::cancel()
+{
+    // The way to the eyes first, which stays for the next time where stereo was off.
+    emit changed(m_wayBefore, m_before.apart, m_before.convergence);
+    emit changed(m_before.stereo, m_before.apart, m_before.convergence);
+    emit done();
 }
 
 void StereoCard::tell()

@@ -19,8 +19,11 @@ class StereoCard : public QFrame
 public:
     explicit StereoCard(QWidget* parent);
 
-    /// Shows itself with these values.
-    void open(const render::Presentation& now);
+    /// Shows itself with these values, and the picture in stereo.
+    /// @param way  to the eyes, where stereo is off
+    void open(const render::Presentation& now, render::Stereo way);
+    /// Brings back what was there before it was opened, and closes.
+    void cancel();
 
 signals:
     void changed(ui::render::Stereo stereo, double apart, double convergence);
@@ -32,6 +35,8 @@ private:
     QComboBox* m_mode;
     QSlider* m_apart;
     QSlider* m_convergence;
+    render::Presentation m_before;                         ///< when it was opened
+    render::Stereo m_wayBefore = render::Stereo::RedCyan;  ///< to the eyes
 };
 
 }  // namespace ui::shell
