@@ -51,6 +51,9 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     m_menu->addSeparator();
     for (QAction* action : {actions.savePicture, actions.reducedMotion})
         m_menu->addAction(action);
+    // Beside a drawing a check mark would shrink to a faint box around it.
+    for (QAction* action : this->actions())
+        action->setIconVisibleInMenu(false);
     read();
     for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
                             actions.idealColours, actions.handPlace, actions.distinctColours, actions.wetLook,
