@@ -23,6 +23,7 @@ private slots:
     void aRightToothIsNamedButNotChosen();
     void keysWalkAlongTheArch();
     void doubleClickAndEnterTakeTheTooth();
+    void withLessMotionAZoomIsThereAtOnce();
     void theJawInTheWayIsLeftOut();
     void hiddenJawComesBackForTheKeys();
     void gizmoPutsLettersWhereTheSidesAre();
@@ -104,6 +105,23 @@ void TestMouth::doubleClickAndEnterTakeTheTooth()
     QTest::keyClick(m_mouth.get(), Qt::Key_Return);
     QCOMPARE(taken.count(), 2);
     QCOMPARE(taken.back().front().toInt(), m_mouth->selected());
+}
+
+void TestMouth::withLessMotionAZoomIsThereAtOnce()
+{
+    const double before = m_mouth->camera().distanceMm();
+    m_mouth->setMovesLittle(true);
+    QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
+    const double after = m_mouth->camera().distanceMm();
+    QVERIFY(after < 0.95 * before);
+    QTest::qWait(200);
+    QCOMPARE(m_mouth->camera().distanceMm(), after);
+    // Otherwise it takes its time to come to the same place.
+    QTest::keyClick(m_mouth.get(), Qt::Key_Home);
+    m_mouth->setMovesLittle(false);
+    QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
+    QVERIFY(m_mouth->camera().distanceMm() > after);
+    QTRY_COMPARE(m_mouth->camera().distanceMm(), after);
 }
 
 void TestMouth::theJawInTheWayIsLeftOut()

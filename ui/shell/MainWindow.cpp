@@ -298,6 +298,7 @@ void MainWindow::connectView()
         m_view->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
+        m_chooser->setMovesLittle(settings.movesLittle);
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
     take(m_viewMenu->settings());

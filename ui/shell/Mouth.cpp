@@ -263,6 +263,11 @@ void Mouth::zoom(double steps)
 {
     m_fitted = false;
     m_camera.zoom(steps);
+    if (m_movesLittle) {
+        m_camera.advance(tooth::kAtOnceS);
+        redraw();
+        return;
+    }
     m_sinceZoom.start();
     m_zooming.start();
 }

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] static bool isPossible();
 
     void setSelected(int fdi);  ///< 0: none
+    /// Reduced motion: a zoom is there at once.
+    void setMovesLittle(bool little) { m_movesLittle = little; }
     [[nodiscard]] int selected() const { return m_selected; }
     [[nodiscard]] int hovered() const { return m_hovered; }
     /// The teeth are there, and drawn from the next picture on.
@@ -88,6 +90,7 @@ private:
     int m_hovered = 0;
     tooth::Jaws m_jawsShown;
     bool m_fitted = true;  ///< until someone zooms
+    bool m_movesLittle = false;
 
     QTimer m_zooming;
     QElapsedTimer m_sinceZoom;

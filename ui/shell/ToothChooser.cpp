@@ -102,6 +102,7 @@ void ToothChooser::showMouth(bool inSpace)
 {
     if (inSpace && m_mouth == nullptr) {
         m_mouth = new Mouth(m_pictures);
+        m_mouth->setMovesLittle(m_movesLittle);
         m_pictures->addWidget(m_mouth);
         connect(m_mouth, &Mouth::selectionChanged, this, [this](int fdi) {
             m_arches->setSelected(fdi);
@@ -120,6 +121,13 @@ void ToothChooser::showMouth(bool inSpace)
     m_row->setStretch(m_row->count() - 1, inSpace ? 0 : 1);
     m_pictures->setCurrentWidget(inSpace ? static_cast<QWidget*>(m_mouth) : m_arches);
     takeFocus();
+}
+
+void ToothChooser::setMovesLittle(bool little)
+{
+    m_movesLittle = little;
+    if (m_mouth != nullptr)
+        m_mouth->setMovesLittle(little);
 }
 
 void ToothChooser::takeFocus()

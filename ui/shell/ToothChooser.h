@@ -23,6 +23,8 @@ public:
     void setPresent(int fdi);
     /// The whole mouth in space in place of the flat arches. Only where Mouth::isPossible().
     void showMouth(bool inSpace);
+    /// Reduced motion.
+    void setMovesLittle(bool little);
     [[nodiscard]] bool isMouthShown() const { return m_mouthShown; }
 
 signals:
@@ -46,6 +48,7 @@ private:
     QPushButton* m_other;  ///< from the flat arches to the mouth and back
     int m_present = 0;
     bool m_mouthShown = false;
+    bool m_movesLittle = false;
 };
 
 }  // namespace ui::shell

@@ -11,6 +11,8 @@
 
 namespace ui::tooth {
 
+inline constexpr double kAtOnceS = 10.0;  ///< in which whatever glides has come to its end
+
 /// A camera on a sphere around the point it looks at, upright: from afar the middle of the crown, nearer by what was
 /// zoomed to. Plain arithmetic, no OpenGL.
 ///

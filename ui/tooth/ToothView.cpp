@@ -46,7 +46,6 @@ constexpr int kGizmoInPx = 16;
 constexpr double kLiftFollowS = 0.05;
 constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
 constexpr int kTurnEveryMs = 33;       ///< while nothing else asks for a picture
-constexpr double kAtOnceS = 10.0;      ///< in which whatever glides has come to its end
 
 // Keys: one step at once, then a pace that grows while the key is held.
 constexpr double kKeyStepMm = 0.1;
@@ -456,7 +455,8 @@ void ToothView::advanceFrame()
         takeChanges();
     moveByKeys(seconds);
     publishPointer();
-    if (m_camera.advance(m_settings.movesLittle ? kAtOnceS : seconds))
+    const double glidingS = m_settings.movesLittle ? kAtOnceS : seconds;
+    if (m_camera.advance(glidingS))
         redrawMoving();
     if (m_drillOn && !m_settings.movesLittle && showsInstrument()) {
         m_turnRad = std::fmod(m_turnRad + kTurnRadPerS * seconds, 2.0 * std::numbers::pi);
@@ -466,7 +466,7 @@ void ToothView::advanceFrame()
         }
     }
     const double lift = m_surface && m_servo.tick > 0 ? liftMm(*m_surface, m_servo.burIndex, m_servo.anchorMm) : 0.0;
-    const double rest = (m_liftMm - lift) * std::exp(-seconds / kLiftFollowS);
+    const double rest = (m_liftMm - lift) * std::exp(-glidingS / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
         m_liftMm = next;
         redraw();
