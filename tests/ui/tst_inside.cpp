@@ -101,6 +101,7 @@ private slots:
     void theBurHasItsTrueSize();
     void aCutIsOpenAndTheOldSurfaceStays();
     void theColourBlindPaletteHasPatterns();
+    void aPlaneBesideTheToothSaysSo();
     void sidesOfAScanAreNotNamed_data();
     void sidesOfAScanAreNotNamed();
     void theFilmShowsWhatIsDense();
@@ -225,6 +226,27 @@ void TestInside::theColourBlindPaletteHasPatterns()
     QVERIFY(tones.size() >= 2);
     for (const Material a : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
         QVERIFY(shell::materialLook(a).fill != shell::materialLook(a, render::Palette::Distinct).fill);
+}
+
+void TestInside::aPlaneBesideTheToothSaysSo()
+{
+    // The block is 8 mm wide: a plane 6 mm from its middle passes it.
+    const Tooth tooth(block());
+    const QImage beside = painted(sceneOf(tooth, {{0.0, 6.0}, 0.0}));
+    const QImage through = painted(sceneOf(tooth, {{0.0, 0.0}, 0.0}));
+    // Words have tones between theirs and that of the ground; the grid has not.
+    const auto words = [](const QImage& image) {
+        int count = 0;
+        for (int y = 240; y < 380; ++y)
+            for (int x = 40; x < 390; ++x)
+                count += image.pixelColor(x, y) == QColor(0xB6, 0xBD, 0xBF) ? 1 : 0;
+        return count;
+    };
+    QVERIFY(words(beside) > 50);
+    QCOMPARE(words(through), 0);
+    // The grid stays: its lines cross the upper half, and nothing else does.
+    const int lines = beside.width() - countInRow(beside, 123, QColor(0x15, 0x18, 0x1A));
+    QVERIFY2(lines >= 8 && lines <= 30, qPrintable(QString::number(lines)));
 }
 
 void TestInside::sidesOfAScanAreNotNamed_data()

@@ -247,6 +247,28 @@ void paintBur(QPainter& painter, const Frame& frame, const SectionScene& scene)
     painter.drawPolygon(outline);
 }
 
+bool meetsTooth(const Section& section)
+{
+    return std::any_of(section.samples.begin(), section.samples.end(), [](const SectionSample& sample) {
+        return sample.wasTooth || sample.present.begin() != sample.present.end();
+    });
+}
+
+/// In the lower half, out of the way of a bur.
+void paintNothingHere(QPainter& painter, const QRectF& plot)
+{
+    const QString words = QCoreApplication::translate("Section", "The plane does not meet the tooth here.");
+    painter.setFont(shell::typeface(shell::kBody));
+    const QRectF room(plot.left() + 12.0, plot.center().y(), plot.width() - 24.0, 0.4 * plot.height());
+    const int flags = Qt::AlignCenter | Qt::TextWordWrap;
+    const QRectF plate = painter.boundingRect(room, flags, words).adjusted(-10.0, -6.0, 10.0, 6.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(kGround));
+    painter.drawRoundedRect(plate, shell::kRadius, shell::kRadius);
+    painter.setPen(QColor(kWords));
+    painter.drawText(room, flags, words);
+}
+
 void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
 {
     const ToothAnatomy& anatomy = *scene.tooth->anatomy;
@@ -339,6 +361,8 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     paintHeights(painter, section, frame, &SectionSample::originalTopMm, surfacePen());
     if (scene.bur != nullptr)
         paintBur(painter, frame, scene);
+    if (!meetsTooth(section))
+        paintNothingHere(painter, plot);
     painter.setClipRect(area);
     paintLabels(painter, frame);
     paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
