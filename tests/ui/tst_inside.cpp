@@ -224,6 +224,28 @@ void TestInside::theColourBlindPaletteHasPatterns()
         tones << image.pixel(x, surface + 10);
     QVERIFY(tones.contains(blue));
     QVERIFY(tones.size() >= 2);
+    // Dentin has strokes of its own: thinner, and they fall where the decay's rise.
+    const QRgb orange = shell::materialLook(Material::Dentin, render::Palette::Distinct).fill.rgb();
+    const auto strokesIn = [&](int row) {
+        QList<int> places;
+        for (int x = 110; x < 290; ++x)
+            if (image.pixel(x, row) != orange &&
+                (image.pixel(x + 1, row) == orange || image.pixel(x - 1, row) == orange))
+                places << x;
+        return places;
+    };
+    int dentin = surface;
+    while (dentin < image.height() - 20 && image.pixel(111, dentin) != orange && image.pixel(112, dentin) != orange)
+        ++dentin;
+    const QList<int> upper = strokesIn(dentin + 5);
+    const QList<int> lower = strokesIn(dentin + 6);
+    QVERIFY(upper.size() >= 5);
+    int falling = 0;
+    for (const int x : upper)
+        falling += lower.contains(x + 1) && !lower.contains(x - 1) ? 1 : 0;
+    QVERIFY2(falling >= upper.size() / 2, qPrintable(QString("%1 of %2").arg(falling).arg(upper.size())));
+    QVERIFY(shell::materialLook(Material::Dentin, render::Palette::Distinct).pattern !=
+            shell::materialLook(Material::Caries, render::Palette::Distinct).pattern);
     for (const Material a : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
         QVERIFY(shell::materialLook(a).fill != shell::materialLook(a, render::Palette::Distinct).fill);
 }

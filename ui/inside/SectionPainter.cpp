@@ -123,13 +123,16 @@ void paintLabels(QPainter& painter, const Frame& frame)
                      Qt::AlignRight | Qt::AlignVCenter, unit);
 }
 
-/// Whether a pattern has ink at a pixel: strokes that rise to the right, or dots.
+/// Whether a pattern has ink at a pixel: strokes that rise to the right, wide and thin ones that fall, or dots.
 bool hasInk(Qt::BrushStyle pattern, int x, int y)
 {
     constexpr int kStrokesPx = 8;
+    constexpr int kThinStrokesPx = 14;
     constexpr int kDotsPx = 4;
     if (pattern == Qt::BDiagPattern)
         return (x + y) % kStrokesPx < 2;
+    if (pattern == Qt::FDiagPattern)
+        return std::abs(x - y) % kThinStrokesPx == 0;
     return pattern != Qt::NoBrush && x % kDotsPx == 0 && (y + (x / kDotsPx % 2) * kDotsPx / 2) % kDotsPx == 0;
 }
 

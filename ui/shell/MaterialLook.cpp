@@ -20,7 +20,7 @@ constexpr std::array<Look, core::terrain::kMaterialCount> kNatural{{{0xFF5B3A1E,
                                                                     {0xFFC75A62, 0xFFFFFFFF, Qt::NoBrush}}};
 constexpr std::array<Look, core::terrain::kMaterialCount> kColourBlind{{{0xFF0072B2, 0xFFFFFFFF, Qt::BDiagPattern},
                                                                         {0xFFF0E442, 0xFF1A2223, Qt::NoBrush},
-                                                                        {0xFFE69F00, 0xFF1A2223, Qt::NoBrush},
+                                                                        {0xFFE69F00, 0xFF1A2223, Qt::FDiagPattern},
                                                                         {0xFFCC79A7, 0xFF1A2223, Qt::Dense6Pattern}}};
 
 }  // namespace
