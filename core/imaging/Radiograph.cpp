@@ -227,10 +227,10 @@ std::vector<float> quantaOn(const Shadow& shadow, const Exposure& exposure)
     return quanta;
 }
 
-double lightThroughFilm(double quanta, double pixelMm)
+double opticalDensity(double quanta, double pixelMm)
 {
-    const double hits = quanta / (kQuantaPerMm2 * pixelMm * pixelMm);
-    return std::pow(10.0, -(kFog + (kBlackest - kFog) * (1.0 - std::exp(-hits))));
+    const double hits = kHitsAtExposure1 * quanta / (kQuantaPerMm2 * pixelMm * pixelMm);
+    return kFog + (kBlackest - kFog) * (1.0 - std::exp(-hits));
 }
 
 }  // namespace core::imaging

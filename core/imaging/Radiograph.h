@@ -80,12 +80,18 @@ struct Exposure
 /// fast dental film; films differ by several times.
 inline constexpr double kQuantaPerMm2 = 4.0e5;
 
+/// Hits of a grain of the film by that many quanta: its speed. With four of them the air beside a molar is all but as
+/// black as the film can become, and the crown, which lets about a sixth of the beam through, lies where the curve of
+/// opticalDensity() is steep: films are exposed so that it does.
+inline constexpr double kHitsAtExposure1 = 4.0;
+
 /// Quanta caught in each pixel: Beer-Lambert, and with a seed its noise, which grows with the square root of their
 /// number (a normal distribution stands for Poisson's: pixels catch tens and more). The same seed gives the same film.
 [[nodiscard]] std::vector<float> quantaOn(const Shadow& shadow, const Exposure& exposure);
 
-/// Light that a developed film lets through on a light box, 0 .. 1, of the quanta caught in a pixel. A grain is black
-/// once hit, so the optical density is fog + (most - fog) * (1 - exp(-hits)): straight at first, then saturating.
-[[nodiscard]] double lightThroughFilm(double quanta, double pixelMm);
+/// Optical density (minus the decimal logarithm of the share of light that passes) of a developed film where a pixel
+/// caught these quanta, 0.2 (fog) .. 3. A grain is black once hit, so the density is
+/// fog + (most - fog) * (1 - exp(-hits)): straight at first, then saturating.
+[[nodiscard]] double opticalDensity(double quanta, double pixelMm);
 
 }  // namespace core::imaging

@@ -105,6 +105,7 @@ private slots:
     void sidesOfAScanAreNotNamed_data();
     void sidesOfAScanAreNotNamed();
     void theFilmShowsWhatIsDense();
+    void theDecayOfTheUsualToothIsSeen();
     void thePanelFollowsTheBur();
     void thePlaneIsChosenAndTurned();
     void filmsAreDevelopedAndSaved();
@@ -325,6 +326,40 @@ void TestInside::theFilmShowsWhatIsDense()
     const int pulp = grey(0.0, -6.0);
     qInfo("grey of enamel %d, dentin %d, pulp %d, air %d", enamel, dentin, pulp, air);
     QVERIFY(enamel > dentin + 20 && dentin > pulp + 20 && pulp > air);
+}
+
+void TestInside::theDecayOfTheUsualToothIsSeen()
+{
+    core::teeth::BuildOptions options;
+    const auto decayed = core::teeth::buildTooth({36}, options);
+    options.caries.reset();
+    const auto sound = core::teeth::buildTooth({36}, options);
+    QVERIFY(decayed.has_value() && sound.has_value());
+    const auto film = [](const Tooth& tooth) {
+        const core::imaging::XrayedTooth one{&tooth};
+        const core::imaging::FilmArea area = core::imaging::shadowArea(std::span(&one, 1), {}, 1.0);
+        return inside::radiographPicture(std::span(&one, 1), {}, area, inside::kFilmPixelMm, {});
+    };
+    const QImage with = film(Tooth(decayed->anatomy));
+    const QImage without = film(Tooth(sound->anatomy));
+    QCOMPARE(with.size(), without.size());
+    int most = 0;
+    int lightest = 0;
+    int seen = 0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x) {
+            const int darker = qGray(without.pixel(x, y)) - qGray(with.pixel(x, y));
+            most = std::max(most, darker);
+            seen += darker >= 10 ? 1 : 0;
+            lightest = std::max(lightest, qGray(with.pixel(x, y)));
+        }
+    const double seenMm2 = seen * inside::kFilmPixelMm * inside::kFilmPixelMm;
+    qInfo("air %d, lightest %d; decay darker by at most %d, by 10 or more on %.2f mm2", qGray(with.pixel(3, 3)),
+          lightest, most, seenMm2);
+    QVERIFY(qGray(with.pixel(3, 3)) <= 4);
+    QVERIFY(lightest > 200 && lightest < 255);
+    QVERIFY(most >= 30);
+    QVERIFY(seenMm2 > 1.0);
 }
 
 void TestInside::thePanelFollowsTheBur()

@@ -8,10 +8,14 @@
 namespace ui::inside {
 namespace {
 
-/// A share of the light box's light as the screen wants it (sRGB).
-int grey(double light)
+/// The scanner's window: nothing of a tooth that is rightly exposed is lighter than the first density, and the air
+/// beside it has the second.
+constexpr double kWhiteDensity = 0.6;
+constexpr double kBlackDensity = 2.95;
+
+int grey(double density)
 {
-    const double shown = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
+    const double shown = (kBlackDensity - density) / (kBlackDensity - kWhiteDensity);
     return static_cast<int>(std::lround(255.0 * std::clamp(shown, 0.0, 1.0)));
 }
 
@@ -22,15 +26,14 @@ QImage radiographPicture(std::span<const core::imaging::XrayedTooth> teeth, cons
 {
     const core::imaging::Shadow shadow = core::imaging::castShadow(teeth, beam, area, pixelMm);
     const std::vector<float> quanta = core::imaging::quantaOn(shadow, exposure);
-    const double brightest = core::imaging::lightThroughFilm(0.0, pixelMm);
     QImage picture(shadow.width, shadow.height, QImage::Format_Grayscale8);
     for (int row = 0; row < shadow.height; ++row) {
         uchar* line = picture.scanLine(row);
         for (int column = 0; column < shadow.width; ++column) {
             const auto k = static_cast<std::size_t>(row) * static_cast<std::size_t>(shadow.width) +
                            static_cast<std::size_t>(column);
-            line[column] = static_cast<uchar>(
-                grey(core::imaging::lightThroughFilm(static_cast<double>(quanta[k]), pixelMm) / brightest));
+            line[column] =
+                static_cast<uchar>(grey(core::imaging::opticalDensity(static_cast<double>(quanta[k]), pixelMm)));
         }
     }
     return picture;
