@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/HelpOverlay.h"
 
-#include <QGridLayout>
+#include <algorithm>
+#include <utility>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 
 namespace ui::shell {
 namespace {
+
+constexpr int kMostColumns = 3;
+constexpr int kGapPx = 32;
+constexpr int kColumnPx = 330;  ///< at least
+constexpr int kWidestColumnPx = 400;
+constexpr int kScrollBarPx = 16;
 
 struct Gesture
 {
@@ -61,7 +69,9 @@ QWidget* rowOf(QWidget* parent, const QString& words, const QStringList& keys)
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kSpace1);
-    row->addWidget(new QLabel(words, whole), 1);
+    auto* doing = new QLabel(words, whole);
+    doing->setWordWrap(true);
+    row->addWidget(doing, 1);
     for (const QString& key : keys)
         row->addWidget(keyCap(key, whole));
     return whole;
@@ -70,7 +80,7 @@ QWidget* rowOf(QWidget* parent, const QString& words, const QStringList& keys)
 }  // namespace
 
 HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
-    : QWidget(parent), m_card(new QFrame(this)), m_close(new QToolButton(this))
+    : QWidget(parent), m_card(new QFrame(this)), m_close(new QToolButton(this)), m_content(new QWidget(m_card))
 {
     setAccessibleName(actions.help->text());
     m_card->setProperty("kind", "card");
@@ -86,28 +96,15 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     head->addWidget(title, 1);
     head->addWidget(m_close);
 
-    // Two columns; each group goes whole into the shorter one.
-    auto* content = new QWidget(m_card);
-    auto* columns = new QHBoxLayout(content);
-    columns->setContentsMargins(0, 0, kSpace2, 0);
-    columns->setSpacing(2 * kSpace6);
-    QList<QVBoxLayout*> column;
-    QList<qsizetype> filled{0, 0};
-    for (int k = 0; k < 2; ++k) {
-        column.push_back(new QVBoxLayout);
-        column[k]->setSpacing(kSpace1);
-        columns->addLayout(column[k], 1);
-    }
-    qsizetype lastFilled = 0;
-    const auto place = [&](const QString& words, const QList<QWidget*>& rows) {
-        const qsizetype k = filled[0] <= filled[1] ? 0 : 1;
-        lastFilled = k;
-        if (filled[k] > 0)
-            column[k]->addSpacing(kSpace4);
-        column[k]->addWidget(heading(words, content));
+    const auto place = [this](const QString& words, const QList<QWidget*>& rows) {
+        auto* group = new QWidget(m_content);
+        auto* lines = new QVBoxLayout(group);
+        lines->setContentsMargins(0, 0, 0, kSpace4);
+        lines->setSpacing(kSpace1);
+        lines->addWidget(heading(words, group));
         for (QWidget* row : rows)
-            column[k]->addWidget(row);
-        filled[k] += rows.size() + 2;
+            lines->addWidget(row);
+        m_groups << group;
     };
     for (const Actions::Group& group : actions.groups()) {
         QList<QWidget*> rows;
@@ -115,7 +112,7 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
             QStringList keys;
             for (const QKeySequence& key : action->shortcuts())
                 keys << key.toString(QKeySequence::NativeText);
-            rows << rowOf(content, action->text(), keys);
+            rows << rowOf(m_content, action->text(), keys);
             QWidget* row = rows.back();
             const auto follow = [row, action] { row->setVisible(action->isVisible()); };
             follow();
@@ -125,40 +122,70 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     }
     QList<QWidget*> rows;
     for (const Gesture& gesture : gestures())
-        rows << rowOf(content, gesture.doing, gesture.with);
-    place(tr("Over the tooth"), rows);
+        rows << rowOf(m_content, gesture.doing, gesture.with);
     auto* force =
         new QLabel(tr("The teal arc beside the bur shows how hard it presses; it is full at the force that is "
                       "set."),
-                   content);
+                   m_content);
     force->setWordWrap(true);
     force->setForegroundRole(QPalette::PlaceholderText);
-    column[lastFilled]->addSpacing(kSpace1);
-    column[lastFilled]->addWidget(force);
-    for (QVBoxLayout* each : column)
-        each->addStretch(1);
-
-    auto* scroll = new QScrollArea(m_card);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->viewport()->setAutoFillBackground(false);
-    content->setAutoFillBackground(false);
+    rows << force;
+    place(tr("Over the tooth"), rows);
 
     auto* inside = new QVBoxLayout(m_card);
     inside->setContentsMargins(kSpace6, kSpace4, kSpace4, kSpace6);
     inside->setSpacing(kSpace4);
     inside->addLayout(head);
-    inside->addWidget(scroll, 1);
+    m_scroll = new ScrollPane(m_content, QPalette::Base, m_card);
+    inside->addWidget(m_scroll, 1);
 
-    // As tall as its content, where the window has the room.
-    m_card->setMaximumSize(960, content->sizeHint().height() + title->sizeHint().height() + 5 * kSpace4 + kSpace6);
-    m_card->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    auto* centre = new QGridLayout(this);
-    centre->setContentsMargins(2 * kSpace6, 2 * kSpace6, 2 * kSpace6, 2 * kSpace6);
-    centre->addWidget(m_card, 0, 0);
     hide();
+}
+
+/// The groups in columns of about the same height, in their order. The card is as tall as they are, where the window
+/// has the room.
+void HelpOverlay::arrange()
+{
+    const QMargins around = m_card->layout()->contentsMargins();
+    const QSize room = size() - QSize(2 * kSpace6, 2 * kSpace6);
+    const int chromePx = around.left() + around.right() + kScrollBarPx;
+    const int columns = std::clamp((room.width() - chromePx + kGapPx) / (kColumnPx + kGapPx), 1, kMostColumns);
+    if (columns != std::exchange(m_columns, columns))
+        fill(columns);
+    const int widest = columns * kWidestColumnPx + (columns - 1) * kGapPx + chromePx;
+    const int width = std::min(room.width(), widest);
+    const int rest = m_card->sizeHint().height() - m_scroll->sizeHint().height();
+    const int wanted = rest + m_content->layout()->totalHeightForWidth(width - chromePx);
+    const QSize card(width, std::min(room.height(), wanted));
+    m_card->setGeometry(QRect(QPoint((this->width() - card.width()) / 2, (height() - card.height()) / 2), card));
+}
+
+void HelpOverlay::fill(int columns)
+{
+    delete m_content->layout();
+    auto* row = new QHBoxLayout(m_content);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGapPx);
+    int left = 0;
+    for (const QWidget* group : m_groups)
+        left += group->sizeHint().height();
+    qsizetype next = 0;
+    for (int k = columns; k > 0; --k) {
+        auto* column = new QVBoxLayout;
+        column->setSpacing(0);
+        row->addLayout(column, 1);
+        const int share = left / k;
+        for (int filled = 0; next < m_groups.size(); ++next) {
+            const int height = m_groups[next]->sizeHint().height();
+            // Whichever comes nearer to the share: with this group, or without it.
+            if (k > 1 && filled > 0 && filled + height - share > share - filled)
+                break;
+            column->addWidget(m_groups[next]);
+            filled += height;
+            left -= height;
+        }
+        column->addStretch(1);
+    }
 }
 
 void HelpOverlay::paintEvent(QPaintEvent*)
@@ -172,8 +199,15 @@ void HelpOverlay::mousePressEvent(QMouseEvent* event)
         emit leftByClick();
 }
 
+void HelpOverlay::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
 void HelpOverlay::showEvent(QShowEvent* event)
 {
+    arrange();
     m_close->setFocus();
     QWidget::showEvent(event);
 }

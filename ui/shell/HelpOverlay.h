@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QList>
 #include <QWidget>
 
 class QToolButton;
@@ -9,8 +10,10 @@ class QToolButton;
 namespace ui::shell {
 
 class Actions;
+class ScrollPane;
 
-/// What every key does, made from the action table, and what the mouse does over the tooth. Lies over the window.
+/// What every key does, made from the action table, and what the mouse does over the tooth. Lies over the window, in
+/// as many columns as there is room for.
 class HelpOverlay : public QWidget
 {
     Q_OBJECT
@@ -24,11 +27,19 @@ signals:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
+    void arrange();
+    void fill(int columns);
+
     QFrame* m_card;
     QToolButton* m_close;
+    QWidget* m_content;
+    ScrollPane* m_scroll = nullptr;
+    QList<QWidget*> m_groups;  ///< a heading with its rows
+    int m_columns = 0;         ///< in which the groups stand now
 };
 
 }  // namespace ui::shell

@@ -9,7 +9,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSlider>
 #include <QVBoxLayout>
 
@@ -18,6 +17,7 @@
 #include "ui/shell/DrillSwitch.h"
 #include "ui/shell/ForceBar.h"
 #include "ui/shell/MaterialSwatch.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
@@ -67,9 +67,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     setFixedWidth(kWidthPx);
 
     auto* content = new QWidget;
-    content->setAutoFillBackground(false);
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace2);
     column->setSpacing(kSpace2);
 
     column->addWidget(new DrillSwitch(actions.drill, content));
@@ -107,6 +106,9 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
     column->addWidget(quietLabel(tr("Removed"), content));
+    auto* volumes = new QVBoxLayout;
+    volumes->setSpacing(kSpace1);
+    column->addLayout(volumes);
     const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace2);
@@ -118,7 +120,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         row->addWidget(words);
         row->addStretch(1);
         row->addWidget(value);
-        column->addLayout(row);
+        volumes->addLayout(row);
         return value;
     };
     const auto addMaterial = [&](Material material, const char* objectName) {
@@ -171,15 +173,9 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->addWidget(m_push);
     column->addStretch(1);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->viewport()->setAutoFillBackground(false);
     auto* fill = new QVBoxLayout(this);
     fill->setContentsMargins(0, 0, 0, 0);
-    fill->addWidget(scroll);
+    fill->addWidget(new ScrollPane(content, QPalette::Base, this));
 
     setPushForce(1.0);
     setFigures({}, {}, {});
