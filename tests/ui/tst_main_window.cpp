@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
@@ -17,11 +18,13 @@
 #include <QScopeGuard>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QTranslator>
 
 #include "core/drilling/Bur.h"
@@ -33,6 +36,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/BusyCard.h"
+#include "ui/shell/FoldingBar.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/MainWindow.h"
@@ -43,6 +47,7 @@
 #include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/ScorePage.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
 #include "ui/shell/TabularLabel.h"
@@ -134,6 +139,8 @@ private slots:
     void tabReachesEveryButtonOfTheRoom();
     void nothingIsClipped_data();
     void nothingIsClipped();
+    void wordsFoldWhereThereIsNoRoom();
+    void whatIsBelowIsPointedAt();
     void coloursCanBeRead();
     void everyDrawingExists();
 
@@ -1361,7 +1368,7 @@ void TestMainWindow::theFirstWindowFitsTheScreen_data()
     QTest::newRow("small, with a task bar") << QSize(1024, 560) << QSize(1016, 520);
     QTest::newRow("laptop") << QSize(1366, 768) << QSize(1280, 728);
     QTest::newRow("large") << QSize(1920, 1080) << QSize(1280, 800);
-    QTest::newRow("less than any page needs") << QSize(640, 480) << QSize(960, 500);
+    QTest::newRow("less than any page needs") << QSize(640, 480) << QSize(800, 460);
 }
 
 void TestMainWindow::theFirstWindowFitsTheScreen()
@@ -1449,7 +1456,8 @@ void TestMainWindow::nothingIsClipped_data()
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
     for (const QString language : {"en", "de"})
-        for (const QSize size : {QSize(960, 500), QSize(1016, 552), QSize(1280, 800), QSize(1920, 1080)})
+        for (const QSize size :
+             {QSize(800, 460), QSize(853, 533), QSize(960, 600), QSize(1016, 552), QSize(1280, 760), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
 }
 
@@ -1474,6 +1482,12 @@ void TestMainWindow::nothingIsClipped()
                 continue;
             if (qobject_cast<ArchTooth*>(widget) != nullptr)
                 continue;
+            bool scrolls = false;
+            for (const QWidget* holder = widget; holder != nullptr; holder = holder->parentWidget())
+                scrolls = scrolls || qobject_cast<const ScrollPane*>(holder) != nullptr;
+            if (!scrolls && !window.rect().contains(QRect(widget->mapTo(&window, QPoint()), widget->size())))
+                return QString("%1: %2 '%3' lies outside")
+                    .arg(page, widget->metaObject()->className(), widget->accessibleName());
             const bool wraps = label != nullptr && label->wordWrap();
             const QSize wanted = wraps ? QSize(0, label->heightForWidth(widget->width())) : widget->sizeHint();
             if (widget->width() < wanted.width() || widget->height() < wanted.height())
@@ -1487,8 +1501,13 @@ void TestMainWindow::nothingIsClipped()
         }
         return QString();
     };
+    const QString folder = QStringLiteral(CUSP_BINARY_DIR "/pictures");
+    QVERIFY(QDir().mkpath(folder));
     const auto check = [&](const char* page) {
-        QTest::qWait(20);
+        QTest::qWait(50);
+        // For looking at; a usual size and the smallest are enough.
+        if (size.width() == 1280 || size.width() == 853)
+            window.grab().save(QString("%1/%2-%3-%4.png").arg(folder, page, language).arg(size.width()));
         QTRY_VERIFY2(clipped(page).isEmpty(), qPrintable(clipped(page)));
     };
     auto* a = window.findChild<Actions*>();
@@ -1500,7 +1519,11 @@ void TestMainWindow::nothingIsClipped()
     check("practice");
     a->section->trigger();
     check("section");
+    QVERIFY2(window.view().width() >= 220, qPrintable(QString::number(window.view().width())));
     a->section->trigger();
+    a->stereoPage->trigger();
+    check("stereo");
+    a->back->trigger();
     const auto* figures = window.findChild<SidePanel*>()->findChild<QScrollArea*>();
     QVERIFY2(figures->widget()->width() <= figures->viewport()->width(),
              qPrintable(QString::number(figures->widget()->width())));
@@ -1528,23 +1551,67 @@ void TestMainWindow::nothingIsClipped()
                 area->widget()->width() <= area->viewport()->width(),
                 qPrintable(
                     QString("the score is %1 wide in %2").arg(area->widget()->width()).arg(area->viewport()->width())));
-    // The pictures of these pages are for looking at; a usual size and the smallest are enough.
-    if (size.width() != 1280 && size.width() != 960)
-        return;
-    const QString folder = QStringLiteral(CUSP_BINARY_DIR "/pictures");
-    QVERIFY(QDir().mkpath(folder));
-    const auto keep = [&](const char* page) {
-        QTest::qWait(50);
-        window.grab().save(QString("%1/%2-%3-%4.png").arg(folder, page, language).arg(size.width()));
+}
+
+void TestMainWindow::wordsFoldWhereThereIsNoRoom()
+{
+    const auto* undo = child<PracticeRoom>()->findChild<FoldingBar*>("workBar")->findChildren<QToolButton*>().front();
+    QCOMPARE(undo->defaultAction(), actions().undo);
+    m_window->resize(1280, 760);
+    QTRY_COMPARE(undo->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    // One button more than there is room for.
+    QWidget room;
+    FoldingBar bar(&room);
+    QList<QToolButton*> buttons;
+    for (int k = 0; k < 3; ++k) {
+        buttons << barButton(actions().reload, true, &bar);
+        bar.row().addWidget(buttons.back());
+        bar.mayFold(buttons.back());
+    }
+    buttons.back()->hide();
+    room.resize(1000, 60);
+    room.show();
+    bar.resize(900, 52);
+    const int two = bar.row().minimumSize().width();
+    bar.resize(two, 52);
+    QCOMPARE(buttons.front()->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    buttons.back()->show();
+    QCOMPARE(buttons.front()->toolButtonStyle(), Qt::ToolButtonIconOnly);
+    QVERIFY(bar.row().minimumSize().width() <= two);
+    QVERIFY(!buttons.front()->toolTip().isEmpty());
+    bar.resize(2 * two, 52);
+    QCOMPARE(buttons.front()->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+}
+
+void TestMainWindow::whatIsBelowIsPointedAt()
+{
+    const auto* figures = child<SidePanel>()->findChild<ScrollPane*>();
+    const auto* push = child<QSlider>("pushForce");
+    // As it opens on a screen of 1280 x 800 all of the panel is there.
+    m_window->resize(1272, 760);
+    QTRY_VERIFY(!figures->hasMoreBelow());
+    QTRY_COMPARE(push->visibleRegion().boundingRect().size(), push->size());
+    m_window->resize(853, 533);
+    QTRY_VERIFY(figures->hasMoreBelow());
+    const QRect room(figures->viewport()->mapTo(m_window.get(), QPoint()), figures->viewport()->size());
+    const QRect edge(room.left(), room.bottom() - 12, room.width(), 12);
+    const auto tones = [&] {
+        const QImage picture = m_window->grab(edge).toImage();
+        QSet<QRgb> all;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                all << picture.pixel(x, y);
+        return all.size();
     };
-    keep("score");
-    a->back->trigger();
-    keep("practice");
-    a->help->trigger();
-    keep("help");
-    a->back->trigger();
-    a->chooseTooth->trigger();
-    keep("teeth");
+    QVERIFY2(tones() > 3, "an arrow on a plain ground");
+    figures->verticalScrollBar()->setValue(figures->verticalScrollBar()->maximum());
+    QVERIFY(!figures->hasMoreBelow());
+    m_window->resize(1272, 760);
+    press(Qt::Key_F1);
+    const auto* keys = child<HelpOverlay>()->findChild<ScrollPane*>();
+    QTRY_VERIFY(!keys->hasMoreBelow());
+    m_window->resize(853, 533);
+    QTRY_VERIFY(keys->hasMoreBelow());
 }
 
 void TestMainWindow::coloursCanBeRead()

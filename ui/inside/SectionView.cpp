@@ -142,13 +142,13 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     m_dentin =
         addFigure(tr("Dentin left over the pulp"), "sectionDentin",
                   tr("Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there."));
-    m_down = addFigure(tr("From the tip down to the pulp"), "sectionDown",
+    m_down = addFigure(tr("Tip straight down to the pulp"), "sectionDown",
                        tr("Straight down from the tip of the bur. A dash: no pulp there."));
-    m_nearest = addFigure(tr("From the tip to the nearest pulp"), "sectionNearest",
+    m_nearest = addFigure(tr("Tip to the nearest pulp"), "sectionNearest",
                           tr("The shortest way in any direction, also out of the plane of the picture."));
 
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setContentsMargins(kSpace2, kSpace4, kSpace2, kSpace4);
     column->setSpacing(kSpace2);
     column->addLayout(planes);
     column->addLayout(turned);

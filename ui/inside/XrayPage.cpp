@@ -142,7 +142,7 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     outer->addWidget(card);
     auto* row = new QHBoxLayout(card);
     row->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
-    row->setSpacing(kSpace6);
+    row->setSpacing(kSpace4);
 
     const auto segment = [&](const QString& words, const QString& tip, const char* objectName) {
         auto* button = new QPushButton(words, card);

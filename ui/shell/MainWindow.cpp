@@ -50,8 +50,8 @@ constexpr qint64 kWishMs = 500;
 constexpr int kSessionMs = 100;
 constexpr int kQuestionIconPx = 36;
 constexpr QSize kFirstSize{1280, 800};
-/// With a title bar and a task bar it fits a screen of 1024 x 600.
-constexpr QSize kSmallest{960, 500};
+/// Every page works in it. It fits a screen of 1280 x 800 that is enlarged by half.
+constexpr QSize kSmallest{800, 460};
 /// What a title bar and borders take. They are not known before the window is shown.
 constexpr QSize kAroundWindow{8, 40};
 

@@ -2,6 +2,7 @@
 #include "ui/shell/Mouth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <glm/mat3x3.hpp>
@@ -198,7 +199,9 @@ void Mouth::paintMarks(QPainter& painter)
         const QFontMetricsF small(typeface(kSmall));
         const double width =
             std::max(small.horizontalAdvance(offer), QFontMetricsF(typeface(kBody)).horizontalAdvance(name));
-        plate({all.left() - kSpace2, all.top() - kSpace2, std::min(width, all.width()) + 2 * kSpace2 + 1, 92.0});
+        const double lines = small.boundingRect(all, Qt::TextWordWrap, offer).height() / small.height();
+        plate({all.left() - kSpace2, all.top() - kSpace2, std::min(width, all.width()) + 2 * kSpace2 + 1,
+               76.0 + std::ceil(lines - 0.5) * small.height()});
         write(all, Qt::AlignLeft | Qt::AlignTop, QString::number(told), typeface(kFigure, QFont::DemiBold),
               QPalette::WindowText);
         write(all.adjusted(0, 36, 0, 0), Qt::AlignLeft | Qt::AlignTop, name, typeface(kBody), QPalette::WindowText);

@@ -13,6 +13,7 @@
 
 #include "ui/inside/SectionView.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/FoldingBar.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/TabularLabel.h"
@@ -23,7 +24,6 @@
 namespace ui::shell {
 namespace {
 
-constexpr int kBarHeightPx = 52;
 constexpr int kNoticeMs = 8000;
 constexpr int kNoticeIconPx = 32;
 constexpr int kNoticeTopPx = 88;  ///< below the place of a message
@@ -31,16 +31,10 @@ constexpr int kReplayBarPx = 140;
 constexpr int kReplaySteps = 1000;
 constexpr int kFastestReplay = 8;
 constexpr int kSectionPercent = 27;
-constexpr int kNarrowestSectionPx = 344;
+constexpr int kUsualSectionPx = 344;
+constexpr int kNarrowestSectionPx = 300;
 constexpr int kWidestSectionPx = 560;
-
-QFrame* bar(QWidget* parent)
-{
-    auto* frame = new QFrame(parent);
-    frame->setProperty("kind", "bar");
-    frame->setFixedHeight(kBarHeightPx);
-    return frame;
-}
+constexpr int kNarrowestViewPx = 280;
 
 }  // namespace
 
@@ -93,7 +87,7 @@ void PracticeRoom::makeNotice()
     auto* icon = new QLabel(m_notice);
     icon->setPixmap(
         linePixmap(QStringLiteral("warning"), tones(palette()).harmText, kNoticeIconPx, devicePixelRatioF()));
-    row->addWidget(icon);
+    row->addWidget(icon, 0, Qt::AlignTop);
     auto* words = new QVBoxLayout;
     words->setSpacing(0);
     m_noticeWhat = new QLabel(m_notice);
@@ -102,7 +96,9 @@ void PracticeRoom::makeNotice()
     m_noticeToDo = new QLabel(m_notice);
     words->addWidget(m_noticeWhat);
     words->addWidget(m_noticeToDo);
-    row->addLayout(words);
+    for (QLabel* label : {m_noticeWhat, m_noticeToDo})
+        label->setWordWrap(true);
+    row->addLayout(words, 1);
     m_noticeTimer.setSingleShot(true);
     m_noticeTimer.setInterval(kNoticeMs);
     connect(&m_noticeTimer, &QTimer::timeout, this, &PracticeRoom::hideNotice);
@@ -119,7 +115,8 @@ void PracticeRoom::makeReplayCard(const Actions& actions)
     auto* icon = new QLabel(m_replay);
     icon->setPixmap(linePixmap(QStringLiteral("play"), tones(palette()).attention, 20, devicePixelRatioF()));
     row->addWidget(icon);
-    row->addWidget(new QLabel(tr("You are watching a recording"), m_replay));
+    m_replayWords = new QLabel(tr("You are watching a recording"), m_replay);
+    row->addWidget(m_replayWords);
     row->addSpacing(kSpace2);
     m_replayProgress = new QProgressBar(m_replay);
     m_replayProgress->setTextVisible(false);
@@ -162,10 +159,8 @@ void PracticeRoom::showReplaySpeed(int times)
 
 QWidget* PracticeRoom::makeTopBar(const Actions& actions)
 {
-    QFrame* frame = bar(this);
-    auto* row = new QHBoxLayout(frame);
-    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
-    row->setSpacing(kSpace1);
+    auto* frame = new FoldingBar(this);
+    QHBoxLayout* row = &frame->row();
     // Not barButton(): what this one shows is the tooth, not the action's words.
     m_tooth = new QToolButton(frame);
     m_tooth->setProperty("kind", "chooser");
@@ -200,19 +195,22 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
 
 QWidget* PracticeRoom::makeBottomBar(const Actions& actions, ViewMenu& viewMenu)
 {
-    QFrame* frame = bar(this);
-    auto* row = new QHBoxLayout(frame);
-    row->setContentsMargins(kSpace2, 0, kSpace4, 0);
-    row->setSpacing(kSpace1);
-    row->addWidget(barButton(actions.undo, true, frame));
-    row->addWidget(barButton(actions.redo, true, frame));
-    row->addWidget(barButton(actions.reload, true, frame));
-    row->addStretch(1);
-    row->addWidget(barButton(actions.otherHand, true, frame));
-    row->addWidget(barButton(actions.bringHome, true, frame));
-    row->addWidget(viewMenu.makeButton(frame));
-    row->addStretch(1);
-    row->addWidget(pageButton(actions.grade, "filled", frame));
+    auto* frame = new FoldingBar(this);
+    frame->setObjectName(QStringLiteral("workBar"));
+    QHBoxLayout& row = frame->row();
+    row.setContentsMargins(kSpace2, 0, kSpace4, 0);
+    const auto add = [&](QToolButton* button) {
+        row.addWidget(button);
+        frame->mayFold(button);
+    };
+    for (QAction* action : {actions.undo, actions.redo, actions.reload})
+        add(barButton(action, true, frame));
+    row.addStretch(1);
+    for (QAction* action : {actions.otherHand, actions.bringHome})
+        add(barButton(action, true, frame));
+    add(viewMenu.makeButton(frame));
+    row.addStretch(1);
+    row.addWidget(pageButton(actions.grade, "filled", frame));
     return frame;
 }
 
@@ -289,8 +287,11 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 void PracticeRoom::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    // A quarter of the room, so that on a large screen the section is large as well.
-    m_section->setFixedWidth(std::clamp(width() * kSectionPercent / 100, kNarrowestSectionPx, kWidestSectionPx));
+    // A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth
+    // as much as it can.
+    const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);
+    const int spare = width() - m_panel->width() - 2 - kNarrowestViewPx;
+    m_section->setFixedWidth(std::max(kNarrowestSectionPx, std::min(wanted, spare)));
 }
 
 void PracticeRoom::placeOverlays()
@@ -301,9 +302,33 @@ void PracticeRoom::placeOverlays()
     const int height = m_hint->heightForWidth(width);
     m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
     m_hint->raise();
-    m_notice->adjustSize();
-    m_notice->move(area.center().x() - m_notice->width() / 2, area.top() + kNoticeTopPx);
+    placeNotice();
+    placeReplayCard();
+}
+
+/// On as few lines as there is room for.
+void PracticeRoom::placeNotice()
+{
+    const QRect area = viewArea();
+    int words = 0;
+    for (const QLabel* label : {m_noticeWhat, m_noticeToDo})
+        words = std::max(words, label->fontMetrics().horizontalAdvance(label->text()));
+    const int around = kSpace4 + kNoticeIconPx + kSpace4 + kSpace6 + 2 * kSpace1;
+    const int width = std::min(area.width() - 2 * kSpace2, words + around);
+    m_notice->resize(width, m_notice->layout()->totalHeightForWidth(width));
+    m_notice->move(area.center().x() - width / 2, area.top() + kNoticeTopPx);
     m_notice->raise();
+}
+
+/// What there is no room for goes: first the words, then the bar, which the time beside it tells as well.
+void PracticeRoom::placeReplayCard()
+{
+    const QRect area = viewArea();
+    m_replayWords->show();
+    m_replayProgress->show();
+    for (QWidget* spare : {static_cast<QWidget*>(m_replayWords), static_cast<QWidget*>(m_replayProgress)})
+        if (m_replay->sizeHint().width() > area.width() - 2 * kSpace2)
+            spare->hide();
     m_replay->adjustSize();
     m_replay->move(area.center().x() - m_replay->width() / 2, area.bottom() - kSpace4 - m_replay->height());
     m_replay->raise();

@@ -64,6 +64,8 @@ private:
     void makeReplayCard(const Actions& actions);
     void showReplaySpeed(int times);
     void placeOverlays();
+    void placeNotice();
+    void placeReplayCard();
 
     QWidget* m_view;
     SidePanel* m_panel;
@@ -71,6 +73,7 @@ private:
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
     QWidget* m_replay = nullptr;
+    QLabel* m_replayWords = nullptr;
     QProgressBar* m_replayProgress = nullptr;
     TabularLabel* m_replayTime = nullptr;
     QPushButton* m_replaySpeed = nullptr;

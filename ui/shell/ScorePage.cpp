@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
@@ -18,6 +17,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/PictureFrame.h"
 #include "ui/shell/ScoreBar.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
@@ -27,6 +27,7 @@ namespace {
 
 constexpr int kResultWidthPx = 320;
 constexpr int kWidestPx = 1160;
+constexpr int kNarrowestBesidePx = 940;
 constexpr qsizetype kListed = 5;
 constexpr qsizetype kCharted = 12;
 
@@ -56,14 +57,14 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
 {
     auto* block = new QWidget(this);
     block->setMaximumWidth(kWidestPx);
-    auto* cards = new QGridLayout(block);
-    cards->setContentsMargins(0, 0, 0, 0);
-    cards->setSpacing(kSpace4);
-    cards->addWidget(makeResult(), 0, 0, 2, 1);
-    cards->addWidget(makeCriteria(), 0, 1);
-    cards->addWidget(makeHistory(), 1, 1);
-    cards->setColumnStretch(1, 1);
-    cards->setRowStretch(1, 1);
+    m_cards = new QGridLayout(block);
+    m_cards->setContentsMargins(0, 0, 0, 0);
+    m_cards->setSpacing(kSpace4);
+    m_cards->setColumnStretch(1, 1);
+    m_resultCard = makeResult();
+    m_criteriaCard = makeCriteria();
+    m_historyCard = makeHistory();
+    arrange(true);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
     buttons->addStretch(1);
@@ -71,7 +72,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
     buttons->addWidget(pageButton(actions.reload, "", this));
     m_back = pageButton(actions.back, "filled", this);
     buttons->addWidget(m_back);
-    cards->addLayout(buttons, 2, 0, 1, 2);
+    m_cards->addLayout(buttons, 3, 0, 1, 2);
 
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
@@ -84,11 +85,32 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
     column->addLayout(row);
     column->addStretch(2);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    body()->addWidget(scroll, 1);
+    body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+}
+
+void ScorePage::arrange(bool beside)
+{
+    for (QWidget* card : {m_resultCard, m_criteriaCard, m_historyCard})
+        m_cards->removeWidget(card);
+    if (beside) {
+        m_cards->addWidget(m_resultCard, 0, 0, 2, 1);
+        m_cards->addWidget(m_criteriaCard, 0, 1);
+        m_cards->addWidget(m_historyCard, 1, 1);
+    } else {
+        m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
+        m_cards->addWidget(m_criteriaCard, 1, 0, 1, 2);
+        m_cards->addWidget(m_historyCard, 2, 0, 1, 2);
+    }
+    m_cards->setRowStretch(1, beside ? 1 : 0);
+    m_result->setDirection(beside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_resultCard->setMinimumWidth(beside ? kResultWidthPx : 0);
+    m_resultCard->setMaximumWidth(beside ? kResultWidthPx : QWIDGETSIZE_MAX);
+}
+
+void ScorePage::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    arrange(width() >= kNarrowestBesidePx);
 }
 
 void ScorePage::showEvent(QShowEvent* event)
@@ -100,10 +122,12 @@ void ScorePage::showEvent(QShowEvent* event)
 QWidget* ScorePage::makeResult()
 {
     QFrame* frame = card(this);
-    frame->setFixedWidth(kResultWidthPx);
-    auto* column = new QVBoxLayout(frame);
-    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
+    m_result = new QBoxLayout(QBoxLayout::TopToBottom, frame);
+    m_result->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
+    m_result->setSpacing(kSpace4);
+    auto* column = new QVBoxLayout;
     column->setSpacing(kSpace2);
+    m_result->addLayout(column);
 
     m_total = new TabularLabel(frame);
     m_total->setFont(typeface(kHero, QFont::DemiBold));
@@ -122,10 +146,10 @@ QWidget* ScorePage::makeResult()
     column->addSpacing(kSpace2);
     m_bar = new ScoreBar(frame);
     column->addWidget(m_bar);
-    column->addSpacing(kSpace2);
+    column->addStretch(1);
     m_picture = new PictureFrame(frame);
     m_picture->setAccessibleName(tr("Picture of the tooth as graded"));
-    column->addWidget(m_picture, 1);
+    m_result->addWidget(m_picture, 1);
     return frame;
 }
 

@@ -8,6 +8,8 @@
 #include "lessons/ScoreSheet.h"
 #include "ui/shell/Page.h"
 
+class QBoxLayout;
+class QGridLayout;
 class QPushButton;
 
 namespace ui::shell {
@@ -31,15 +33,23 @@ public:
                   const QImage& picture);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     QWidget* makeResult();
     QWidget* makeCriteria();
     QWidget* makeHistory();
+    /// The result beside what explains it; where there is no room for that, above.
+    void arrange(bool beside);
     void fillCriteria(const lessons::ScoreSheet& sheet);
     void fillHistory(const QList<database::AttemptRecord>& history, int total, int passMark);
 
+    QGridLayout* m_cards = nullptr;
+    QWidget* m_resultCard = nullptr;
+    QBoxLayout* m_result = nullptr;
+    QWidget* m_criteriaCard = nullptr;
+    QWidget* m_historyCard = nullptr;
     TabularLabel* m_total = nullptr;
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;

@@ -18,14 +18,15 @@ namespace {
 
 constexpr int kCardWidthPx = 380;
 constexpr int kGapPx = 64;
+constexpr int kNarrowPx = 960;
 constexpr int kWidestArchesPx = 600;
 
 }  // namespace
 
 ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     : Page(actions, tr("Choose a tooth"), parent), m_pictures(new QStackedWidget(this)), m_row(new QHBoxLayout),
-      m_arches(new ArchView(m_pictures)), m_number(new QLabel(this)), m_name(new QLabel(this)),
-      m_note(new QLabel(this)), m_take(new QPushButton(tr("Drill this tooth"), this)),
+      m_gap(new QSpacerItem(kGapPx, 0)), m_arches(new ArchView(m_pictures)), m_number(new QLabel(this)),
+      m_name(new QLabel(this)), m_note(new QLabel(this)), m_take(new QPushButton(tr("Drill this tooth"), this)),
       m_other(pageButton(actions.mouth, "", this))
 {
     m_pictures->addWidget(m_arches);
@@ -53,7 +54,7 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     scanHint->setForegroundRole(QPalette::PlaceholderText);
 
     auto* words = new QVBoxLayout;
-    words->setSpacing(kSpace2);
+    words->setSpacing(kSpace1);
     words->addStretch(1);
     words->addWidget(m_number);
     words->addWidget(m_name);
@@ -78,7 +79,7 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
 
     m_row->addStretch(1);
     m_row->addWidget(m_pictures, 4);
-    m_row->addSpacing(kGapPx);
+    m_row->addItem(m_gap);
     m_row->addWidget(side);
     m_row->addStretch(1);
     body()->addLayout(m_row, 1);
@@ -136,6 +137,13 @@ void ToothChooser::takeFocus()
         m_mouth->setFocus();
     else
         m_arches->takeFocus();
+}
+
+void ToothChooser::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    m_gap->changeSize(width() < kNarrowPx ? kSpace6 : kGapPx, 0);
+    m_row->invalidate();
 }
 
 void ToothChooser::showEvent(QShowEvent* event)

@@ -5,6 +5,7 @@
 
 class QHBoxLayout;
 class QPushButton;
+class QSpacerItem;
 class QStackedWidget;
 
 namespace ui::shell {
@@ -31,6 +32,7 @@ signals:
     void toothChosen(int fdi);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -39,6 +41,7 @@ private:
 
     QStackedWidget* m_pictures;
     QHBoxLayout* m_row;
+    QSpacerItem* m_gap;  ///< between picture and words
     ArchView* m_arches;
     Mouth* m_mouth = nullptr;  ///< from when it is first asked for
     QLabel* m_number;

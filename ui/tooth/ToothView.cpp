@@ -74,7 +74,7 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
     setTabletTracking(true);
     if (isUsable())
         setCursor(Qt::CrossCursor);
-    setMinimumSize(240, 180);
+    setMinimumSize(220, 180);
     setAccessibleName(tr("Tooth"));
     setAccessibleDescription(tr("Arrow keys move the bur, page down pushes, page up lifts."));
     m_control.setBurRadius(core::drilling::burs()[0].headRadiusMm);

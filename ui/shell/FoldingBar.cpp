@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/FoldingBar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::shell {
+namespace {
+
+constexpr int kHeightPx = 52;
+
+}  // namespace
+
+FoldingBar::FoldingBar(QWidget* parent) : QFrame(parent), m_row(new QHBoxLayout(this))
+{
+    setProperty("kind", "bar");
+    setFixedHeight(kHeightPx);
+    m_row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_row->setSpacing(kSpace1);
+}
+
+void FoldingBar::mayFold(QToolButton* button)
+{
+    button->installEventFilter(this);
+    m_buttons << button;
+}
+
+void FoldingBar::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    fold();
+}
+
+bool FoldingBar::eventFilter(QObject* watched, QEvent* event)
+{
+    // A button more, or one less.
+    if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)
+        fold();
+    return QFrame::eventFilter(watched, event);
+}
+
+void FoldingBar::fold()
+{
+    const auto show = [this](Qt::ToolButtonStyle style) {
+        for (QToolButton* button : m_buttons)
+            button->setToolButtonStyle(style);
+        m_row->invalidate();
+    };
+    show(Qt::ToolButtonTextBesideIcon);
+    if (m_row->minimumSize().width() > width())
+        show(Qt::ToolButtonIconOnly);
+}
+
+}  // namespace ui::shell
