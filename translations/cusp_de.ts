@@ -424,6 +424,10 @@
         <extracomment>In the key of a picture, beside a line</extracomment>
         <translation>Oberfläche vor dem ersten Schnitt</translation>
     </message>
+    <message>
+        <source>The plane does not meet the tooth here.</source>
+        <translation>Die Ebene trifft den Zahn hier nicht.</translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -609,16 +613,8 @@
         <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Ein Strich: dort liegt keine Pulpa.</translation>
     </message>
     <message>
-        <source>From the tip down to the pulp</source>
-        <translation>Spitze bis Pulpa, senkrecht</translation>
-    </message>
-    <message>
         <source>Straight down from the tip of the bur. A dash: no pulp there.</source>
         <translation>Von der Bohrerspitze senkrecht nach unten. Ein Strich: dort liegt keine Pulpa.</translation>
-    </message>
-    <message>
-        <source>From the tip to the nearest pulp</source>
-        <translation>Spitze bis nächste Pulpa</translation>
     </message>
     <message>
         <source>The shortest way in any direction, also out of the plane of the picture.</source>
@@ -627,6 +623,14 @@
     <message>
         <source>Section: %1</source>
         <translation>Schnitt: %1</translation>
+    </message>
+    <message>
+        <source>Tip straight down to the pulp</source>
+        <translation>Spitze bis Pulpa, senkrecht</translation>
+    </message>
+    <message>
+        <source>Tip to the nearest pulp</source>
+        <translation>Spitze bis nächste Pulpa</translation>
     </message>
 </context>
 <context>
@@ -1692,6 +1696,14 @@
         <source>3. Move the tooth before or behind the screen until you see it without effort.</source>
         <translation>3. Rücken Sie den Zahn vor oder hinter den Bildschirm, bis Sie ihn mühelos sehen.</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was before (Esc)</source>
+        <translation>Alles lassen, wie es vorher war (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ToothChooser</name>
@@ -1741,6 +1753,14 @@
     <message>
         <source>What is shown of the tooth, and how</source>
         <translation>Was vom Zahn gezeigt wird, und wie</translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::SceneWidget</name>
+    <message>
+        <source>No picture</source>
+        <extracomment>Heading where a picture would be; a sentence below says why</extracomment>
+        <translation>Kein Bild</translation>
     </message>
 </context>
 <context>

@@ -424,6 +424,10 @@
         <extracomment>In the key of a picture, beside a line</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The plane does not meet the tooth here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -609,15 +613,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the tip down to the pulp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Straight down from the tip of the bur. A dash: no pulp there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the tip to the nearest pulp</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -626,6 +622,14 @@
     </message>
     <message>
         <source>Section: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip straight down to the pulp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip to the nearest pulp</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1692,6 +1696,14 @@
         <source>3. Move the tooth before or behind the screen until you see it without effort.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave everything as it was before (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ToothChooser</name>
@@ -1740,6 +1752,14 @@
     </message>
     <message>
         <source>What is shown of the tooth, and how</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::SceneWidget</name>
+    <message>
+        <source>No picture</source>
+        <extracomment>Heading where a picture would be; a sentence below says why</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
