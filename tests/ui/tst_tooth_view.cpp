@@ -35,6 +35,7 @@ private slots:
     void appliesAGroupOfPatchesOnlyWhole();
     void ignoresPatchesOfAnotherTooth();
     void showsTheBurWhereTheServoHoldsIt();
+    void withLessMotionTheHandpieceIsLiftedAtOnce();
     void reportsEveryFrameWithTheNewestState();
     void paintsOnlyWhenSomethingShows();
     void mouseMovesTheBurAndItsButtonPushes();
@@ -163,6 +164,43 @@ void TestToothView::showsTheBurWhereTheServoHoldsIt()
     QVERIFY(!pictures::differs(before.pixel(neck), moved.pixel(neck), 15));
     const QPoint there = pixelOf({3.0, 2.0, 2.0});
     QVERIFY(pictures::differs(before.pixel(there), moved.pixel(there), 15));
+}
+
+void TestToothView::withLessMotionTheHandpieceIsLiftedAtOnce()
+{
+    QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
+    const auto waitFor = [&](int count) {
+        frames.clear();
+        return QTest::qWaitFor([&] { return frames.count() >= count; }, 5000);
+    };
+    // Deep in the tooth, where the shank is drawn longer; another bur at the same place wants another length.
+    ServoState state;
+    state.tick = 1;
+    state.anchorMm = {-2.6, -2.6, -7.0};
+    const auto stillMoves = [&](std::uint8_t bur) {
+        state.burIndex = bur;
+        m_links->servo.publish(state);
+        frames.clear();
+        QImage first;
+        const auto once = connect(m_view.get(), &ToothView::frameAdvanced, this, [&] {
+            if (first.isNull() && frames.count() >= 1)
+                first = m_view->picture();
+        });
+        const bool came = QTest::qWaitFor([&] { return !first.isNull(); }, 5000) && waitFor(40);
+        disconnect(once);
+        return came ? pictures::difference(first, picture(), 8).pixels : -1;
+    };
+    state.burIndex = 3;
+    m_links->servo.publish(state);
+    QVERIFY(waitFor(40));
+    const int gliding = stillMoves(0);
+    QVERIFY2(gliding > 100, qPrintable(QString::number(gliding)));
+    ui::tooth::ViewSettings calm;
+    calm.movesLittle = true;
+    m_view->setSettings(calm);
+    QVERIFY(waitFor(3));
+    QCOMPARE(stillMoves(3), 0);
+    QCOMPARE(stillMoves(0), 0);
 }
 
 void TestToothView::reportsEveryFrameWithTheNewestState()
