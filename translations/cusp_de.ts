@@ -428,6 +428,15 @@
         <source>The plane does not meet the tooth here.</source>
         <translation>Die Ebene trifft den Zahn hier nicht.</translation>
     </message>
+    <message>
+        <source>surface before</source>
+        <extracomment>The same, where a second line stands beside it</extracomment>
+        <translation>Oberfläche vorher</translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation>ideale Präparation</translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -533,6 +542,30 @@
     <message>
         <source>depth, mm</source>
         <translation>Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <extracomment>A length in millimetres</extracomment>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as it should be</source>
+        <translation>wie es sein soll</translation>
+    </message>
+    <message>
+        <source>%1 too deep</source>
+        <extracomment>%1 is a length: the tooth is cut deeper than it should be</extracomment>
+        <translation>%1 zu tief</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <extracomment>%1 is a length: so much is still to be taken away</extracomment>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>too deep by, mm</source>
+        <extracomment>Titles of a scale of colours: how deep a cut is, and how much deeper than it should be</extracomment>
+        <translation>zu tief um, mm</translation>
     </message>
 </context>
 <context>
@@ -1042,6 +1075,14 @@
         <source>Show the teeth beside this one, and the gum</source>
         <translation>Die Zähne daneben und das Zahnfleisch zeigen</translation>
     </message>
+    <message>
+        <source>Colours against the ideal</source>
+        <translation>Abweichung vom Ideal</translation>
+    </message>
+    <message>
+        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
+        <translation>Einfärben, was zu tief ist und was noch fehlt, und am Zeiger angeben</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1373,6 +1414,10 @@
     <message>
         <source>Save the X-ray pictures</source>
         <translation>Röntgenbilder speichern</translation>
+    </message>
+    <message>
+        <source>Only a tooth with decay has an ideal preparation.</source>
+        <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
     </message>
 </context>
 <context>
@@ -1781,11 +1826,6 @@
     <message>
         <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
         <translation>Dieser Rechner bietet kein OpenGL 3.3, darum kann der Zahn nicht gezeigt werden. Installieren oder aktualisieren Sie den Grafiktreiber (unter Debian: libgl1-mesa-dri) und starten Sie Cusp neu.</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <extracomment>Depth of the cut under the pointer</extracomment>
-        <translation>%1 mm</translation>
     </message>
 </context>
 </TS>

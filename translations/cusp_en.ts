@@ -428,6 +428,15 @@
         <source>The plane does not meet the tooth here.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>surface before</source>
+        <extracomment>The same, where a second line stands beside it</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -532,6 +541,30 @@
     <name>ViewMarks</name>
     <message>
         <source>depth, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <extracomment>A length in millimetres</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 too deep</source>
+        <extracomment>%1 is a length: the tooth is cut deeper than it should be</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <extracomment>%1 is a length: so much is still to be taken away</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deep by, mm</source>
+        <extracomment>Titles of a scale of colours: how deep a cut is, and how much deeper than it should be</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1042,6 +1075,14 @@
         <source>Show the teeth beside this one, and the gum</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Colours against the ideal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1372,6 +1413,10 @@
     </message>
     <message>
         <source>Save the X-ray pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a tooth with decay has an ideal preparation.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1780,11 +1825,6 @@
     </message>
     <message>
         <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <extracomment>Depth of the cut under the pointer</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
