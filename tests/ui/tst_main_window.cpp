@@ -85,6 +85,7 @@ private slots:
     void theNextWindowIsLaidOutAsThisOne();
     void rubbishInTheMemoryCountsAsNothing();
     void swatchesFollowTheColoursOfTheTooth();
+    void whatIsOnHasACheckMark();
     void theSectionIsShownAndTurned();
     void theStereoPageHasAWayBack();
     void theXrayPageOpensAndSaves();
@@ -533,6 +534,27 @@ void TestMainWindow::swatchesFollowTheColoursOfTheTooth()
         QCOMPARE(discs()[3], materialLook(Material::Pulp, colours).fill);
         press(Qt::Key_P);
     }
+}
+
+void TestMainWindow::whatIsOnHasACheckMark()
+{
+    auto* menu = child<QToolButton>("viewButton")->menu();
+    menu->ensurePolished();
+    menu->adjustSize();
+    // Light strokes in the column before the words.
+    const auto strokes = [&] {
+        const QRect row = menu->actionGeometry(actions().wetLook);
+        const QImage picture = menu->grab(QRect(row.topLeft(), QSize(22, row.height()))).toImage();
+        int light = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                light += picture.pixelColor(x, y).lightness() > 150 ? 1 : 0;
+        return light;
+    };
+    QVERIFY(!actions().wetLook->isChecked());
+    QCOMPARE(strokes(), 0);
+    press(Qt::Key_W);
+    QVERIFY2(strokes() >= 8, qPrintable(QString::number(strokes())));
 }
 
 void TestMainWindow::theSectionIsShownAndTurned()
