@@ -2,6 +2,7 @@
 #include "core/terrain/Rim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -57,6 +58,9 @@ void calmSteepNormals(const Grid& grid, std::span<const glm::vec3> normals, cons
 {
     constexpr float kBlendIn = 0.2F;  ///< of z, from where steep begins
     constexpr float kFade = 0.1F;     ///< of the weight with the square of the distance, in nodes
+    std::array<float, 2 * kCalmReach * kCalmReach + 1> fades{};
+    for (std::size_t far2 = 0; far2 < fades.size(); ++far2)
+        fades[far2] = std::exp(-kFade * static_cast<float>(far2));
     for (int j = rect.beginJ; j < rect.endJ; ++j)
         for (int i = rect.beginI; i < rect.endI; ++i) {
             const glm::vec3 own = normals[grid.index(i, j)];
@@ -72,7 +76,7 @@ void calmSteepNormals(const Grid& grid, std::span<const glm::vec3> normals, cons
                     const glm::vec3& near = normals[grid.index(i + di, j + dj)];
                     const float steep = std::max(0.0F, kSteepNormalZ - std::abs(near.z));
                     const float alike = std::max(0.0F, glm::dot(near, own));
-                    sum += steep * alike * alike * std::exp(-kFade * static_cast<float>(di * di + dj * dj)) * near;
+                    sum += steep * alike * alike * fades[static_cast<std::size_t>(di * di + dj * dj)] * near;
                 }
             if (glm::dot(sum, sum) < 1.0e-12F)
                 continue;

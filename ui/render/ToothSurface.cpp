@@ -638,6 +638,12 @@ glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) c
 /// it turns over a few.
 glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
 {
+    static const auto fades = [] {
+        std::array<float, 2 * kLipReach * kLipReach + 1> fade{};
+        for (std::size_t far2 = 0; far2 < fade.size(); ++far2)
+            fade[far2] = std::exp(-kLipFades * static_cast<float>(far2));
+        return fade;
+    }();
     const std::vector<glm::vec3>& normals = m_calmNormals[map];
     const glm::vec3 own = normals[m_lattice.index(i, j)];
     glm::vec3 sum(0.0F);
@@ -648,7 +654,7 @@ glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
                 continue;
             const glm::vec3& normal = normals[m_lattice.index(i + di, j + dj)];
             least = std::min(least, glm::dot(own, normal));
-            sum += normal * std::exp(-kLipFades * static_cast<float>(di * di + dj * dj));
+            sum += normal * fades[static_cast<std::size_t>(di * di + dj * dj)];
         }
     }
     const float turn = 1.0F - glm::smoothstep(kLipTurns, kLipFlat, least);
