@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/terrain/Rim.h"
+#include "ui/render/Junction.h"
 
 namespace ui::render {
 namespace {
@@ -41,7 +42,6 @@ constexpr double kInsideMm = 2.0;     ///< from the outline, and more: no flank
 constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
 constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
 constexpr int kLightBlur = 3;         ///< nodes around one that its light is averaged over
-constexpr float kEnamelAloneMm = 0.5F;
 constexpr int kRimRings = 3;            ///< beyond the last solid node, in which layers are known
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
@@ -263,16 +263,14 @@ void ToothSurface::smoothFlanks()
     m_flankShifts.assign(m_lattice.count(), glm::vec2(0.0F));
     const int side = m_lattice.side;
     m_flankDej.resize(m_lattice.count());
-    const auto dejOf = [this](int i, int j) {
-        // In enamel alone it may lie anywhere below; clear of the surface as it is drawn no speck of dentin shows.
-        const float dej = m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)].dej;
-        const float bottom = m_wholeBottom[m_lattice.index(i, j)];
-        return dej > bottom ? dej : bottom - kEnamelAloneMm;
-    };
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i)
+            m_flankDej[m_lattice.index(i, j)] =
+                m_anatomy->layers[m_anatomy->grid.index(i * m_stride, j * m_stride)].dej;
+    m_flankDej = drawnJunction(m_lattice, m_wholeTop, m_wholeBottom, std::move(m_flankDej));
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const std::size_t k = m_lattice.index(i, j);
-            m_flankDej[k] = dejOf(i, j);
             if (m_wholeTop[k] <= m_wholeBottom[k])
                 continue;
             glm::vec2 outwards{0.0F};
@@ -290,7 +288,6 @@ void ToothSurface::smoothFlanks()
             outwards = glm::normalize(outwards);
             float tops = 0.0F;
             float bottoms = 0.0F;
-            float enamel = 0.0F;
             float weights = 0.0F;
             for (int dj = -kFlankReach; dj <= kFlankReach; ++dj) {
                 for (int di = -kFlankReach; di <= kFlankReach; ++di) {
@@ -304,7 +301,6 @@ void ToothSurface::smoothFlanks()
                     const float weight = std::exp(-1.4F * across * across - 0.14F * along * along);
                     tops += weight * m_wholeTop[n];
                     bottoms += weight * m_wholeBottom[n];
-                    enamel += weight * (m_wholeTop[n] - dejOf(i + di, j + dj));
                     weights += weight;
                 }
             }
@@ -316,7 +312,6 @@ void ToothSurface::smoothFlanks()
             const float steepness = std::max(1.0F, (m_wholeTop[within] - m_wholeTop[k]) / run);
             const float limit = kFlankShift * static_cast<float>(m_lattice.cellMm);
             m_flankShifts[k] = outwards * glm::clamp((m_wholeTop[k] - m_flankTop[k]) / steepness, -limit, limit);
-            m_flankDej[k] = m_flankTop[k] - enamel / weights;
             m_flankBottom[k] = std::min(bottoms / weights, m_flankTop[k]);
         }
     }

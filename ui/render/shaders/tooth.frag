@@ -6,6 +6,7 @@ in vec3 normalHere;
 in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
 in float cutMm;       // below the uncut surface
 in float tooDeepMm;   // below the ideal one
+in float enamelHere;  // on the flanks, where dentin falls by millimetres between nodes, better than from the map
 in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
 uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut, mm; share of open ones
@@ -56,7 +57,7 @@ void main()
     vec4 upper = texture(upperLayers, onLattice);
     vec4 lower = texture(lowerLayers, onLattice);
     float z = positionMm.z;
-    float enamelMm = z - upper.z;
+    float enamelMm = facing > 0.0 ? z - upper.z : enamelHere;
     float inDecay = smoothstep(-0.12, 0.0, upper.x - z) * smoothstep(0.0, 0.12, z - upper.y) *
                     smoothstep(0.3, 0.7, lower.y);
     float inPulp = smoothstep(0.0, 0.06, min(upper.w - z, z - lower.x));

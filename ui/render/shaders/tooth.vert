@@ -6,6 +6,7 @@ uniform mat4 clipFromTooth;
 uniform sampler2D places;   // x, y as drawn, mm
 uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
+uniform sampler2D upperLayers;  // of it only the dentin, mm
 uniform sampler2D lowerLayers;  // of it only the uncut surface, mm
 uniform sampler2D ideal;    // how far the ideal surface lies below the uncut one, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
@@ -19,6 +20,7 @@ out vec3 normalHere;  // turned linearly from node to node, or the rim, where z 
 out vec4 shadeHere;
 out float cutMm;     // below the uncut surface
 out float tooDeepMm;  // below the ideal one
+out float enamelHere;  // over the dentin of this column, mm
 out vec2 onLattice;  // where the layers of this column are, as a texture is read
 
 void main()
@@ -29,6 +31,7 @@ void main()
     positionMm = vec3(placeMm, texelFetch(heights, node, 0).r);
     cutMm = texelFetch(lowerLayers, node, 0).b - positionMm.z;
     tooDeepMm = cutMm - texelFetch(ideal, node, 0).r;
+    enamelHere = positionMm.z - texelFetch(upperLayers, node, 0).b;
     vec2 across = texelFetch(normals, node, 0).rg;
     normalHere = vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0)));
     shadeHere = texelFetch(light, node, 0);
