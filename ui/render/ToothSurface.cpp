@@ -42,6 +42,9 @@ constexpr double kInsideMm = 2.0;     ///< from the outline, and more: no flank
 constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
 constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
 constexpr int kLightBlur = 3;         ///< nodes around one that its light is averaged over
+constexpr float kFreeFull = 0.25F;    ///< z of the normal of a flank up to which it has the sky for itself
+constexpr float kFreeNone = 0.6F;
+constexpr int kUncutReach = 3;          ///< to the next cut node, from which a flank is drawn as that of a whole tooth
 constexpr int kRimRings = 3;            ///< beyond the last solid node, in which layers are known
 constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
 constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
@@ -76,6 +79,7 @@ ToothSurface::ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> an
     takeAnatomy();
     findResting();
     smoothFlanks();
+    m_flanks.emplace(m_lattice, m_wholeTop, m_wholeBottom, m_flankTop, m_flankBottom);
     smoothFissures();
     spreadLayers();
     m_written = wholeOf(m_lattice);
@@ -629,6 +633,24 @@ glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) c
     return {(e - w) / cell, (n - s) / cell};
 }
 
+/// 1 where all around a node is as it was, 0 where it is cut.
+float ToothSurface::uncutAround(int i, int j) const
+{
+    int nearest2 = kUncutReach * kUncutReach;
+    for (int dj = -kUncutReach; dj <= kUncutReach; ++dj)
+        for (int di = -kUncutReach; di <= kUncutReach; ++di)
+            if (m_lattice.contains(i + di, j + dj))
+                if (const std::size_t n = m_lattice.index(i + di, j + dj); m_top[n] < m_wholeTop[n])
+                    nearest2 = std::min(nearest2, di * di + dj * dj);
+    return glm::smoothstep(1.0F, static_cast<float>(kUncutReach), std::sqrt(static_cast<float>(nearest2)));
+}
+
+float ToothSurface::flankNormal(std::size_t map, std::size_t k, glm::vec3& normal) const
+{
+    return m_flanks->normalAt(k, map == 0 ? Flanks::Side::Upper : Flanks::Side::Lower,
+                              map == 0 ? m_tops[k] : m_bottoms[k], normal);
+}
+
 /// At the lip of a cut the surface turns by a right angle within a cell, and triangles would show the corners of it. So
 /// it turns over a few.
 glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
@@ -667,8 +689,16 @@ NodeRect ToothSurface::bendNormals(const NodeRect& rect)
             const std::size_t k = m_lattice.index(i, j);
             if (m_nodes[k] != Node::Solid)
                 continue;
-            m_rawNormals[0][k] = glm::normalize(glm::vec3(-slope(m_tops, i, j), 1.0F));
-            m_rawNormals[1][k] = glm::normalize(glm::vec3(slope(m_bottoms, i, j), -1.0F));
+            for (std::size_t map = 0; map < 2; ++map) {
+                glm::vec3& normal = m_rawNormals[map][k];
+                const float share = isFlank(k) ? flankNormal(map, k, normal) : 0.0F;
+                if (share == 1.0F)
+                    continue;
+                const glm::vec3 found =
+                    map == 0 ? glm::vec3(-slope(m_tops, i, j), 1.0F) : glm::vec3(slope(m_bottoms, i, j), -1.0F);
+                normal = share > 0.0F ? glm::normalize(glm::mix(glm::normalize(found), normal, share))
+                                      : glm::normalize(found);
+            }
         }
     }
     for (int j = raw.beginJ; j < raw.endJ; ++j) {
@@ -689,6 +719,8 @@ NodeRect ToothSurface::bendNormals(const NodeRect& rect)
             const glm::vec3 normal = length > 0.0F ? glm::vec3(outwards / length, 0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
             m_rawNormals[0][k] = normal;
             m_rawNormals[1][k] = normal;
+            if (isFlank(k) && flankNormal(0, k, m_rawNormals[0][k]) > 0.0F)
+                m_rawNormals[1][k] = m_rawNormals[0][k];
         }
     }
     for (int map = 0; map < 2; ++map)
@@ -697,8 +729,21 @@ NodeRect ToothSurface::bendNormals(const NodeRect& rect)
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
         for (int i = rect.beginI; i < rect.endI; ++i) {
             const std::size_t k = m_lattice.index(i, j);
-            glm::vec3 top = softNormal(0, i, j);
-            glm::vec3 bottom = softNormal(1, i, j);
+            std::array<glm::vec3, 2> round{};
+            std::array<float, 2> share{};
+            if (m_nodes[k] != Node::Empty && m_flanks->isNear(k)) {
+                share = {flankNormal(0, k, round[0]), flankNormal(1, k, round[1])};
+                const float uncut = share[0] + share[1] > 0.0F ? uncutAround(i, j) : 0.0F;
+                share = {uncut * share[0], uncut * share[1]};
+            }
+            const auto bent = [&](std::size_t map) {
+                if (share[map] == 1.0F)
+                    return round[map];
+                const glm::vec3 soft = softNormal(static_cast<int>(map), i, j);
+                return share[map] > 0.0F ? glm::normalize(glm::mix(soft, round[map], share[map])) : soft;
+            };
+            glm::vec3 top = bent(0);
+            glm::vec3 bottom = bent(1);
             // Where the surfaces meet nothing shall show of it.
             if (m_nodes[k] == Node::Rim)
                 if (const glm::vec3 both = top + bottom; glm::dot(both, both) > 0.0F)
@@ -748,6 +793,7 @@ NodeRect ToothSurface::shineLight(const NodeRect& rect)
         const std::size_t n = m_lattice.index(x, y);
         return m_nodes[n] == Node::Solid ? (tops[n] - here) / sample.distanceMm : -1.0e3F;
     };
+    constexpr glm::vec4 kFreeLight(1.0F, 1.0F, 0.0F, 0.5F);
     // Raw values on solid nodes; then each node takes the average of the solid ones around it, the rim as well.
     const NodeRect raw = grown(rect, kLightBlur, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j) {
@@ -757,6 +803,12 @@ NodeRect ToothSurface::shineLight(const NodeRect& rect)
                 continue;
             const float here = m_drawnTop[k];
             const glm::vec3& normal = m_rawNormals[0][k];
+            // Nothing stands before an uncut flank; that something seems to is the lattice's doing.
+            const float free = isFlank(k) ? 1.0F - glm::smoothstep(kFreeFull, kFreeNone, normal.z) : 0.0F;
+            if (free == 1.0F) {
+                m_rawLight[k] = kFreeLight;
+                continue;
+            }
             const glm::vec2 slope = -glm::vec2(normal) / std::max(normal.z, 0.12F);
             // Towards each side the sky begins at the slope of the surface itself; what stands above that takes away
             // the square of a sine, as of the light that a flat patch receives.
@@ -802,20 +854,25 @@ NodeRect ToothSurface::shineLight(const NodeRect& rect)
             const float lit = (std::max(rise, facing) + kPenumbra - blocked) / (2.0F * kPenumbra);
             const float cut =
                 (m_wholeTop[k] - std::max(m_top[k], m_drawnTop[k]) - kCutFromMm) / (kCutFullMm - kCutFromMm);
-            m_rawLight[k] = glm::clamp(glm::vec4(open / kSkyDirections, lit, cut, 0.5F + 0.5F * crevice), 0.0F, 1.0F);
+            const glm::vec4 found(open / kSkyDirections, lit, cut, 0.5F + 0.5F * crevice);
+            m_rawLight[k] = glm::clamp(glm::mix(found, kFreeLight, free), 0.0F, 1.0F);
         }
     }
     NodeRect changed;
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
         for (int i = rect.beginI; i < rect.endI; ++i) {
+            // Along a flank, not over the ridge that it ends at.
+            const bool flank = isFlank(m_lattice.index(i, j));
+            const glm::vec3 normal = m_rawNormals[0][m_lattice.index(i, j)];
             glm::vec4 sum{0.0F};
             float weights = 0.0F;
             for (int dj = -kLightBlur; dj <= kLightBlur; ++dj) {
                 for (int di = -kLightBlur; di <= kLightBlur; ++di) {
                     if (!m_lattice.contains(i + di, j + dj) || !isSolid(i + di, j + dj))
                         continue;
-                    const auto weight =
-                        static_cast<float>((kLightBlur + 1 - std::abs(di)) * (kLightBlur + 1 - std::abs(dj)));
+                    auto weight = static_cast<float>((kLightBlur + 1 - std::abs(di)) * (kLightBlur + 1 - std::abs(dj)));
+                    if (flank)
+                        weight *= std::max(glm::dot(normal, m_rawNormals[0][m_lattice.index(i + di, j + dj)]), 0.01F);
                     sum += weight * m_rawLight[m_lattice.index(i + di, j + dj)];
                     weights += weight;
                 }

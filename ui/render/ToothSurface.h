@@ -15,6 +15,7 @@
 #include "core/session/Links.h"
 #include "core/terrain/NodeRect.h"
 #include "core/terrain/Tooth.h"
+#include "ui/render/Flanks.h"
 #include "ui/render/SteepGround.h"
 
 namespace ui::render {
@@ -148,6 +149,8 @@ private:
     void sew(const core::terrain::NodeRect& written);
     void smoothRim(const core::terrain::NodeRect& rect);
     void smoothOutline(const core::terrain::NodeRect& rect);
+    [[nodiscard]] float flankNormal(std::size_t map, std::size_t k, glm::vec3& normal) const;
+    [[nodiscard]] float uncutAround(int i, int j) const;
     [[nodiscard]] glm::vec3 softNormal(int map, int i, int j) const;
     [[nodiscard]] core::terrain::NodeRect bendNormals(const core::terrain::NodeRect& rect);
     [[nodiscard]] core::terrain::NodeRect shineLight(const core::terrain::NodeRect& rect);
@@ -166,6 +169,8 @@ private:
     [[nodiscard]] std::optional<glm::dvec3> firstBelow(const Ray& ray, Height&& height) const;
     template <class Value>
     [[nodiscard]] double between(glm::dvec2 pointMm, Value&& value) const;
+    /// Uncut ground near the rim.
+    [[nodiscard]] bool isFlank(std::size_t k) const { return m_top[k] >= m_wholeTop[k] && m_flanks->isNear(k); }
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
     core::terrain::Grid m_lattice;
@@ -183,6 +188,7 @@ private:
     std::vector<float> m_solidTop;     ///< as drawn, kEmptyTop where nothing is left
     std::vector<float> m_solidBottom;  ///< as drawn, kEmptyBottom where nothing is left
     std::optional<SteepGround> m_steep;
+    std::optional<Flanks> m_flanks;
     std::vector<float> m_drawnTop;  ///< m_solidTop with its walls freed of the lattice's steps
     std::vector<float> m_drawnBottom;
     std::vector<float> m_risen;       ///< bottoms turned over, as SteepGround takes them

@@ -49,9 +49,6 @@ void main()
 {
     vec3 normal = normalize(normalHere);
     vec4 shade = shadeHere;
-    // The map of light is the upper surface's; from the rim downwards the lower one leaves it.
-    if (facing < 0.0)
-        shade = mix(shade, vec4(0.8, 0.6, 0.0, 0.5), smoothstep(0.0, 0.8, -normal.z));
 
     // Materials, first match wins: decay, pulp, enamel, dentin. Edges a few hundredths of a millimetre soft.
     vec4 upper = texture(upperLayers, onLattice);

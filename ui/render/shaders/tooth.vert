@@ -35,6 +35,9 @@ void main()
     vec2 across = texelFetch(normals, node, 0).rg;
     normalHere = vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0)));
     shadeHere = texelFetch(light, node, 0);
+    // The map of light is the upper surface's.
+    if (facing < 0.0)
+        shadeHere = mix(vec4(1.0, 1.0, 0.0, 0.5), vec4(0.8, 0.6, 0.0, 0.5), smoothstep(0.0, 0.8, -normalHere.z));
     onLattice = ((placeMm - lattice.xy) * lattice.z + 0.5) / float(side);
     gl_ClipDistance[0] = dot(clipPlane, vec4(positionMm, 1.0));
     gl_Position = clipFromTooth * vec4(positionMm, 1.0);
