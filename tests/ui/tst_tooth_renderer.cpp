@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -46,10 +47,13 @@ private slots:
     void aFinePictureThatIsKeptTakesTheBursLight();
     void theOutlineFromAboveHasNoSteps_data();
     void theOutlineFromAboveHasNoSteps();
+    void flanksHaveNoComb_data();
+    void flanksHaveNoComb();
 
 private:
     QImage draw(const Scene& scene);
     [[nodiscard]] Scene scene() const;
+    QImage drawLarge(double azimuthDeg, double elevationDeg, std::optional<double> distanceMm = {});
     void show(const std::shared_ptr<const ToothAnatomy>& tooth);
 
     static constexpr int kWidth = 800;
@@ -109,6 +113,29 @@ QImage TestToothRenderer::draw(const Scene& drawn)
     m_renderer->draw(drawn);
     const QImage image = m_canvas->toImage().convertToFormat(QImage::Format_RGB32);
     pictures::keep(image, QStringLiteral("renderer_") + QTest::currentTestFunction());
+    return image;
+}
+
+/// Of the crown, twice as large, filling the picture unless it is said from how far.
+QImage TestToothRenderer::drawLarge(double azimuthDeg, double elevationDeg, std::optional<double> distanceMm)
+{
+    constexpr int kLarge = 2;
+    const QSize size(kLarge * kWidth, kLarge * kHeight);
+    QOpenGLFramebufferObject large(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+    Camera camera;
+    camera.setViewport({size.width(), size.height()});
+    camera.setSubject(m_surface->crownMiddleMm(), m_surface->crownRadiusMm());
+    camera.set(azimuthDeg, elevationDeg, distanceMm.value_or(0.8 * camera.fittingMm()));
+    Scene seen = scene();
+    seen.eyeFromTooth = camera.view();
+    seen.clipFromEye = camera.projection();
+    seen.eyeMm = camera.eyeMm();
+    seen.sizePx = {size.width(), size.height()};
+    large.bind();
+    m_context.functions()->glViewport(0, 0, size.width(), size.height());
+    m_renderer->draw(seen);
+    const QImage image = large.toImage().convertToFormat(QImage::Format_RGB32);
+    pictures::keep(image, QStringLiteral("renderer_large_") + QTest::currentTestFunction());
     return image;
 }
 
@@ -443,22 +470,7 @@ void TestToothRenderer::theOutlineFromAboveHasNoSteps()
     const auto built = core::teeth::buildTooth({fdi}, {});
     QVERIFY(built);
     show(built->anatomy);
-    constexpr int kLarge = 2;
-    const QSize size(kLarge * kWidth, kLarge * kHeight);
-    QOpenGLFramebufferObject large(size, QOpenGLFramebufferObject::CombinedDepthStencil);
-    Camera camera;
-    camera.setViewport({size.width(), size.height()});
-    camera.setSubject(m_surface->crownMiddleMm(), m_surface->crownRadiusMm());
-    camera.set(0.0, 88.0, 0.8 * camera.fittingMm());
-    Scene seen = scene();
-    seen.eyeFromTooth = camera.view();
-    seen.clipFromEye = camera.projection();
-    seen.eyeMm = camera.eyeMm();
-    seen.sizePx = {size.width(), size.height()};
-    large.bind();
-    m_context.functions()->glViewport(0, 0, size.width(), size.height());
-    m_renderer->draw(seen);
-    const QImage image = large.toImage().convertToFormat(QImage::Format_RGB32);
+    const QImage image = drawLarge(0.0, 88.0);
     const auto edgeOf = [&](int y) {
         for (int x = 0; x < image.width(); ++x)
             if (qGray(image.pixel(x, y)) > 90)
@@ -494,6 +506,60 @@ void TestToothRenderer::theOutlineFromAboveHasNoSteps()
     QVERIFY(rows > 400);
     const double rms = std::sqrt(sum / rows);
     QVERIFY2(rms < 0.4, qPrintable(QString::number(rms)));
+}
+
+void TestToothRenderer::flanksHaveNoComb_data()
+{
+    QTest::addColumn<int>("fdi");
+    for (const int fdi : {36, 24})
+        QTest::addRow("%d", fdi) << fdi;
+}
+
+/// A flank that faces the eye is even: along a row of pixels its brightness follows a smooth curve, whatever columns of
+/// the lattice stand there, one of which is some 7 pixels wide here.
+void TestToothRenderer::flanksHaveNoComb()
+{
+    QFETCH(int, fdi);
+    const auto built = core::teeth::buildTooth({fdi}, {});
+    QVERIFY(built);
+    show(built->anatomy);
+    const QImage image = drawLarge(-90.0, 10.0, 18.0);
+    // Upright stripes stay when some rows are averaged, the steps of 8 bits do not.
+    constexpr int kRows = 8;
+    constexpr int kReach = 24;
+    double s0 = 0.0;
+    double s2 = 0.0;
+    double s4 = 0.0;
+    for (int t = -kReach; t <= kReach; ++t) {
+        s0 += 1.0;
+        s2 += t * t;
+        s4 += static_cast<double>(t * t) * (t * t);
+    }
+    double sum = 0.0;
+    int pixels = 0;
+    for (int y = image.height() * 53 / 100; y < image.height() * 66 / 100; y += kRows) {
+        std::vector<double> bright(static_cast<std::size_t>(image.width()), 0.0);
+        for (int x = 0; x < image.width(); ++x) {
+            for (int row = 0; row < kRows; ++row) {
+                const QRgb pixel = image.pixel(x, y + row);
+                bright[static_cast<std::size_t>(x)] += (qRed(pixel) + qGreen(pixel) + qBlue(pixel)) / (3.0 * kRows);
+            }
+        }
+        for (int x = image.width() * 15 / 100; x < image.width() * 85 / 100; ++x) {
+            // A parabola by least squares takes from each run of pixels what is no comb.
+            double e0 = 0.0;
+            double e2 = 0.0;
+            for (int t = -kReach; t <= kReach; ++t) {
+                e0 += bright[static_cast<std::size_t>(x + t)];
+                e2 += t * t * bright[static_cast<std::size_t>(x + t)];
+            }
+            const double off = bright[static_cast<std::size_t>(x)] - (e0 * s4 - e2 * s2) / (s0 * s4 - s2 * s2);
+            sum += off * off;
+            ++pixels;
+        }
+    }
+    const double rms = std::sqrt(sum / pixels);
+    QVERIFY2(rms < 0.25, qPrintable(QString::number(rms)));
 }
 
 QTEST_MAIN(TestToothRenderer)
