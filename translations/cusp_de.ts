@@ -1261,6 +1261,34 @@
         <source>the same with Shift</source>
         <translation>ebenso mit Umschalt</translation>
     </message>
+    <message>
+        <source>Move the mirror</source>
+        <translation>Spiegel bewegen</translation>
+    </message>
+    <message>
+        <source>drag its glass</source>
+        <translation>am Glas ziehen</translation>
+    </message>
+    <message>
+        <source>Alt + arrows</source>
+        <translation>Alt + Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Tilt the mirror</source>
+        <translation>Spiegel kippen</translation>
+    </message>
+    <message>
+        <source>Mirror nearer, farther</source>
+        <translation>Spiegel näher, ferner</translation>
+    </message>
+    <message>
+        <source>wheel over it</source>
+        <translation>Rad über ihm</translation>
+    </message>
+    <message>
+        <source>Alt + Page Up, Down</source>
+        <translation>Alt + Bild auf, ab</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>

@@ -1261,6 +1261,34 @@
         <source>the same with Shift</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Move the mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drag its glass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt the mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror nearer, farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheel over it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + Page Up, Down</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::HistoryChart</name>

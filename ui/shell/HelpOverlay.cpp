@@ -45,6 +45,10 @@ QList<Gesture> gestures()
         {HelpOverlay::tr("Turn the handpiece"), {HelpOverlay::tr("the same with Shift")}},
         // The left button on the tooth drills, however quickly it is pressed twice.
         {HelpOverlay::tr("Turn it back"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
+        {HelpOverlay::tr("Move the mirror"), {HelpOverlay::tr("drag its glass"), HelpOverlay::tr("Alt + arrows")}},
+        {HelpOverlay::tr("Tilt the mirror"), {HelpOverlay::tr("the same with Shift")}},
+        {HelpOverlay::tr("Mirror nearer, farther"),
+         {HelpOverlay::tr("wheel over it"), HelpOverlay::tr("Alt + Page Up, Down")}},
         {HelpOverlay::tr("Come nearer, go back"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},
     };
 }

@@ -105,10 +105,10 @@ QToolButton* ViewMenu::makeButton(QWidget* parent)
 void ViewMenu::read()
 {
     const QSettings kept = memory();
-    const auto isOn = [&](const char* key) {
-        return recalled(kept, QLatin1String("view/") + QLatin1String(key), false);
+    const auto isOn = [&](const char* key, bool otherwise = false) {
+        return recalled(kept, QLatin1String("view/") + QLatin1String(key), otherwise);
     };
-    m_actions.burLight->setChecked(isOn("light"));
+    m_actions.burLight->setChecked(isOn("light", true));  // as on every turbine of today
     m_actions.depthColours->setChecked(isOn("depth"));
     m_actions.idealColours->setChecked(isOn("ideal"));
     m_actions.handPlace->setChecked(isOn("hand"));
