@@ -1278,16 +1278,16 @@
         <translation>Spiegel kippen</translation>
     </message>
     <message>
-        <source>Mirror nearer, farther</source>
-        <translation>Spiegel näher, ferner</translation>
-    </message>
-    <message>
         <source>wheel over it</source>
         <translation>Rad über ihm</translation>
     </message>
     <message>
-        <source>Alt + Page Up, Down</source>
-        <translation>Alt + Bild auf, ab</translation>
+        <source>Bring it nearer</source>
+        <translation>Näher holen</translation>
+    </message>
+    <message>
+        <source>Alt + Page Up</source>
+        <translation>Alt + Bild auf</translation>
     </message>
 </context>
 <context>

@@ -1278,15 +1278,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mirror nearer, farther</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>wheel over it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Alt + Page Up, Down</source>
+        <source>Bring it nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + Page Up</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

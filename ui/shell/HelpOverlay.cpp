@@ -47,8 +47,7 @@ QList<Gesture> gestures()
         {HelpOverlay::tr("Turn it back"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
         {HelpOverlay::tr("Move the mirror"), {HelpOverlay::tr("drag its glass"), HelpOverlay::tr("Alt + arrows")}},
         {HelpOverlay::tr("Tilt the mirror"), {HelpOverlay::tr("the same with Shift")}},
-        {HelpOverlay::tr("Mirror nearer, farther"),
-         {HelpOverlay::tr("wheel over it"), HelpOverlay::tr("Alt + Page Up, Down")}},
+        {HelpOverlay::tr("Bring it nearer"), {HelpOverlay::tr("wheel over it"), HelpOverlay::tr("Alt + Page Up")}},
         {HelpOverlay::tr("Come nearer, go back"), {HelpOverlay::tr("wheel"), QStringLiteral("+"), QStringLiteral("−")}},
     };
 }

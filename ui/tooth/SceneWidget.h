@@ -41,6 +41,7 @@ public:
     SceneWidget(const QString& whyNot, Way way, QWidget* parent);
     ~SceneWidget() override;
 
+    [[nodiscard]] Way way() const { return m_pane != nullptr ? Way::Window : Way::Image; }
     /// False: this computer gives no OpenGL 3.3, or its driver refuses what is asked of it.
     [[nodiscard]] bool isUsable() const { return m_whyNot == nullptr; }
     /// What is shown now, with smooth edges, in device pixels; of a widget that is not usable its sentence.

@@ -460,7 +460,8 @@ void ToothView::advanceFrame()
         redrawMoving();
     if (m_drillOn && !m_settings.movesLittle && showsInstrument()) {
         m_turnRad = std::fmod(m_turnRad + kTurnRadPerS * seconds, 2.0 * std::numbers::pi);
-        if (m_sinceTurn.elapsed() >= kTurnEveryMs || !m_sinceTurn.isValid()) {
+        // A software driver would never come to smooth edges; there a bur that rests is a blur, as a real one is.
+        if (way() == Way::Window && (!m_sinceTurn.isValid() || m_sinceTurn.elapsed() >= kTurnEveryMs)) {
             m_sinceTurn.start();
             redraw();
         }
