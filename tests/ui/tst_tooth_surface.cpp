@@ -32,6 +32,7 @@ private slots:
     void fineGridsAreThinnedOut();
     void cutChangesOnlyItsSurroundings();
     void refreshedPartsEqualAWholeNewSurface();
+    void aSweepBringsAllLightUpToDate();
     void perforationOpensASewnHole();
     void emptyToothIsEmpty();
     void rayMeetsTheTopOrTheRestingPlane();
@@ -171,6 +172,35 @@ void TestToothSurface::refreshedPartsEqualAWholeNewSurface()
     }
     QCOMPARE(different, 0);
     QCOMPARE(surface.indexCounts(), whole.indexCounts());
+}
+
+void TestToothSurface::aSweepBringsAllLightUpToDate()
+{
+    const auto tooth = support::syntheticMolar();
+    ToothSurface swept(tooth, kLight);
+    ToothSurface atOnce(tooth, kLight);
+    int sweeps = 0;
+    for (const glm::dvec2 at : {glm::dvec2(0.0, 0.5), glm::dvec2(0.9, 0.6)}) {
+        const TilePatch patch = cutTile(*tooth, at, -4.5F);
+        swept.write(patch);
+        atOnce.write(patch);
+        const NodeRect near = swept.refresh(true).light;
+        QVERIFY(swept.isBehind());
+        // A sweep takes some rows, and the next cut comes into it.
+        const NodeRect some = swept.sweepLight().light;
+        QVERIFY(some.endJ - some.beginJ < near.endJ - near.beginJ + 20);
+        QVERIFY(swept.isSweeping());
+        ++sweeps;
+    }
+    while (swept.isBehind()) {
+        static_cast<void>(swept.sweepLight());
+        QVERIFY(++sweeps < 200);
+    }
+    QVERIFY(sweeps > 4);
+    atOnce.refresh();
+    for (std::size_t k = 0; k < swept.light().size(); ++k)
+        for (std::size_t c = 0; c < 4; ++c)
+            QVERIFY(std::abs(swept.light()[k][c] - atOnce.light()[k][c]) <= 1);
 }
 
 void TestToothSurface::perforationOpensASewnHole()

@@ -33,6 +33,7 @@ constexpr float kShadowReachMm = 2.4F;
 /// Of the light that is brought up to date in haste, from what was cut.
 constexpr float kHurriedReachMm = 0.5F;
 /// Half-width of the light's own disc as a tangent: what makes the edge of a shadow soft.
+constexpr int kSweepNodes = 1000;  ///< of the light, in one go
 constexpr float kPenumbra = 0.5F;
 /// Depth below the whole surface at which a spot counts as cut, mm.
 constexpr float kCutFromMm = 0.01F;
@@ -522,9 +523,24 @@ ToothSurface::Changes ToothSurface::refresh(bool hurried)
     }
     if (hurried && !changes.heights.isEmpty())
         changes.light = shineLight(reached(kHurriedReachMm));
-    else if (!hurried && !m_lightDue.isEmpty())
-        changes.light = shineLight(std::exchange(m_lightDue, {}));
+    else if (!hurried && isBehind())
+        changes.light = shineLight(united(std::exchange(m_lightDue, {}), std::exchange(m_sweep, {})));
     m_written = {};
+    return changes;
+}
+
+ToothSurface::Changes ToothSurface::sweepLight()
+{
+    if (m_sweep.isEmpty())
+        m_sweep = std::exchange(m_lightDue, {});
+    Changes changes;
+    if (m_sweep.isEmpty())
+        return changes;
+    const int rows = std::max(1, kSweepNodes / (m_sweep.endI - m_sweep.beginI));
+    core::terrain::NodeRect some = m_sweep;
+    some.endJ = std::min(some.beginJ + rows, some.endJ);
+    m_sweep.beginJ = some.endJ;
+    changes.light = shineLight(some);
     return changes;
 }
 

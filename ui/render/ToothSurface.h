@@ -69,7 +69,11 @@ public:
     /// from what was written is left for the next time without haste: it changes little, and takes the longest.
     Changes refresh(bool hurried = false);
     /// Light was left for later.
-    [[nodiscard]] bool isBehind() const { return !m_lightDue.isEmpty(); }
+    [[nodiscard]] bool isBehind() const { return !m_lightDue.isEmpty() || isSweeping(); }
+    /// Brings some rows of that light up to date, in a millisecond or two: as often as it takes, a sweep goes over all
+    /// that was left when it began.
+    Changes sweepLight();
+    [[nodiscard]] bool isSweeping() const { return !m_sweep.isEmpty(); }
     /// The surface as it ought to become, over the anatomy's grid; null: as it was.
     void setIdeal(const core::grading::IdealTop& ideal);
     /// Moves the operating light; the next refresh() reports all shading as changed.
@@ -215,6 +219,7 @@ private:
     glm::dvec3 m_highestMm{0.0};
     core::terrain::NodeRect m_written;
     core::terrain::NodeRect m_lightDue;
+    core::terrain::NodeRect m_sweep;  ///< what is left of it in a sweep
 };
 
 }  // namespace ui::render

@@ -139,7 +139,7 @@ void ToothView::setHeights(const std::vector<float>& top)
     m_tooth = core::terrain::restored(m_tooth->anatomy, top);
     ++m_toothRevision;
     m_surface->write(top);
-    takeChanges();
+    takeAllChanges();
 }
 
 void ToothView::setPushForce(double newtons)
@@ -167,7 +167,7 @@ void ToothView::setLeftHanded(bool leftHanded)
     placeMirror();
     if (m_surface) {
         m_surface->setLight(operatingLight(m_leftHanded));
-        takeChanges();
+        takeAllChanges();
     }
     redraw();
 }
@@ -230,7 +230,7 @@ QImage ToothView::picture()
     m_servo = m_links.servo.latest();
     takePatches();
     if (m_surface && m_surface->isBehind())
-        takeChanges();
+        takeAllChanges();
     return grabPicture();
 }
 
@@ -451,8 +451,11 @@ void ToothView::advanceFrame()
     if (m_servo.burIndex < core::drilling::burs().size())
         m_control.setBurRadius(core::drilling::burs()[m_servo.burIndex].headRadiusMm);
     takePatches();
-    if (m_surface && m_surface->isBehind() && m_sinceLight.elapsed() >= kLightLagMs)
-        takeChanges();
+    if (m_surface && (m_surface->isSweeping() ||
+                      (m_surface->isBehind() && (!m_sinceLight.isValid() || m_sinceLight.elapsed() >= kLightLagMs)))) {
+        takeChanges(m_surface->sweepLight());
+        m_sinceLight.start();
+    }
     moveByKeys(seconds);
     publishPointer();
     const double glidingS = m_settings.movesLittle ? kAtOnceS : seconds;
@@ -498,14 +501,17 @@ void ToothView::takePatches()
     }
     ++m_toothRevision;
     m_inbox.complete().clear();
-    takeChanges(m_sinceLight.isValid() && m_sinceLight.elapsed() < kLightLagMs);
+    takeChanges(m_surface->refresh(true));
 }
 
-void ToothView::takeChanges(bool hurried)
+void ToothView::takeAllChanges()
 {
-    const render::ToothSurface::Changes changes = m_surface->refresh(hurried);
-    if (!hurried)
-        m_sinceLight.start();
+    takeChanges(m_surface->refresh());
+    m_sinceLight.start();
+}
+
+void ToothView::takeChanges(const render::ToothSurface::Changes& changes)
+{
     m_changes.triangles.insert(m_changes.triangles.end(), changes.triangles.begin(), changes.triangles.end());
     m_changes.heights = united(m_changes.heights, changes.heights);
     m_changes.normals = united(m_changes.normals, changes.normals);

@@ -120,7 +120,8 @@ protected:
 private:
     void advanceFrame();
     void takePatches();
-    void takeChanges(bool hurried = false);
+    void takeChanges(const render::ToothSurface::Changes& changes);
+    void takeAllChanges();
     void moveByKeys(double seconds);
     void stepByKey(int key, double lengthMm);
     void pushAt(QPointF position);
