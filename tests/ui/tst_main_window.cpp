@@ -88,6 +88,7 @@ private slots:
     void whatIsOnHasACheckMark();
     void theSectionIsShownAndTurned();
     void theStereoPageHasAWayBack();
+    void aMessageKeepsToTheView();
     void theXrayPageOpensAndSaves();
     void oneOfTheDepthColoursIsShown();
     void whatALessonLocksRests();
@@ -608,6 +609,25 @@ void TestMainWindow::theStereoPageHasAWayBack()
     QTest::mouseClick(card->findChild<QPushButton*>("keepStereo"), Qt::LeftButton);
     QVERIFY(!card->isVisible());
     QCOMPARE(shown().stereo, Stereo::SideBySide);
+}
+
+void TestMainWindow::aMessageKeepsToTheView()
+{
+    m_window->showTooth(support::syntheticMolar(), 2, {"A note."});
+    const auto* message = child<MessageBar>();
+    const auto isOverTheView = [&] {
+        const QWidget& view = m_window->view();
+        const QRect area(view.mapTo(m_window.get(), QPoint()), view.size());
+        return area.contains(QRect(message->mapTo(m_window.get(), QPoint()), message->size()));
+    };
+    QTRY_VERIFY(message->isVisible() && isOverTheView());
+    const QPoint alone = message->pos();
+    press(Qt::Key_X);
+    QTRY_VERIFY(isOverTheView() && message->pos() != alone);
+    press(Qt::Key_F9);
+    QTRY_VERIFY(isOverTheView());
+    press(Qt::Key_X);
+    QTRY_VERIFY(isOverTheView());
 }
 
 void TestMainWindow::theXrayPageOpensAndSaves()

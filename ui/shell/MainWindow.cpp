@@ -287,6 +287,7 @@ void MainWindow::savePicture(const QString& path, const QImage& picture)
 
 void MainWindow::connectView()
 {
+    connect(m_room, &PracticeRoom::viewAreaChanged, this, &MainWindow::placeOverlays);
     connect(m_view, &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
     connect(m_view, &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
     connect(m_view, &tooth::ToothView::pushRefused, this, [this] {

@@ -279,8 +279,10 @@ QRect PracticeRoom::viewArea() const
 
 bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
+    if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
         placeOverlays();
+        emit viewAreaChanged();
+    }
     return QWidget::eventFilter(watched, event);
 }
 

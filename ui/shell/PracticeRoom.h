@@ -50,6 +50,8 @@ public:
     [[nodiscard]] QRect viewArea() const;
 
 signals:
+    /// viewArea() is another one.
+    void viewAreaChanged();
     void replayStopRequested();
     void replaySpeedChosen(int times);
 
