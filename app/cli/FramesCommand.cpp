@@ -38,6 +38,7 @@ constexpr double kPaceMmPerS = 1.5;  ///< of a hand that works
 constexpr double kCircleMm = 1.2;
 constexpr double kPushN = 1.0;
 constexpr auto kLatencyFor = 4s;
+constexpr auto kRest = 200ms;  ///< after the eye has moved, for a picture as fine as before
 
 double processCpuS()
 {
@@ -244,6 +245,7 @@ core::Result<QJsonObject> measure(QSize size)
         for (std::size_t k = 0; k < all.size(); ++k) {
             const Scene& scene = all[k];
             view.setSettings(scene.settings);
+            std::this_thread::sleep_for(kRest);
             for (int pass = 0; pass < kFramesToSettle; ++pass)
                 work->pass(scene.pushes);
             show(view);

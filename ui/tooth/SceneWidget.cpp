@@ -119,7 +119,7 @@ void SceneWidget::redraw()
 
 void SceneWidget::redrawMoving()
 {
-    m_eyeMoves = true;
+    m_sinceEyeMoved.start();
     redraw();
 }
 
@@ -181,7 +181,8 @@ void SceneWidget::paintEvent(QPaintEvent* /*event*/)
     if (m_pane != nullptr)
         return;
     const bool smooth = std::exchange(m_smoothWanted, false);
-    const bool coarse = std::exchange(m_eyeMoves, false) && !smooth;
+    // Not for this picture alone: a bur that moves as well would make every other one fine.
+    const bool coarse = !smooth && m_sinceEyeMoved.isValid() && m_sinceEyeMoved.elapsed() < kStillMs;
     const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0, coarse ? kCoarse : 1) : nullptr;
     QPainter painter(this);
     if (drawn == nullptr) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QString>
 #include <QTimer>
@@ -86,7 +87,7 @@ private:
     QString m_sentence;
     QTimer m_still;  ///< nothing has moved for a while
     bool m_smoothWanted = false;
-    bool m_eyeMoves = false;  ///< since the last picture
+    QElapsedTimer m_sinceEyeMoved;
 };
 
 }  // namespace ui::tooth
