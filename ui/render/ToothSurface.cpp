@@ -968,23 +968,6 @@ double ToothSurface::heightMm(glm::dvec2 pointMm) const
     return between(pointMm, [this](std::size_t k) { return pickHeight(k); });
 }
 
-std::optional<double> ToothSurface::topMm(glm::dvec2 pointMm) const
-{
-    const glm::dvec2 at = m_lattice.latticeOf(pointMm);
-    const int i = static_cast<int>(std::floor(at.x));
-    const int j = static_cast<int>(std::floor(at.y));
-    bool isSolidAround = true;
-    for (const auto& [x, y] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}})
-        isSolidAround = isSolidAround && m_lattice.contains(x, y) && isSolid(x, y);
-    if (isSolidAround)
-        return between(pointMm, [this](std::size_t k) { return m_top[k]; });
-    const int nearI = static_cast<int>(std::lround(at.x));
-    const int nearJ = static_cast<int>(std::lround(at.y));
-    if (!m_lattice.contains(nearI, nearJ) || !isSolid(nearI, nearJ))
-        return std::nullopt;
-    return m_top[m_lattice.index(nearI, nearJ)];
-}
-
 /// Linear between the four nodes around a point on the lattice; at its edge as the nearest has it.
 template <class Value>
 double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
@@ -999,18 +982,36 @@ double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
            v * ((1.0 - u) * of(i, j + 1) + u * of(i + 1, j + 1));
 }
 
+/// The same where all four are there; else as the nearest has it, if that is there.
+template <class IsThere, class Value>
+std::optional<double> ToothSurface::where(glm::dvec2 pointMm, IsThere&& isThere, Value&& value) const
+{
+    const glm::dvec2 at = m_lattice.latticeOf(pointMm);
+    const auto has = [&](int i, int j) { return m_lattice.contains(i, j) && isThere(m_lattice.index(i, j)); };
+    const int i = static_cast<int>(std::floor(at.x));
+    const int j = static_cast<int>(std::floor(at.y));
+    if (has(i, j) && has(i + 1, j) && has(i, j + 1) && has(i + 1, j + 1))
+        return between(pointMm, value);
+    const int nearI = static_cast<int>(std::lround(at.x));
+    const int nearJ = static_cast<int>(std::lround(at.y));
+    if (!has(nearI, nearJ))
+        return std::nullopt;
+    return value(m_lattice.index(nearI, nearJ));
+}
+
+std::optional<double> ToothSurface::topMm(glm::dvec2 pointMm) const
+{
+    return where(
+        pointMm, [this](std::size_t k) { return m_nodes[k] == Node::Solid; },
+        [this](std::size_t k) { return m_top[k]; });
+}
+
 double ToothSurface::belowUncutMm(const glm::dvec3& pointMm) const
 {
-    const glm::dvec2 at = glm::round(m_lattice.latticeOf(glm::dvec2(pointMm)));
-    // At the rim the nearest node speaks, as in topMm().
-    bool isWholeAround = true;
-    double uncut = between(glm::dvec2(pointMm), [&](std::size_t k) {
-        isWholeAround = isWholeAround && m_wholeTop[k] > m_wholeBottom[k];
-        return m_wholeTop[k];
-    });
-    if (!isWholeAround && m_lattice.contains(static_cast<int>(at.x), static_cast<int>(at.y)))
-        uncut = m_wholeTop[m_lattice.index(static_cast<int>(at.x), static_cast<int>(at.y))];
-    return uncut - pointMm.z;
+    const auto uncut = where(
+        glm::dvec2(pointMm), [this](std::size_t k) { return m_wholeTop[k] > m_wholeBottom[k]; },
+        [this](std::size_t k) { return m_wholeTop[k]; });
+    return uncut.value_or(pointMm.z) - pointMm.z;
 }
 
 double ToothSurface::belowIdealMm(const glm::dvec3& pointMm) const

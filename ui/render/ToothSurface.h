@@ -171,6 +171,8 @@ private:
     [[nodiscard]] float pickHeight(std::size_t k) const;
     template <class Height>
     [[nodiscard]] std::optional<glm::dvec3> firstBelow(const Ray& ray, Height&& height) const;
+    template <class IsThere, class Value>
+    [[nodiscard]] std::optional<double> where(glm::dvec2 pointMm, IsThere&& isThere, Value&& value) const;
     template <class Value>
     [[nodiscard]] double between(glm::dvec2 pointMm, Value&& value) const;
     /// Uncut ground near the rim.
