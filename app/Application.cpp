@@ -366,7 +366,6 @@ void Application::drawPicture()
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
         return;
     }
-    // The view may not yet have found out itself that it cannot draw here.
     if (!m_window->view().isUsable())
         QCoreApplication::exit(cli::failed({core::ErrorCode::FileUnwritable,
                                             "the picture could not be drawn, because this display has no OpenGL 3.3; "

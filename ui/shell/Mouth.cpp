@@ -16,6 +16,7 @@
 #include "ui/render/Gizmo.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/ViewMarks.h"
 
 namespace ui::shell {
 namespace {
@@ -221,11 +222,9 @@ void Mouth::paintMarks(QPainter& painter)
               QPalette::WindowText);
     }
     if (const core::teeth::ArchPiece* piece = pieceOf(told); piece != nullptr) {
-        render::GizmoLetters letters;
-        const QStringList words = text::surfaceLetters(core::teeth::leftFellow(told));
-        std::copy(words.begin(), words.end(), letters.begin());
         render::paintGizmo(painter, QPointF(width() - kGizmoPx - kSpace4, height() - kGizmoPx - kSpace4), kGizmoPx,
-                           glm::dmat3(m_camera.view() * piece->place), letters);
+                           glm::dmat3(m_camera.view() * piece->place),
+                           tooth::gizmoLetters(core::teeth::leftFellow(told)));
     }
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);

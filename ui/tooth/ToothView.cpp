@@ -21,10 +21,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/teeth/ToothBuilder.h"
-#include "ui/render/Driver.h"
-#include "ui/render/Gizmo.h"
 #include "ui/render/SharedArch.h"
-#include "ui/text/Texts.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -41,8 +38,6 @@ constexpr double kMirrorStepMm = 1.0;      ///< a notch of the wheel
 constexpr double kMirrorStepPx = 12.0;     ///< a key
 constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
 constexpr int kForceToldMs = 1200;
-constexpr int kGizmoPx = 36;  ///< radius
-constexpr int kGizmoInPx = 16;
 constexpr double kLiftFollowS = 0.05;
 constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
 constexpr int kTurnEveryMs = 33;       ///< while nothing else asks for a picture
@@ -314,7 +309,7 @@ render::Scene ToothView::scene(QSizeF sizePx) const
     scene.mirror = m_mirror;
     scene.mirrorHandleLeft = !m_leftHanded;
     scene.handAzimuthRad += glm::radians(m_handTurnDeg);
-    scene.keepsStill = render::driver().isSoftware;
+    scene.keepsStill = way() == Way::Image;
     if (m_settings.showsHand && scene.instrumentShown)
         scene.ghostMm = m_pose.deviceMm;
     return scene;
@@ -347,8 +342,7 @@ void ToothView::paintMarks(QPainter& painter)
             continue;
         const glm::dvec2 hand = m_camera.pixelOf(m_pose.deviceMm);
         const glm::dvec2 bur = m_camera.pixelOf(m_pose.anchorMm);
-        if (!QRectF(QPointF(), size).contains(hand.x, hand.y))
-            paintArrowOut(painter, size, {bur.x, bur.y}, {hand.x, hand.y});
+        paintArrowOut(painter, size, {bur.x, bur.y}, {hand.x, hand.y});
         if (m_settings.look.depthColours == render::DepthColours::Off)
             continue;
         paintDepthScale(painter, size, m_settings.look, how);
@@ -382,11 +376,8 @@ void ToothView::drawGizmo(QPainter& painter)
         m_gizmo = QPixmap(QSize(2 * kGizmoPx, 2 * kGizmoPx) * devicePixelRatioF());
         m_gizmo.setDevicePixelRatio(devicePixelRatioF());
         m_gizmo.fill(Qt::transparent);
-        render::GizmoLetters letters;
-        const QStringList words = text::surfaceLetters(m_surface->anatomy().fdi);
-        std::copy(words.begin(), words.end(), letters.begin());
         QPainter paint(&m_gizmo);
-        render::paintGizmo(paint, QPointF(kGizmoPx, kGizmoPx), kGizmoPx, turn, letters);
+        render::paintGizmo(paint, QPointF(kGizmoPx, kGizmoPx), kGizmoPx, turn, gizmoLetters(m_surface->anatomy().fdi));
     }
     painter.drawPixmap(QPointF(kGizmoInPx, kGizmoInPx), m_gizmo);
 }

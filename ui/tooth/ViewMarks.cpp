@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QPainterPath>
 
+#include "ui/text/Texts.h"
+
 namespace ui::tooth {
 namespace {
 
@@ -32,8 +34,18 @@ QFont wordsFont(const QPainter& painter)
 
 }  // namespace
 
+render::GizmoLetters gizmoLetters(int fdi)
+{
+    render::GizmoLetters letters;
+    const QStringList words = text::surfaceLetters(fdi);
+    std::copy_n(words.begin(), std::min<qsizetype>(words.size(), letters.size()), letters.begin());
+    return letters;
+}
+
 void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards)
 {
+    if (QRectF(QPointF(), view).contains(towards))
+        return;
     const QRectF inside(kArrowInPx, kArrowInPx, std::max(1.0, view.width() - 2.0 * kArrowInPx),
                         std::max(1.0, view.height() - 2.0 * kArrowInPx));
     const auto clamped = [&](QPointF at) {

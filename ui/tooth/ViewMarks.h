@@ -7,6 +7,7 @@
 #include <QSizeF>
 #include <QString>
 
+#include "ui/render/Gizmo.h"
 #include "ui/render/Presenter.h"
 #include "ui/render/ToothSurface.h"
 
@@ -14,7 +15,15 @@ namespace ui::tooth {
 
 // What is painted over the picture of a tooth.
 
-/// An arrow from the bur towards a handpiece that has left the view: red, and seen through.
+/// Radius of the gizmo, and how far it stands in the upper left corner, pixels.
+inline constexpr int kGizmoPx = 36;
+inline constexpr int kGizmoInPx = 16;
+
+/// What stands at its ends for a tooth of the left half; empty for no tooth.
+[[nodiscard]] render::GizmoLetters gizmoLetters(int fdi);
+
+/// An arrow from the bur towards a handpiece that has left the view: red, and seen through. Nothing for one that has
+/// not.
 void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards);
 
 /// The scale of the depth colours with its figures, at the left.

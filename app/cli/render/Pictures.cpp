@@ -18,9 +18,7 @@
 #include "ui/inside/SectionPainter.h"
 #include "ui/render/ArchRenderer.h"
 #include "ui/render/Canvas.h"
-#include "ui/render/Gizmo.h"
 #include "ui/render/ToothRenderer.h"
-#include "ui/text/Texts.h"
 #include "ui/tooth/MouthScene.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
@@ -33,8 +31,6 @@ constexpr QRgb kFilmGround = 0xFF0B0C0D;
 constexpr double kFilmMarginMm = 2.0;
 constexpr int kFilmGapPx = 12;
 constexpr std::uint64_t kGrain = 1;  ///< of the film: every picture has the same
-constexpr int kGizmoPx = 36;
-constexpr int kGizmoInPx = 16;
 
 core::imaging::Beam beamOf(const RenderWishes& wishes)
 {
@@ -128,17 +124,14 @@ void paintMarks(QImage& picture, const RenderSubject& subject, const RenderWishe
     painter.setRenderHint(QPainter::Antialiasing);
     const core::terrain::ToothAnatomy& anatomy = *subject.tooth.anatomy;
     if (wishes.gizmo && core::teeth::isGenerated(anatomy)) {
-        ui::render::GizmoLetters letters;
-        const QStringList words = ui::text::surfaceLetters(anatomy.fdi);
-        std::copy(words.begin(), words.end(), letters.begin());
-        ui::render::paintGizmo(painter, QPointF(kGizmoInPx + kGizmoPx, kGizmoInPx + kGizmoPx), kGizmoPx,
-                               glm::dmat3(camera.view()), letters);
+        constexpr double kMiddle = ui::tooth::kGizmoInPx + ui::tooth::kGizmoPx;
+        ui::render::paintGizmo(painter, QPointF(kMiddle, kMiddle), ui::tooth::kGizmoPx, glm::dmat3(camera.view()),
+                               ui::tooth::gizmoLetters(anatomy.fdi));
     }
     if (wishes.hand && subject.bur) {
         const glm::dvec2 hand = camera.pixelOf(subject.bur->deviceMm);
         const glm::dvec2 bur = camera.pixelOf(subject.bur->anchorMm);
-        if (!QRectF(picture.rect()).contains(hand.x, hand.y))
-            ui::tooth::paintArrowOut(painter, picture.size(), {bur.x, bur.y}, {hand.x, hand.y});
+        ui::tooth::paintArrowOut(painter, picture.size(), {bur.x, bur.y}, {hand.x, hand.y});
     }
     if (wishes.look.depthColours != ui::render::DepthColours::Off)
         ui::tooth::paintDepthScale(painter, picture.size(), wishes.look, wishes.presentation);
