@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "core/terrain/Tooth.h"
 
 namespace core::grading {
@@ -40,6 +43,13 @@ struct Measures
     /// between, dentin or decay left behind, is counted. Nodes are points: true to one cell sideways. Distances over
     /// 5 mm read 5.
     double remainingOverPulpMm = 0.0;
+
+    /// The columns where these are worst, for a section through them; nothing where there is none: most decay left,
+    /// most overcut, deepestCutMm, the cut that is nearest to the pulp or deepest in it.
+    std::optional<std::size_t> cariesLeftNode;
+    std::optional<std::size_t> overcutNode;
+    std::optional<std::size_t> deepestCutNode;
+    std::optional<std::size_t> pulpNode;
 
     bool operator==(const Measures&) const = default;
 };

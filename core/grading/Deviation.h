@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "core/base/Result.h"
+#include "core/grading/Preparation.h"
+#include "core/terrain/Tooth.h"
+
+/// How far a cut tooth is from the preparation that was asked for. Sums, minima and maxima over columns in index order,
+/// with nothing from a mathematical library but the square root: the same bits on every machine. What a height map
+/// cannot hold is not measured: undercuts, and walls that converge towards the occlusal, which read as upright.
+namespace core::grading {
+
+/// A figure and the node of the grid where it is to be seen best.
+struct Placed
+{
+    double value = 0.0;
+    std::size_t node = 0;
+    bool operator==(const Placed&) const = default;
+};
+
+/// The outline of a cut is where the tooth has been lowered by so much, mm: what is shallower is a scratch. At a wall
+/// that leans out by 10 degrees that is 0.02 mm inside its upper edge.
+inline constexpr double kOutlineDepthMm = 0.1;
+
+/// Columns of the floor nearer than this, along x or y, to one that is no Floor do not speak for the floor: a wall that
+/// stands a cell aside is the outline's fault and not the depth's. Where nothing else is left, they do.
+inline constexpr double kFloorMarginMm = 0.2;
+
+/// Two places of the floor so far apart along x or y make a step.
+inline constexpr double kStepRunMm = 0.2;
+
+/// Depth of the floor against the ideal (teeth.md section 7: floor depth; courseware.md 3.3: depth error).
+/// The error of a column is its height less the ideal one: negative is too deep.
+struct DepthError
+{
+    double meanMm = 0.0;        ///< of the error's size
+    double signedMm = 0.0;      ///< of the error itself
+    double p95Mm = 0.0;         ///< 95 % of the floor's area are off by no more than this
+    Placed tooDeepMm;           ///< most that the floor lies too low, 0 or more
+    Placed tooShallowMm;        ///< most that it lies too high, 0 or more
+    std::size_t worstNode = 0;  ///< of the larger of the two
+    bool operator==(const DepthError&) const = default;
+};
+
+/// Distance between the outline cut and the ideal one, seen from above (courseware.md 3.3: outline deviation; teeth.md
+/// section 7: a wall 0.5 mm over-extended is a moderate error). Each point of either outline is asked how far the other
+/// is, so that an arm which is missing and one that is too much both count; weighted by length.
+struct OutlineDeviation
+{
+    double meanMm = 0.0;    ///< of the distance's size
+    double signedMm = 0.0;  ///< positive where the cut is over-extended
+    double p95Mm = 0.0;     ///< 95 % of the length are off by no more than this
+    Placed overMm;          ///< farthest that the cut goes beyond the ideal, 0 or more
+    Placed underMm;         ///< farthest that it stays behind, 0 or more
+    bool operator==(const OutlineDeviation&) const = default;
+};
+
+/// A floor as such: what is left when the form that the ideal gives to it has been taken off (teeth.md section 7: flat,
+/// parallel to the occlusal plane, step under 0.25 mm).
+struct FloorForm
+{
+    double flatnessMm = 0.0;  ///< root mean square distance, along z, from the plane that fits the depth error best
+    double slopeDeg = 0.0;    ///< of that plane
+    Placed stepMm;            ///< largest change of the rest within kStepRunMm along x or y
+    bool operator==(const FloorForm&) const = default;
+};
+
+/// The way in which a wall of the cut stands, in the tooth frame.
+enum class Side { MinusX, PlusX, MinusY, PlusY };
+
+/// What can be said of a cut, or of an ideal, by itself.
+struct Form
+{
+    /// mm, the shortest run of cut across the isthmus of the preparation, 0 where the cut is interrupted there
+    /// (teeth.md section 7: isthmus width). Nothing for a preparation without an isthmus, and without any cut.
+    std::optional<Placed> isthmusMm;
+    /// mm, least distance along x from the edge of the cut to the mesial and distal outline of the tooth, over the
+    /// middle half of the tooth's rows, between the cusps (teeth.md section 7: marginal ridge left, from the bur's
+    /// outer edge to the proximal surface). Only for a tooth of which it is known where mesial is, and with a cut
+    /// there.
+    std::optional<Placed> ridgeMesialMm;
+    std::optional<Placed> ridgeDistalMm;
+    /// Degrees from upright, positive where the wall opens towards the occlusal, of the walls that stand on each side
+    /// of the cut, by Side (teeth.md section 7: wall angles); the node is one on it.
+    ///
+    /// Between 5 and 65 % of the depth, so that neither a bevel nor the fillet of a round-ended bur counts. A column on
+    /// the slope of a wall is an exact point of it: how the columns of a short stretch of wall recede with their depth
+    /// gives the angle (least squares, with the direction and the bend of the stretch free). Where the stretches say
+    /// nothing, since a steep wall stands along the lattice, the angle is that of the area which the slope covers seen
+    /// from above over its area seen from the side: right on the average, up to half a cell over the wall's height off.
+    std::array<std::optional<Placed>, 4> wallDeg;
+    /// mm, root mean square distance of the walls' columns from the smooth stretches above (courseware.md 3.3: wall
+    /// roughness). Nothing where no wall has enough columns on its slope.
+    std::optional<double> wallRoughnessMm;
+    bool operator==(const Form&) const = default;
+};
+
+/// Enamel that has lost its dentin (teeth.md section 7: cavosurface; it breaks away under load), mm3. Counted is enamel
+/// still there of which one of these is true:
+///  - decay is left straight below it;
+///  - the foot of its rod has been cut away or stands on decay that is left. Rods run about at right angles to the
+///    enamel-dentin junction: the foot of a rod is sought on the plane through the junction below, along its normal,
+///    and in slices of 0.05 mm.
+/// The node is where the height of such enamel is greatest.
+struct UnsupportedEnamel
+{
+    Placed mm3;
+    bool operator==(const UnsupportedEnamel&) const = default;
+};
+
+/// Widths of the band around a shape of the practice pad in which a cut is forgiven.
+struct Leeway
+{
+    double sidesMm = 0.25;
+    double bottomMm = 0.25;
+    bool operator==(const Leeway&) const = default;
+};
+
+/// The zones of the practice pad (teeth.md section 7, training shapes; courseware.md 3.1). Target: what the ideal takes
+/// away. Leeway bottom: what lies below the target, down to Leeway::bottomMm. Leeway sides: columns beside the target
+/// within Leeway::sidesMm of its edge, down to where the leeway bottom of the nearest target column ends. Container:
+/// all the rest; its bottom lies below target or leeway sides, its sides beside them.
+struct Zones
+{
+    double targetMm3 = 0.0;
+    double leewaySidesMm3 = 0.0;
+    double leewayBottomMm3 = 0.0;
+    double targetRemovedMm3 = 0.0;
+    double leewaySidesRemovedMm3 = 0.0;
+    double leewayBottomRemovedMm3 = 0.0;
+    Placed containerSidesMm3;                   ///< removed; the node where it was cut deepest
+    Placed containerBottomMm3;                  ///< the same
+    std::optional<std::size_t> targetLeftNode;  ///< where most of the target is left
+    bool operator==(const Zones&) const = default;
+};
+
+/// A cut tooth against an ideal preparation. What is absent could not be measured.
+struct Deviation
+{
+    double idealMm3 = 0.0;          ///< what the ideal takes away
+    double removedMm3 = 0.0;        ///< what was taken away
+    double overcutBesideMm3 = 0.0;  ///< taken away from columns that the ideal keeps
+    double overcutBelowMm3 = 0.0;   ///< taken away below the ideal
+    double undercutMm3 = 0.0;       ///< of the ideal, still there: under-cut, not a retentive undercut
+    /// 2 |A and B| / (|A| + |B|) and |A and B| / |A or B| of removed and ideal volume (courseware.md 3.3). Nothing
+    /// where neither is anything.
+    std::optional<double> dice;
+    std::optional<double> iou;
+    /// Where a column was cut deepest beyond the ideal, and where most of the ideal is left.
+    std::optional<std::size_t> overcutNode;
+    std::optional<std::size_t> undercutNode;
+
+    std::optional<DepthError> depth;               ///< nothing for an ideal without Floor
+    std::optional<OutlineDeviation> outline;       ///< nothing unless both ideal and cut have an outline
+    std::optional<FloorForm> floor;                ///< nothing unless three columns of the Floor, not in a row, are cut
+    Form form;                                     ///< of the cut
+    Form idealForm;                                ///< of the ideal, measured the same way
+    std::optional<UnsupportedEnamel> unsupported;  ///< nothing for a tooth without enamel on dentin
+    std::optional<Zones> zones;                    ///< only if a leeway was given
+
+    /// Of +y: 1 towards buccal, -1 towards lingual; 0 where nobody knows which side is which (a scan, a block).
+    int buccalSign = 0;
+
+    [[nodiscard]] double overcutMm3() const { return overcutBesideMm3 + overcutBelowMm3; }
+    bool operator==(const Deviation&) const = default;
+};
+
+/// Measures a tooth against an ideal preparation for its anatomy. A few milliseconds at 150 x 150. Any thread that owns
+/// the tooth. An error, one sentence, where the ideal is for another grid or holds what is no number (BadStructure,
+/// BadNumber), or the leeway is below zero (OutOfRange).
+///
+/// The ideal is taken to lie between the surface of the uncut tooth and its under surface: what is beyond does not
+/// count. A column cut through ends at the under surface.
+[[nodiscard]] Result<Deviation> measureDeviation(const terrain::Tooth& tooth, const Preparation& ideal,
+                                                 const std::optional<Leeway>& leeway = {});
+
+}  // namespace core::grading

@@ -1,0 +1,498 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grading/MeasureTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace core::grading {
+namespace {
+
+using Value = std::optional<double>;
+using Node = std::optional<std::size_t>;
+using terrain::Material;
+
+constexpr std::string_view kMetrics = "courseware.md 3.3";
+constexpr std::string_view kForms = "teeth.md 7, ideal values of a Class I preparation";
+constexpr std::string_view kPad = "teeth.md 7, training shapes; courseware.md 3.1 (Simodont)";
+constexpr std::string_view kHapTel = "courseware.md 3.1 (hapTEL), 3.3";
+
+double removed(const Measured& m, Material material)
+{
+    return m.measures.removedMm3[static_cast<std::size_t>(material)];
+}
+
+/// What `say` answers of the deviation; nothing without one.
+template <class Say>
+auto ofDeviation(const Measured& m, Say say) -> decltype(say(*m.deviation))
+{
+    if (!m.deviation)
+        return {};
+    return say(*m.deviation);
+}
+
+/// The same of a part of it that may be absent.
+template <class Part, class Say>
+auto ofPart(const Measured& m, std::optional<Part> Deviation::*part, Say say)
+    -> std::optional<decltype(say(*(m.deviation.value().*part)))>
+{
+    if (!m.deviation || !((*m.deviation).*part))
+        return {};
+    return say(*((*m.deviation).*part));
+}
+
+template <class Say>
+Value ofProcess(const Measured& m, Say say)
+{
+    return m.process ? Value(say(*m.process)) : std::nullopt;
+}
+
+Value valueOf(const std::optional<Placed>& placed)
+{
+    return placed ? Value(placed->value) : std::nullopt;
+}
+
+Node nodeOf(const std::optional<Placed>& placed)
+{
+    return placed ? Node(placed->node) : std::nullopt;
+}
+
+Value percent(double part, double whole)
+{
+    return whole > 0.0 ? Value(100.0 * part / whole) : std::nullopt;
+}
+
+std::optional<Placed> inForm(const Measured& m, std::optional<Placed> Form::*part)
+{
+    return m.deviation ? m.deviation->form.*part : std::nullopt;
+}
+
+std::optional<Placed> wall(const Measured& m, Side side)
+{
+    return m.deviation ? m.deviation->form.wallDeg.at(static_cast<std::size_t>(side)) : std::nullopt;
+}
+
+/// The wall of a tooth of which somebody knows which side is which.
+std::optional<Placed> namedWall(const Measured& m, Side side)
+{
+    return m.deviation && m.deviation->buccalSign != 0 ? wall(m, side) : std::nullopt;
+}
+
+/// @param sign  1: the buccal wall, -1: the lingual one
+std::optional<Placed> wallAcross(const Measured& m, int sign)
+{
+    return namedWall(m, m.deviation && m.deviation->buccalSign == sign ? Side::PlusY : Side::MinusY);
+}
+
+constexpr std::array kSides{Side::MinusX, Side::PlusX, Side::MinusY, Side::PlusY};
+
+/// The wall that leans most (`sign` 1) or least (-1).
+std::optional<Placed> extremeWall(const Measured& m, double sign)
+{
+    std::optional<Placed> most;
+    for (const Side side : kSides)
+        if (const auto here = wall(m, side); here && (!most || sign * here->value > sign * most->value))
+            most = here;
+    return most;
+}
+
+/// The wall whose angle differs most from the ideal's on the same side, and by how much.
+std::optional<Placed> wallError(const Measured& m)
+{
+    std::optional<Placed> most;
+    for (const Side side : kSides) {
+        const auto here = wall(m, side);
+        if (!here)
+            continue;
+        const auto& ideal = m.deviation->idealForm.wallDeg.at(static_cast<std::size_t>(side));
+        if (ideal && (!most || std::abs(here->value - ideal->value) > most->value))
+            most = Placed{std::abs(here->value - ideal->value), here->node};
+    }
+    return most;
+}
+
+Value isthmusError(const Measured& m)
+{
+    const auto here = inForm(m, &Form::isthmusMm);
+    if (!here || !m.deviation->idealForm.isthmusMm)
+        return {};
+    return here->value - m.deviation->idealForm.isthmusMm->value;
+}
+
+std::optional<Placed> leastRidge(const Measured& m)
+{
+    const auto mesial = inForm(m, &Form::ridgeMesialMm);
+    const auto distal = inForm(m, &Form::ridgeDistalMm);
+    return !distal || (mesial && mesial->value <= distal->value) ? mesial : distal;
+}
+
+Node overNode(const Measured& m)
+{
+    return ofDeviation(m, [](const Deviation& d) { return d.overcutNode; });
+}
+
+Node underNode(const Measured& m)
+{
+    return ofDeviation(m, [](const Deviation& d) { return d.undercutNode; });
+}
+
+Node eitherNode(const Measured& m)
+{
+    const bool over = m.deviation && m.deviation->overcutMm3() > m.deviation->undercutMm3;
+    return over ? overNode(m) : underNode(m);
+}
+
+Node outlineNode(const Measured& m)
+{
+    return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) {
+        return o.underMm.value > o.overMm.value ? o.underMm.node : o.overMm.node;
+    });
+}
+
+Node depthNode(const Measured& m)
+{
+    return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.worstNode; });
+}
+
+Node cariesNode(const Measured& m)
+{
+    return m.measures.cariesLeftNode;
+}
+
+Value ofLesion(const Measured& m, double value)
+{
+    return m.measures.lesionMm3 > 0.0 ? Value(value) : std::nullopt;
+}
+
+constexpr auto kTable = std::to_array<MeasureInfo>({
+    {"caries_removed_mm3", "mm3", "Decay that was removed.", kMetrics,
+     [](const Measured& m) -> Value { return ofLesion(m, removed(m, Material::Caries)); }, nullptr},
+    {"caries_removed_percent", "percent", "Share of the lesion that was removed.", kHapTel,
+     [](const Measured& m) -> Value { return ofLesion(m, 100.0 - m.measures.cariesLeftPercent); }, cariesNode},
+    {"caries_left_mm3", "mm3", "Decay that is still in the tooth.", kMetrics,
+     [](const Measured& m) -> Value { return ofLesion(m, m.measures.cariesLeftMm3); }, cariesNode},
+    {"caries_left_percent", "percent", "Share of the lesion that is still in the tooth.", kHapTel,
+     [](const Measured& m) -> Value { return ofLesion(m, m.measures.cariesLeftPercent); }, cariesNode},
+    {"caries_largest_island_mm3", "mm3",
+     "Largest piece of decay left; columns hang together where they share an edge and their decay overlaps in height.",
+     kMetrics, [](const Measured& m) -> Value { return ofLesion(m, m.measures.largestIslandMm3); }, cariesNode},
+    {"lesion_mm3", "mm3", "Decay before anything was cut.", kMetrics,
+     [](const Measured& m) -> Value { return m.measures.lesionMm3; }, nullptr},
+    {"access_mm3", "mm3", "Sound tissue straight above the lesion, which has to go with it.", kMetrics,
+     [](const Measured& m) -> Value { return ofLesion(m, m.measures.accessMm3); }, nullptr},
+    {"sound_overcut_mm3", "mm3", "Sound enamel and dentin removed beside the lesion or below it.",
+     "courseware.md 3.1 (Osnes 2021), 3.3", [](const Measured& m) -> Value { return m.measures.overcutMm3; },
+     [](const Measured& m) -> Node { return m.measures.overcutNode; }},
+    {"enamel_removed_mm3", "mm3", "Enamel that was removed.", kMetrics,
+     [](const Measured& m) -> Value { return removed(m, Material::Enamel); }, nullptr},
+    {"dentin_removed_mm3", "mm3", "Dentin that was removed.", kMetrics,
+     [](const Measured& m) -> Value { return removed(m, Material::Dentin); }, nullptr},
+    {"pulp_removed_mm3", "mm3", "Pulp that was removed.", kMetrics,
+     [](const Measured& m) -> Value { return removed(m, Material::Pulp); },
+     [](const Measured& m) -> Node { return m.measures.pulpNode; }},
+    {"deepest_cut_mm", "mm", "Largest lowering of the surface, straight down.", kMetrics,
+     [](const Measured& m) -> Value { return m.measures.deepestCutMm; },
+     [](const Measured& m) -> Node { return m.measures.deepestCutNode; }},
+    {"pulp_exposed_mm2", "mm2", "Area, seen from above, that was cut down to the pulp or through it.", kMetrics,
+     [](const Measured& m) -> Value { return m.measures.pulpExposedMm2; },
+     [](const Measured& m) -> Node { return m.measures.pulpNode; }},
+    {"perforated_mm2", "mm2", "Area, seen from above, of holes that go right through the tooth.", kMetrics,
+     [](const Measured& m) -> Value { return m.measures.perforatedMm2; },
+     [](const Measured& m) -> Node { return m.measures.deepestCutNode; }},
+    {"remaining_over_pulp_mm", "mm",
+     "Shortest distance in any direction from a cut surface to the pulp; 5 stands for all beyond.",
+     "teeth.md 7 (2.0 ideal, 0.5 the limit: Murray 2003)",
+     [](const Measured& m) -> Value {
+         return m.measures.hasRemainingOverPulp ? Value(m.measures.remainingOverPulpMm) : std::nullopt;
+     },
+     [](const Measured& m) -> Node { return m.measures.pulpNode; }},
+
+    {"ideal_mm3", "mm3", "What the ideal preparation takes away.", kMetrics,
+     [](const Measured& m) -> Value { return ofDeviation(m, [](const Deviation& d) { return Value(d.idealMm3); }); },
+     nullptr},
+    {"removed_mm3", "mm3", "What was taken away, all tissues together.", kMetrics,
+     [](const Measured& m) -> Value {
+         const auto& all = m.measures.removedMm3;
+         return all[0] + all[1] + all[2] + all[3];
+     },
+     nullptr},
+    {"overcut_mm3", "mm3", "What was removed outside the ideal preparation, beside and below it.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return Value(d.overcutMm3()); });
+     },
+     overNode},
+    {"overcut_beside_mm3", "mm3", "What was removed of columns that the ideal preparation keeps.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return Value(d.overcutBesideMm3); });
+     },
+     overNode},
+    {"overcut_below_mm3", "mm3", "What was removed below the ideal preparation.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return Value(d.overcutBelowMm3); });
+     },
+     overNode},
+    {"undercut_mm3", "mm3", "What of the ideal preparation was not removed (under-cut, no retentive undercut).", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return Value(d.undercutMm3); });
+     },
+     underNode},
+    {"overcut_percent", "percent", "What was removed outside the ideal preparation, over the ideal's volume.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return percent(d.overcutMm3(), d.idealMm3); });
+     },
+     overNode},
+    {"undercut_percent", "percent", "What of the ideal preparation was not removed, over the ideal's volume.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return percent(d.undercutMm3, d.idealMm3); });
+     },
+     underNode},
+    {"dice", "", "Twice the volume common to what was removed and the ideal, over the sum of both volumes.", kMetrics,
+     [](const Measured& m) -> Value { return ofDeviation(m, [](const Deviation& d) { return d.dice; }); }, eitherNode},
+    {"iou", "", "Volume common to what was removed and the ideal, over the volume of either.", kMetrics,
+     [](const Measured& m) -> Value { return ofDeviation(m, [](const Deviation& d) { return d.iou; }); }, eitherNode},
+
+    {"depth_error_mean_mm", "mm", "Mean size of the floor's error in height, over the ideal floor's area.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.meanMm; });
+     },
+     depthNode},
+    {"depth_error_signed_mm", "mm", "Mean of the floor's error in height; negative is too deep.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.signedMm; });
+     },
+     depthNode},
+    {"depth_error_p95_mm", "mm", "Size of the floor's error in height that 95 percent of the floor stay within.",
+     kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.p95Mm; });
+     },
+     depthNode},
+    {"depth_too_deep_mm", "mm", "Most that the floor lies below the ideal one.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooDeepMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooDeepMm.node; });
+     }},
+    {"depth_too_shallow_mm", "mm", "Most that the floor lies above the ideal one.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooShallowMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooShallowMm.node; });
+     }},
+
+    {"outline_mean_mm", "mm", "Mean distance between the outline cut and the ideal one.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.meanMm; });
+     },
+     outlineNode},
+    {"outline_signed_mm", "mm",
+     "Mean signed distance between the outline cut and the ideal one; positive is over-extended.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.signedMm; });
+     },
+     outlineNode},
+    {"outline_p95_mm", "mm", "Distance between the outlines that 95 percent of their length stay within.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.p95Mm; });
+     },
+     outlineNode},
+    {"outline_max_mm", "mm", "Largest distance between the outline cut and the ideal one, either way.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::outline,
+                       [](const OutlineDeviation& o) { return std::max(o.overMm.value, o.underMm.value); });
+     },
+     outlineNode},
+    {"outline_over_mm", "mm", "Farthest that the cut goes beyond the ideal outline.", kForms,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.overMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.overMm.node; });
+     }},
+    {"outline_under_mm", "mm", "Farthest that the cut stays behind the ideal outline.", kForms,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.underMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.underMm.node; });
+     }},
+
+    {"isthmus_width_mm", "mm", "Shortest run of cut across the isthmus; 0 where the cut is interrupted there.", kForms,
+     [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::isthmusMm)); },
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::isthmusMm)); }},
+    {"isthmus_error_mm", "mm", "Isthmus width less that of the ideal, measured the same way.", kForms, isthmusError,
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::isthmusMm)); }},
+    {"ridge_mesial_mm", "mm", "Least distance from the cut to the mesial surface of the tooth, between the cusps.", kForms,
+     [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::ridgeMesialMm)); },
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::ridgeMesialMm)); }},
+    {"ridge_distal_mm", "mm", "Least distance from the cut to the distal surface of the tooth, between the cusps.", kForms,
+     [](const Measured& m) -> Value { return valueOf(inForm(m, &Form::ridgeDistalMm)); },
+     [](const Measured& m) -> Node { return nodeOf(inForm(m, &Form::ridgeDistalMm)); }},
+    {"ridge_least_mm", "mm", "The thinner of the two marginal ridges left.", kForms,
+     [](const Measured& m) -> Value { return valueOf(leastRidge(m)); },
+     [](const Measured& m) -> Node { return nodeOf(leastRidge(m)); }},
+
+    {"wall_angle_mesial_deg", "deg", "Angle of the mesial wall from upright; positive opens towards the occlusal.", kForms,
+     [](const Measured& m) -> Value { return valueOf(namedWall(m, Side::MinusX)); },
+     [](const Measured& m) -> Node { return nodeOf(namedWall(m, Side::MinusX)); }},
+    {"wall_angle_distal_deg", "deg", "Angle of the distal wall from upright; positive opens towards the occlusal.", kForms,
+     [](const Measured& m) -> Value { return valueOf(namedWall(m, Side::PlusX)); },
+     [](const Measured& m) -> Node { return nodeOf(namedWall(m, Side::PlusX)); }},
+    {"wall_angle_buccal_deg", "deg", "Angle of the buccal wall from upright; positive opens towards the occlusal.", kForms,
+     [](const Measured& m) -> Value { return valueOf(wallAcross(m, 1)); },
+     [](const Measured& m) -> Node { return nodeOf(wallAcross(m, 1)); }},
+    {"wall_angle_lingual_deg", "deg", "Angle of the lingual wall from upright; positive opens towards the occlusal.",
+     kForms, [](const Measured& m) -> Value { return valueOf(wallAcross(m, -1)); },
+     [](const Measured& m) -> Node { return nodeOf(wallAcross(m, -1)); }},
+    {"wall_angle_least_deg", "deg", "Angle of the most upright wall, whichever side it is on.", kForms,
+     [](const Measured& m) -> Value { return valueOf(extremeWall(m, -1.0)); },
+     [](const Measured& m) -> Node { return nodeOf(extremeWall(m, -1.0)); }},
+    {"wall_angle_most_deg", "deg", "Angle of the wall that leans out most, whichever side it is on.", kForms,
+     [](const Measured& m) -> Value { return valueOf(extremeWall(m, 1.0)); },
+     [](const Measured& m) -> Node { return nodeOf(extremeWall(m, 1.0)); }},
+    {"wall_angle_error_deg", "deg", "Largest difference between a wall's angle and that of the ideal on the same side.",
+     kForms, [](const Measured& m) -> Value { return valueOf(wallError(m)); },
+     [](const Measured& m) -> Node { return nodeOf(wallError(m)); }},
+    {"wall_roughness_mm", "mm", "Root mean square distance of the walls from smooth stretches of 0.7 mm.", kMetrics,
+     [](const Measured& m) -> Value { return m.deviation ? m.deviation->form.wallRoughnessMm : std::nullopt; }, nullptr},
+
+    {"floor_flatness_mm", "mm", "Root mean square distance of the floor from the ideal one, tilted and lifted to fit.",
+     kMetrics,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.flatnessMm; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.node; });
+     }},
+    {"floor_slope_deg", "deg", "Slope of the floor against the ideal one.", kForms,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.slopeDeg; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.node; });
+     }},
+    {"floor_step_mm", "mm", "Largest step in the floor within 0.2 mm.", kForms,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.node; });
+     }},
+    {"unsupported_enamel_mm3", "mm3", "Enamel left above decay, or whose rods stand on dentin that was cut away.",
+     "teeth.md 7 (cavosurface), courseware.md 3.3",
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::unsupported, [](const UnsupportedEnamel& u) { return u.mm3.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::unsupported, [](const UnsupportedEnamel& u) { return u.mm3.node; });
+     }},
+
+    {"target_removed_percent", "percent", "Share of the target zone that was removed.", kPad,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) {
+             return d.zones ? percent(d.zones->targetRemovedMm3, d.zones->targetMm3) : std::nullopt;
+         });
+     },
+     [](const Measured& m) -> Node {
+         return ofDeviation(m, [](const Deviation& d) { return d.zones ? d.zones->targetLeftNode : std::nullopt; });
+     }},
+    {"leeway_sides_removed_percent", "percent", "Share of the leeway beside the target that was removed.", kPad,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) {
+             return d.zones ? percent(d.zones->leewaySidesRemovedMm3, d.zones->leewaySidesMm3) : std::nullopt;
+         });
+     },
+     overNode},
+    {"leeway_bottom_removed_percent", "percent", "Share of the leeway below the target that was removed.", kPad,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) {
+             return d.zones ? percent(d.zones->leewayBottomRemovedMm3, d.zones->leewayBottomMm3) : std::nullopt;
+         });
+     },
+     overNode},
+    {"container_sides_mm3", "mm3", "What was removed beside target and leeway.", kPad,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerSidesMm3.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerSidesMm3.node; });
+     }},
+    {"container_bottom_mm3", "mm3", "What was removed below target and leeway.", kPad,
+     [](const Measured& m) -> Value {
+         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerBottomMm3.value; });
+     },
+     [](const Measured& m) -> Node {
+         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerBottomMm3.node; });
+     }},
+
+    {"time_total_s", "s", "Time of the attempt.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.totalS; }); }, nullptr},
+    {"time_to_first_cut_s", "s", "Time until material first came away.", kHapTel,
+     [](const Measured& m) -> Value { return m.process ? m.process->firstCutS : std::nullopt; }, nullptr},
+    {"time_cutting_s", "s", "Time in strokes.", kHapTel,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.cuttingS; }); }, nullptr},
+    {"longest_pause_s", "s", "Longest time without cutting between two strokes.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.longestPauseS; }); }, nullptr},
+    {"path_mm", "mm", "Way of the bur's tip.", "courseware.md 3.1 (endodontic VR), 3.3",
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.pathMm; }); }, nullptr},
+    {"path_cutting_mm", "mm", "Way of the bur's tip in strokes.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.cuttingPathMm; }); }, nullptr},
+    {"strokes", "", "Number of strokes: stretches of cutting without a pause of 150 ms.",
+     "courseware.md 3.1 (Ioannou 2010), 3.3",
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.strokes; }); }, nullptr},
+    {"stroke_length_mean_mm", "mm", "Mean way of the bur's tip in a stroke.", "courseware.md 3.1 (Ioannou 2010)",
+     [](const Measured& m) -> Value { return m.process ? m.process->strokeMm : std::nullopt; }, nullptr},
+    {"stroke_time_mean_s", "s", "Mean time of a stroke.", "courseware.md 3.1 (Ioannou 2010)",
+     [](const Measured& m) -> Value { return m.process ? m.process->strokeS : std::nullopt; }, nullptr},
+    {"lift_offs", "", "Times that a bur which has cut left the tooth for 50 ms or longer.",
+     "courseware.md 3.1 (Ioannou 2010)",
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.liftOffs; }); }, nullptr},
+    {"force_mean_n", "N", "Mean force on the hand in contact.", "courseware.md 3.1 (force), 3.3; teeth.md 5",
+     [](const Measured& m) -> Value {
+         return m.process && m.process->force ? Value(m.process->force->meanN) : std::nullopt;
+     },
+     nullptr},
+    {"force_sd_n", "N", "Standard deviation of the force on the hand in contact.", kMetrics,
+     [](const Measured& m) -> Value {
+         return m.process && m.process->force ? Value(m.process->force->sdN) : std::nullopt;
+     },
+     nullptr},
+    {"force_p95_n", "N", "Force that is not passed in 95 percent of the time in contact.", kMetrics,
+     [](const Measured& m) -> Value {
+         return m.process && m.process->force ? Value(m.process->force->p95N) : std::nullopt;
+     },
+     nullptr},
+    {"force_largest_n", "N", "Largest force on the hand in contact.", "courseware.md 3.1 (force), 3.3; teeth.md 5",
+     [](const Measured& m) -> Value {
+         return m.process && m.process->force ? Value(m.process->force->largestN) : std::nullopt;
+     },
+     nullptr},
+    {"force_over_limit_s", "s", "Time in contact with more force than the limit of the lesson.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.overLimitS; }); }, nullptr},
+    {"jerk_rms_mm_s3", "mm/s3", "Root mean square jerk of the hand while the drill is on, up to about 5 Hz.",
+     "courseware.md 3.3; Hogan and Sternad 2009",
+     [](const Measured& m) -> Value { return m.process ? m.process->jerkMmPerS3 : std::nullopt; }, nullptr},
+    {"drill_in_air_s", "s", "Time with the drill on and no contact.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.drillInAirS; }); }, nullptr},
+    {"contact_bur_off_s", "s", "Time in contact with the drill off.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.contactBurOffS; }); }, nullptr},
+    {"undo_count", "", "Times that the tooth was put back to an earlier state.", kMetrics,
+     [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.undos; }); }, nullptr},
+});
+
+}  // namespace
+
+std::span<const MeasureInfo> measureTable()
+{
+    return kTable;
+}
+
+std::optional<MeasureInfo> findMeasure(std::string_view id)
+{
+    const auto found = std::find_if(kTable.begin(), kTable.end(), [&](const MeasureInfo& row) { return row.id == id; });
+    return found != kTable.end() ? std::optional(*found) : std::nullopt;
+}
+
+}  // namespace core::grading

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/grading/Deviation.h"
+#include "core/grading/Measures.h"
+#include "core/grading/Process.h"
+
+namespace core::grading {
+
+/// All that was measured of an attempt.
+struct Measured
+{
+    Measures measures;
+    std::optional<Deviation> deviation;  ///< nothing without an ideal preparation
+    std::optional<Process> process;      ///< nothing without a recording
+};
+
+/// A measure by the name that a rubric knows it by.
+struct MeasureInfo
+{
+    std::string_view id;          ///< never changes: rubrics and results name it
+    std::string_view unit;        ///< "mm3", "mm2", "mm", "deg", "percent", "s", "N", "mm/s3", or "" for a bare number
+    std::string_view definition;  ///< one English sentence
+    std::string_view source;
+    /// The value, or nothing where it was not measured.
+    std::optional<double> (*value)(const Measured&);
+    /// The node where it is worst, for a section through it; nothing where it has no place. May be null.
+    std::optional<std::size_t> (*node)(const Measured&);
+
+    [[nodiscard]] std::optional<std::size_t> nodeIn(const Measured& measured) const
+    {
+        return node == nullptr ? std::nullopt : node(measured);
+    }
+};
+
+/// Every measure there is, outcome first.
+[[nodiscard]] std::span<const MeasureInfo> measureTable();
+
+/// Nothing for an id that is none.
+[[nodiscard]] std::optional<MeasureInfo> findMeasure(std::string_view id);
+
+}  // namespace core::grading

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "core/session/Links.h"
+
+namespace core::grading {
+
+/// How an attempt went (courseware.md 3.3: process). Times in seconds, of the ticks' own steps and not of a clock.
+struct Process
+{
+    double totalS = 0.0;
+    std::optional<double> firstCutS;  ///< from the beginning until material first came away; nothing: never
+    double cuttingS = 0.0;            ///< in strokes
+
+    /// Way of the bur's tip, mm. A way shorter than 0.1 mm does not count until it is that long: the last count of an
+    /// encoder, which comes and goes at rest, is no way.
+    double pathMm = 0.0;
+    double cuttingPathMm = 0.0;  ///< of it, in strokes
+
+    /// A stroke begins when material comes away and ends with the last that does before a pause of 150 ms: as an undo
+    /// step does.
+    int strokes = 0;
+    std::optional<double> strokeMm;  ///< mean way of the tip in a stroke
+    std::optional<double> strokeS;   ///< mean time of a stroke
+    /// Times that a bur which has cut left the tooth for 50 ms or longer (Ioannou 2010: experts lift off less).
+    int liftOffs = 0;
+    double longestPauseS = 0.0;  ///< longest time without cutting between two strokes
+
+    /// Force on the hand while the bur touches the tooth, N, over time. Nothing without contact. The percentile is from
+    /// a histogram of 0.02 N (courseware.md 3.1: 0.1 to 4.9 N in crown preparations).
+    struct Force
+    {
+        double meanN = 0.0;
+        double sdN = 0.0;
+        double p95N = 0.0;
+        double largestN = 0.0;
+        bool operator==(const Force&) const = default;
+    };
+    std::optional<Force> force;
+    double overLimitS = 0.0;  ///< time with more than the limit of force, in contact
+
+    /// Root mean square jerk of the hand while the drill is on, mm/s3: third difference of its places, each the mean of
+    /// 50 ms (movement up to about 5 Hz passes, counts of an encoder do not). Jerk as the measure of smoothness: Hogan
+    /// and Sternad 2009. Nothing before 0.2 s of it.
+    std::optional<double> jerkMmPerS3;
+
+    double drillInAirS = 0.0;     ///< drill on, no contact
+    double contactBurOffS = 0.0;  ///< contact, drill off
+    int undos = 0;
+    bool operator==(const Process&) const = default;
+};
+
+/// Gathers a Process tick by tick, live or from a replay: the same ticks give the same bits. No allocation; about 10
+/// kB.
+class ProcessMeter
+{
+public:
+    /// @param forceLimitN  what Process::overLimitS is counted against
+    explicit ProcessMeter(double forceLimitN) noexcept : m_forceLimitN(forceLimitN) {}
+
+    /// The state after a tick of `dt`. Ticks without a device count as time and as nothing else.
+    void take(const session::ServoState& state, std::chrono::microseconds dt) noexcept;
+    /// The tooth was put back to an earlier state.
+    void undone() noexcept { ++m_undos; }
+
+    /// As of the last tick; an unfinished stroke counts as far as it goes.
+    [[nodiscard]] Process process() const noexcept;
+
+private:
+    using Micros = std::int64_t;
+
+    /// Way of a point, without the trembling of a count.
+    struct Way
+    {
+        glm::dvec3 fromMm{0.0};
+        bool begun = false;
+        double take(const glm::dvec3& placeMm) noexcept;
+    };
+    void takeStroke(const session::ServoState& state, Micros dt) noexcept;
+    void takeForce(const session::ServoState& state, Micros dt) noexcept;
+    void takeJerk(const session::ServoState& state, Micros dt) noexcept;
+
+    static constexpr std::size_t kBins = 1000;
+    static constexpr double kBinN = 0.02;
+
+    double m_forceLimitN;
+    Micros m_total = 0;
+    Micros m_cutting = 0;  ///< of strokes that have ended
+    Micros m_firstCut = -1;
+    Micros m_lastCut = -1;      ///< end of the last tick that cut
+    Micros m_strokeBegan = -1;  ///< of the stroke that goes on; -1: none does
+    Micros m_longestPause = 0;
+    int m_strokes = 0;
+
+    Way m_way;
+    double m_pathMm = 0.0;
+    double m_cuttingPathMm = 0.0;
+    double m_strokePathMm = 0.0;  ///< of the stroke that goes on, up to its last cut
+    double m_sinceCutMm = 0.0;    ///< of the way after it
+
+    Micros m_offFor = 0;    ///< without contact
+    bool m_hasCut = false;  ///< in this contact
+    int m_liftOffs = 0;
+
+    Micros m_contact = 0;
+    double m_sumNS = 0.0;
+    double m_sumN2S = 0.0;
+    double m_largestN = 0.0;
+    Micros m_overLimit = 0;
+    std::array<Micros, kBins> m_histogram{};  ///< the last bin holds all beyond
+
+    glm::dvec3 m_blockSum{0.0};
+    Micros m_blockFor = 0;
+    std::array<glm::dvec3, 4> m_blocks{};  ///< newest first
+    int m_blockCount = 0;
+    double m_jerk2 = 0.0;
+    std::uint64_t m_jerks = 0;
+
+    Micros m_inAir = 0;
+    Micros m_burOff = 0;
+    int m_undos = 0;
+};
+
+}  // namespace core::grading
