@@ -3,11 +3,13 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
 #include <QStandardPaths>
 #include <QThreadPool>
+#include <QUrl>
 
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
@@ -15,7 +17,8 @@
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/GuidedFalcon.h"
-#include "lessons/DecayRemovalRubric.h"
+#include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/tooth/ToothView.h"
 
@@ -94,6 +97,15 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
 {
     using ui::shell::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
+    connect(m_window.get(), &MainWindow::lessonChosen, this, &Application::openLesson);
+    connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
+    connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [] {
+        const QString folder = lessons::teachersFolder();
+        QDir().mkpath(folder);
+        QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+    });
+    connect(m_window.get(), &MainWindow::forecastGiven, this,
+            [this](int expectedTenths, const QString&) { finish(expectedTenths); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
             [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
     connect(m_window.get(), &MainWindow::scanUnitChosen, this, [this](const QString& unit) {
@@ -206,6 +218,41 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
         });
 }
 
+void Application::openLesson(const lessons::Lesson& lesson)
+{
+    const int load = ++m_loading;
+    m_window->showBusy(tr("Preparing the lesson …"));
+    inBackground(
+        this, [lesson] { return lessons::assign(lesson); },
+        [this, load](const core::Result<lessons::Assigned>& assigned) {
+            if (load != m_loading)
+                return;
+            if (!assigned) {
+                refuse(assigned.error(), Failed::OpeningLesson, {});
+                return;
+            }
+            begin(assigned->assignment, ui::text::scanNotes(assigned->report), false);
+        });
+}
+
+/// A teacher's folder may have changed since it was read last.
+void Application::showLessons()
+{
+    std::map<std::string, ui::study::Standing> standings;
+    if (m_attempts) {
+        if (const auto found = m_attempts->standings())
+            for (const database::LessonStanding& standing : *found)
+                standings[standing.lessonId] = {standing.attempts, standing.bestTenths, standing.passed};
+        else
+            m_window->showError(found.error(), Failed::KeepingGrades);
+    }
+    inBackground(
+        this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
+        [this, standings](std::vector<lessons::CatalogEntry>& entries) {
+            m_window->setLessons(std::move(entries), standings);
+        });
+}
+
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
 /// wanted, said on stderr, and that is the end.
 void Application::refuse(const core::Error& error, Failed failed, const QString& file)
@@ -215,28 +262,32 @@ void Application::refuse(const core::Error& error, Failed failed, const QString&
         return;
     }
     m_window->showError(error, failed, file);
-    if (!m_anatomy && !m_replay)
+    if (!m_assignment.anatomy && !m_replay)
         openTooth({kSpareTooth});
 }
 
 void Application::takeTooth(const core::teeth::BuiltTooth& built)
 {
-    begin(built.anatomy, ui::text::scanNotes(built.report), built.report.placement.unitDoubtful);
+    const auto practice = lessons::practiceOn(built.anatomy);
+    if (practice)
+        begin(*practice, ui::text::scanNotes(built.report), built.report.placement.unitDoubtful);
+    else
+        refuse(practice.error(), Failed::MakingTooth, {});
 }
 
-void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes,
-                        bool unitInDoubt)
+void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
     if (m_replay) {
         putReplayAway();
         m_window->setReplaying(false);
         startLoops();
     }
-    m_anatomy = std::move(anatomy);
+    m_assignment = assignment;
+    m_window->setAssignment(m_assignment);
     m_ownGeneration = ++m_generation;
     m_demoHand = {};
-    m_window->showTooth(m_anatomy, m_ownGeneration, notes, unitInDoubt);
-    auto tooth = std::make_unique<core::terrain::Tooth>(m_anatomy);
+    m_window->showTooth(m_assignment.anatomy, m_ownGeneration, notes, unitInDoubt);
+    auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration}))
         static_cast<void>(tooth.release());  // the session owns it now
 }
@@ -244,49 +295,80 @@ void Application::begin(std::shared_ptr<const core::terrain::ToothAnatomy> anato
 void Application::letDemoHandDecide()
 {
     const auto tooth = m_session.toothSoFar();
-    if (!m_replay && tooth && tooth->anatomy == m_anatomy)
+    if (!m_replay && tooth && tooth->anatomy == m_assignment.anatomy)
         m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
 }
 
 void Application::grade()
 {
     const auto tooth = m_session.toothSoFar();
-    const auto recording = m_session.recordingSoFar();
-    if (!tooth || !recording) {
+    if (!tooth || !m_session.recordingSoFar()) {
         m_window->showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
     if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
-        m_window->showScore(m_graded->sheet, m_graded->history);
+        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths);
         return;
     }
     if (tooth->top == tooth->anatomy->top) {
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
-    const lessons::ScoreSheet sheet = lessons::grade(core::grading::measure(*tooth));
+    if (m_assignment.lesson)
+        m_window->askForecast();
+    else
+        finish({});
+}
 
+/// Marks the work as it is now, keeps the grade and shows it.
+void Application::finish(std::optional<int> expectedTenths)
+{
+    const auto tooth = m_session.toothSoFar();
+    const auto recording = m_session.recordingSoFar();
+    if (!tooth || !recording)
+        return;
+    const auto marked = lessons::mark(m_assignment, *tooth, {});
+    if (!marked) {
+        m_window->showError(marked.error(), Failed::Marking);
+        return;
+    }
+    const lessons::ScoreSheet& sheet = marked->sheet;
+    const std::uint64_t hash = core::terrain::stateHash(*tooth);
     QList<database::AttemptRecord> history;
     if (m_attempts) {
         database::AttemptRecord record;
         record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-        record.tooth = m_anatomy->name;
-        record.score = sheet.total;
+        record.tooth = m_assignment.anatomy->name;
+        record.scoreTenths = sheet.totalTenths;
+        record.passed = sheet.passed();
+        record.rubricHash = sheet.rubricHash;
+        record.expectedTenths = expectedTenths;
+        if (m_assignment.lesson) {
+            record.lessonId = m_assignment.lesson->id;
+            record.lessonHash = m_assignment.lesson->hash;
+        }
         record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(recording->duration()).count();
         record.scoreSheetJson = lessons::toJson(sheet).toStdString();
         record.stateHash = QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0')).toStdString();
         const auto kept = m_attempts->add(record);
-        const auto last = kept ? m_attempts->byTooth(record.tooth, kHistoryLength)
+        const auto last = kept ? lastGrades(record)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
         if (last) {
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-            m_graded = {m_ownGeneration, hash, sheet, history};
+            m_graded = {m_ownGeneration, hash, sheet, history, expectedTenths};
         } else {
             m_window->showError(last.error(), Failed::KeepingGrades);
         }
     }
-    m_window->showScore(sheet, history);
+    m_window->showScore(sheet, history, expectedTenths);
+}
+
+/// Of the same lesson, or without one of the same tooth.
+core::Result<std::vector<database::AttemptRecord>> Application::lastGrades(const database::AttemptRecord& now)
+{
+    return now.lessonId.empty() ? m_attempts->byTooth(now.tooth, kHistoryLength)
+                                : m_attempts->byLesson(now.lessonId, kHistoryLength);
 }
 
 void Application::saveRecording(const QString& path)
@@ -360,7 +442,7 @@ void Application::watchReplay()
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
 void Application::drawPicture()
 {
-    if (m_anatomy || m_replay)
+    if (m_assignment.anatomy || m_replay)
         ++m_pictureLooks;
     if (m_pictureLooks < kPictureFrames) {
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
@@ -391,9 +473,11 @@ void Application::stopReplay()
 {
     if (!m_replay)
         return;
-    if (!m_anatomy) {
-        begin(m_replayed, {}, false);
-        m_window->showMessage(tr("The tooth is whole, and yours to drill."));
+    if (!m_assignment.anatomy) {
+        if (const auto practice = lessons::practiceOn(m_replayed)) {
+            begin(*practice, {}, false);
+            m_window->showMessage(tr("The tooth is whole, and yours to drill."));
+        }
         return;
     }
     putReplayAway();
@@ -402,9 +486,9 @@ void Application::stopReplay()
     m_links.servo.publish();
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {
     }
-    m_window->showTooth(m_anatomy, m_ownGeneration, {});
+    m_window->showTooth(m_assignment.anatomy, m_ownGeneration, {});
     // A tooth that was taken a moment before the replay may still be on its way to the session.
-    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_anatomy)
+    if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
         m_window->view().setHeights(own->top);
     startLoops();
     m_window->showMessage(tr("This is your own work again, as you left it."));

@@ -15,6 +15,7 @@
 #include "database/sql/SqlAttemptRepository.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/simulated/DemoHand.h"
+#include "lessons/Assignment.h"
 #include "ui/shell/MainWindow.h"
 
 namespace app {
@@ -49,11 +50,15 @@ private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
     void openDatabase(const QString& file);
+    void openLesson(const lessons::Lesson& lesson);
+    void showLessons();
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {});
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
-    void begin(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, const QStringList& notes, bool unitInDoubt);
+    void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
     void grade();
+    void finish(std::optional<int> expectedTenths);
+    [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
     void play(const core::recording::Recording& recording);
@@ -78,9 +83,9 @@ private:
     std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
 
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< the student's own tooth; null: none taken yet
-    std::uint64_t m_ownGeneration = 0;                             ///< of that tooth
-    std::uint64_t m_generation = 0;                                ///< of the newest tooth shown
+    lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
+    std::uint64_t m_ownGeneration = 0;  ///< of that tooth
+    std::uint64_t m_generation = 0;     ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     /// The grade given last: the same work is not graded twice.
@@ -90,6 +95,7 @@ private:
         std::uint64_t hash = 0;
         lessons::ScoreSheet sheet;
         QList<database::AttemptRecord> history;
+        std::optional<int> expectedTenths;
     };
     std::optional<Graded> m_graded;
     QTimer m_replayWatch;

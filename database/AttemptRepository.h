@@ -21,6 +21,10 @@ public:
     [[nodiscard]] virtual core::Result<std::int64_t> add(const AttemptRecord& attempt) = 0;
     /// The last attempts at one tooth, newest first, at most `limit`.
     [[nodiscard]] virtual core::Result<std::vector<AttemptRecord>> byTooth(const std::string& tooth, int limit) = 0;
+    /// The last attempts at one lesson, newest first, at most `limit`.
+    [[nodiscard]] virtual core::Result<std::vector<AttemptRecord>> byLesson(const std::string& lessonId, int limit) = 0;
+    /// Every lesson that was ever attempted, by its id.
+    [[nodiscard]] virtual core::Result<std::vector<LessonStanding>> standings() = 0;
     /// The last attempts at any tooth, newest first, at most `limit`.
     [[nodiscard]] virtual core::Result<std::vector<AttemptRecord>> recent(int limit) = 0;
     /// The attempt with the highest score at a tooth, the first to reach it; nothing if the tooth was never graded.

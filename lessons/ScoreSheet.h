@@ -1,67 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "lessons/LocalText.h"
+
 namespace lessons {
 
-/// How a measured value becomes points lost.
-enum class PointRule {
-    PerUnit,  ///< min(maxPoints, round(pointsPerUnit * max(0, measured - free))), halves away from zero
-    Once      ///< maxPoints as soon as measured > free
+/// On which side of its target a measure can be wrong.
+enum class Side { Over, Under, Both };
+
+/// How the points of a rubric add up. Schools know two ways (teeth.md section 7).
+enum class Verdict {
+    SumOfErrors,  ///< every criterion takes its share of its weight
+    WorstError    ///< the worst criterion alone decides, with its share of 100 points
 };
 
-/// One line of a score: what was measured, how it was worked into points, and what was lost. The ui builds the sentence
-/// ("4.2 % left, free 1.0 %, 2 points per % -> -6") from the id and these numbers.
+/// One line of a score: what was measured, how it was worked into points, and what was lost. Numbers are kept as they
+/// were judged, so that the sentence can be worked again: "4.2 %, free 1.0 %, 60 points over 30 % -> -6.4".
 struct Criterion
 {
-    std::string id;         ///< "caries_left", "sound_tissue", "pulp_exposure", "perforation"; the ui translates it
-    double measured = 0.0;  ///< in `unit`
-    std::string unit;       ///< "%", "mm3", "mm2"
-    double free = 0.0;      ///< up to here nothing is lost, in `unit`
-    PointRule rule = PointRule::PerUnit;
-    double pointsPerUnit = 0.0;  ///< of PerUnit; 0 for Once
-    int maxPoints = 0;           ///< the most this criterion can take away
-    bool critical = false;       ///< losing points here fails the attempt, whatever the total
-    int pointsLost = 0;          ///< by the rule, exactly
+    std::string id;
+    LocalText title;      ///< empty: the name of the measure
+    std::string measure;  ///< id of the measure
+    std::string unit;     ///< "percent", "mm3", "mm", "deg", ...
+    std::optional<double> measured;
+    Side side = Side::Over;
+    double target = 0.0;
+    double tolerance = 0.0;  ///< with what the allowance added
+    double span = 0.0;
+    int weightTenths = 0;
+    bool critical = false;
+    double error = 0.0;  ///< beyond the tolerance, in `unit`; 0 where nothing was measured
+    double share = 0.0;  ///< of the weight that this error costs, 0 .. 1; 1 where nothing was measured
+    int lostTenths = 0;  ///< tenths of a point, exactly
     bool operator==(const Criterion&) const = default;
 };
 
-/// A grade that explains itself: total = max(0, 100 - sum of points lost), exactly; all integers.
+/// A grade that explains itself: total = 100 points - the sum of what each criterion lost, exactly; all in tenths of a
+/// point, as integers.
 struct ScoreSheet
 {
     std::string rubricId;
     int rubricVersion = 0;
+    std::string rubricHash;
+    LocalText rubricTitle;
+    Verdict verdict = Verdict::SumOfErrors;
+    int passMarkTenths = 0;
     std::vector<Criterion> criteria;
-    int total = 0;     ///< 0 .. 100
-    int passMark = 0;  ///< 0 .. 100
+    int totalTenths = 0;  ///< 0 .. 1000
     bool operator==(const ScoreSheet&) const = default;
 
-    [[nodiscard]] int pointsLost() const
-    {
-        int sum = 0;
-        for (const Criterion& criterion : criteria)
-            sum += criterion.pointsLost;
-        return sum;
-    }
-    /// Points lost that the total does not show because it ends at 0.
-    [[nodiscard]] int pointsBelowZero() const { return pointsLost() - (100 - total); }
     [[nodiscard]] bool failedCritically() const
     {
         for (const Criterion& criterion : criteria)
-            if (criterion.critical && criterion.pointsLost > 0)
+            if (criterion.critical && criterion.share > 0.0)
                 return true;
         return false;
     }
-    [[nodiscard]] bool passed() const { return total >= passMark && !failedCritically(); }
+    [[nodiscard]] bool passed() const { return totalTenths >= passMarkTenths && !failedCritically(); }
 };
 
-/// The points that a criterion's own numbers take away, its pointsLost ignored. A measured value that is not a number
-/// loses everything: nothing unmeasured earns points.
-[[nodiscard]] int pointsLostBy(const Criterion& criterion);
-
-/// Fills pointsLost of every criterion and the total.
-void addUp(ScoreSheet& sheet);
+inline constexpr int kFullTenths = 1000;
 
 }  // namespace lessons

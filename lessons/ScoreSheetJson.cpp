@@ -8,11 +8,32 @@
 namespace lessons {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 QString text(const std::string& utf8)
 {
     return QString::fromStdString(utf8);
+}
+
+QJsonObject toObject(const LocalText& words)
+{
+    QJsonObject object;
+    for (const auto& [language, word] : words)
+        object.insert(text(language), text(word));
+    return object;
+}
+
+QString nameOf(Side side)
+{
+    switch (side) {
+    case Side::Over:
+        return QStringLiteral("over");
+    case Side::Under:
+        return QStringLiteral("under");
+    case Side::Both:
+        break;
+    }
+    return QStringLiteral("both");
 }
 
 }  // namespace
@@ -23,18 +44,31 @@ QByteArray toJson(const ScoreSheet& sheet)
     for (const Criterion& criterion : sheet.criteria)
         criteria.append(QJsonObject{
             {"id", text(criterion.id)},
-            {"measured", criterion.measured},
+            {"title", toObject(criterion.title)},
+            {"measure", text(criterion.measure)},
             {"unit", text(criterion.unit)},
-            {"free", criterion.free},
-            {"rule", criterion.rule == PointRule::Once ? "once" : "per_unit"},
-            {"points_per_unit", criterion.pointsPerUnit},
-            {"max_points", criterion.maxPoints},
+            {"measured", criterion.measured ? QJsonValue(*criterion.measured) : QJsonValue()},
+            {"side", nameOf(criterion.side)},
+            {"target", criterion.target},
+            {"tolerance", criterion.tolerance},
+            {"span", criterion.span},
             {"critical", criterion.critical},
-            {"points_lost", criterion.pointsLost},
+            {"weight_tenths", criterion.weightTenths},
+            {"error", criterion.error},
+            {"share", criterion.share},
+            {"lost_tenths", criterion.lostTenths},
         });
     const QJsonObject object{
-        {"format", kFormat},    {"rubric", text(sheet.rubricId)}, {"rubric_version", sheet.rubricVersion},
-        {"criteria", criteria}, {"total", sheet.total},           {"pass_mark", sheet.passMark},
+        {"format", kFormat},
+        {"rubric", text(sheet.rubricId)},
+        {"rubric_version", sheet.rubricVersion},
+        {"rubric_hash", text(sheet.rubricHash)},
+        {"rubric_title", toObject(sheet.rubricTitle)},
+        {"verdict", sheet.verdict == Verdict::SumOfErrors ? "sum_of_errors" : "worst_error"},
+        {"criteria", criteria},
+        {"total_tenths", sheet.totalTenths},
+        {"pass_mark_tenths", sheet.passMarkTenths},
+        {"passed", sheet.passed()},
     };
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }

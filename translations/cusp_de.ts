@@ -23,67 +23,58 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>Decay left</source>
-        <translation>Restkaries</translation>
-    </message>
-    <message>
-        <source>Pulp opened</source>
-        <translation>Pulpa eröffnet</translation>
-    </message>
-    <message>
-        <source>%1 of %2 %3 free: nothing lost</source>
-        <translation>%1 von %2 %3 frei: kein Abzug</translation>
-    </message>
-    <message>
-        <source>Nothing lost</source>
-        <translation>Kein Abzug</translation>
-    </message>
-    <message numerus="yes">
-        <source>More than %1 %2: %n point(s) at once</source>
-        <translation>
-            <numerusform>Mehr als %1 %2: sofort %n Punkt</numerusform>
-            <numerusform>Mehr als %1 %2: sofort %n Punkte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Any at all: %n point(s) at once</source>
-        <translation>
-            <numerusform>Schon die kleinste Stelle: sofort %n Punkt</numerusform>
-            <numerusform>Schon die kleinste Stelle: sofort %n Punkte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>(%1 − %2 free) %3 × %4 points = %5</source>
-        <translation>(%1 − %2 frei) %3 × %4 Punkte = %5</translation>
-    </message>
-    <message>
-        <source>%1 %2 × %3 points = %4</source>
-        <translation>%1 %2 × %3 Punkte = %4</translation>
-    </message>
-    <message>
-        <source>%1, rounded %2</source>
-        <translation>%1, gerundet %2</translation>
-    </message>
-    <message>
-        <source>%1, at most %2</source>
-        <translation>%1, höchstens %2</translation>
-    </message>
-    <message>
-        <source>%1 = %2, no less than 0</source>
-        <extracomment>%1 is the sum, %2 what it comes to below zero; the score itself stops at 0</extracomment>
-        <translation>%1 = %2, mindestens 0</translation>
-    </message>
-    <message>
-        <source>Tooth perforated</source>
-        <translation>Zahn perforiert</translation>
-    </message>
-    <message>
-        <source>Sound tissue removed beside the decay</source>
-        <translation>Gesunde Hartsubstanz neben der Karies</translation>
-    </message>
-    <message>
         <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
         <translation>Schmelz und Dentin neben und unter der Karies. Was genau über der Karies liegt, muss abgetragen werden und zählt nicht.</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 − %2 free</source>
+        <extracomment>%1 is a value, %2 what of it costs nothing: &quot;3.20 − 1.00 free&quot;</extracomment>
+        <translation>%1 − %2 frei</translation>
+    </message>
+    <message>
+        <source>at least %1 %2</source>
+        <translation>mindestens %1 %2</translation>
+    </message>
+    <message>
+        <source>up to %1 %2</source>
+        <translation>bis %1 %2</translation>
+    </message>
+    <message>
+        <source>Not measured, so the attempt fails: %1 points that were left</source>
+        <translation>Nicht gemessen, also nicht bestanden: %1 Punkte, die übrig waren</translation>
+    </message>
+    <message>
+        <source>Not measured, so it earns none of its %1 points</source>
+        <translation>Nicht gemessen, bringt also keinen seiner %1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1: nothing lost</source>
+        <translation>%1: nichts verloren</translation>
+    </message>
+    <message>
+        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
+        <translation>Erlaubt ist %1; damit ist der Versuch nicht bestanden, und die übrigen %2 Punkte sind verloren</translation>
+    </message>
+    <message>
+        <source>%1 %2 too far off; a worse error decides</source>
+        <translation>%1 %2 zu weit daneben; ein größerer Fehler entscheidet</translation>
+    </message>
+    <message>
+        <source>%1; beyond it all of its %2 points are lost</source>
+        <translation>%1; darüber sind alle %2 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>(%1) / %2 %3 × %4 points</source>
+        <translation>(%1) / %2 %3 × %4 Punkte</translation>
+    </message>
+    <message>
+        <source>%1, no more than all of them</source>
+        <translation>%1, mehr als alle nicht</translation>
     </message>
 </context>
 <context>
@@ -280,6 +271,20 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Bewertungen werden nicht aufbewahrt; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
+    <message>
+        <source>Ask who made the lesson, or choose another one.</source>
+        <translation>Frage, wer die Aufgabe gemacht hat, oder wähle eine andere.</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Aufgabe kann nicht gestellt werden; was auf dem Tisch lag, liegt noch da. %1</translation>
+    </message>
+    <message>
+        <source>The work cannot be marked; it is as it was. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Arbeit kann nicht bewertet werden; sie ist, wie sie war. %1</translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
@@ -310,6 +315,77 @@
     <message>
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
         <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
+    </message>
+</context>
+<context>
+    <name>Lesson</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Practice block</source>
+        <translation>Übungsblock</translation>
+    </message>
+    <message>
+        <source>Ideal preparations</source>
+        <translation>Ideale Präparationen</translation>
+    </message>
+    <message>
+        <source>Removing decay</source>
+        <translation>Karies entfernen</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>Tiefenmesser</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>Farben der Tiefe</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation>ideale Präparation</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>%1: fails the attempt</source>
+        <translation>%1: Versuch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <translation>%1: %2 Punkte</translation>
     </message>
 </context>
 <context>
@@ -593,6 +669,10 @@
     <message>
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
         <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>Die Aufgabe wird vorbereitet …</translation>
     </message>
 </context>
 <context>
@@ -1083,6 +1163,14 @@
         <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
         <translation>Einfärben, was zu tief ist und was noch fehlt, und am Zeiger angeben</translation>
     </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Choose what to practise</source>
+        <translation>Wählen, was geübt wird</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1447,6 +1535,10 @@
         <source>Only a tooth with decay has an ideal preparation.</source>
         <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
     </message>
+    <message>
+        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
+        <translation>Die Zeit für diese Aufgabe ist um. Arbeite weiter, solange du magst, oder drücke G.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1587,7 +1679,7 @@
     </message>
     <message>
         <source>Grade: %1</source>
-        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
         <translation>Bewertung: %1</translation>
     </message>
     <message>
@@ -1608,7 +1700,6 @@
     </message>
     <message>
         <source>At most %1 points can be lost here</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>Hier sind höchstens %1 Punkte zu verlieren</translation>
     </message>
     <message>
@@ -1622,6 +1713,28 @@
     <message>
         <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
         <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen in mm³ steht in der Seitenleiste.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation>Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
     </message>
 </context>
 <context>
@@ -1826,6 +1939,197 @@
     <message>
         <source>What is shown of the tooth, and how</source>
         <translation>Was vom Zahn gezeigt wird, und wie</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Forecast</name>
+    <message>
+        <source>Before you see the score</source>
+        <translation>Bevor du die Note siehst</translation>
+    </message>
+    <message>
+        <source>How many points do you expect?</source>
+        <translation>Wie viele Punkte erwartest du?</translation>
+    </message>
+    <message>
+        <source>What cost you most?</source>
+        <translation>Was hat am meisten gekostet?</translation>
+    </message>
+    <message>
+        <source>Show the score</source>
+        <translation>Note zeigen</translation>
+    </message>
+    <message>
+        <source>See how the work was marked (Enter)</source>
+        <translation>Sehen, wie die Arbeit bewertet wurde (Eingabe)</translation>
+    </message>
+    <message>
+        <source>%1. You pass from %2 of 100 points. Who judges the own work first learns more from the score.</source>
+        <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
+        <translation>%1. Bestanden ab %2 von 100 Punkten. Wer zuerst selbst urteilt, lernt mehr aus der Note.</translation>
+    </message>
+    <message>
+        <source>Nothing: I expect all points</source>
+        <translation>Nichts: Ich erwarte alle Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonStrip</name>
+    <message>
+        <source>The step before</source>
+        <translation>Der Schritt davor</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>Der nächste Schritt</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Tipp</translation>
+    </message>
+    <message>
+        <source>Show a hint for this step</source>
+        <translation>Einen Tipp zu diesem Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>A step of the work, and how many there are</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Time worked</source>
+        <translation>Gearbeitete Zeit</translation>
+    </message>
+    <message>
+        <source>Time left of %1</source>
+        <translation>Übrige Zeit von %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonsPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation>Suche: ein Wort oder die Nummer eines Zahns</translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation>Aufgaben durchsuchen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Start this lesson</source>
+        <translation>Diese Aufgabe beginnen</translation>
+    </message>
+    <message>
+        <source>Put the tooth of this lesson on the table (Enter)</source>
+        <translation>Den Zahn dieser Aufgabe auf den Tisch legen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Your own lessons …</source>
+        <translation>Eigene Aufgaben …</translation>
+    </message>
+    <message>
+        <source>Open the folder that a teacher&apos;s lessons are read from</source>
+        <translation>Den Ordner öffnen, aus dem die Aufgaben der Lehrenden gelesen werden</translation>
+    </message>
+    <message>
+        <source>Open the folder of your own lessons</source>
+        <translation>Den Ordner der eigenen Aufgaben öffnen</translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Cannot be given</source>
+        <translation>Nicht zu stellen</translation>
+    </message>
+    <message>
+        <source>No lesson fits the search</source>
+        <translation>Keine Aufgabe passt zur Suche</translation>
+    </message>
+    <message>
+        <source>This file cannot be given as a lesson. The others work.</source>
+        <translation>Diese Datei kann nicht als Aufgabe gestellt werden. Die anderen gehen.</translation>
+    </message>
+    <message>
+        <source>Search for another word, or clear the field.</source>
+        <translation>Suche nach einem anderen Wort oder leere das Feld.</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Exam: faults are noted, and nothing is said until the end</source>
+        <translation>Prüfung: Fehler werden notiert, gesagt wird bis zum Ende nichts</translation>
+    </message>
+    <message>
+        <source>Practice: you are told what goes wrong</source>
+        <translation>Übung: Du erfährst, was schiefgeht</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Burs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Aids</source>
+        <translation>Hilfen</translation>
+    </message>
+    <message>
+        <source>Marked by</source>
+        <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
+        <translation>Bewertet nach</translation>
+    </message>
+    <message>
+        <source>%1, passed from %2</source>
+        <translation>%1, bestanden ab %2</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>Nicht modelliert</translation>
+    </message>
+    <message>
+        <source>Your best</source>
+        <translation>Dein Bestes</translation>
+    </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>noch nicht versucht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 in %n attempt(s)</source>
+        <translation>
+            <numerusform>%1 in %n Versuch</numerusform>
+            <numerusform>%1 in %n Versuchen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Falsch</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
     </message>
 </context>
 <context>

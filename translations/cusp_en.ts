@@ -23,66 +23,57 @@
 <context>
     <name>Criterion</name>
     <message>
-        <source>Decay left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pulp opened</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 %3 free: nothing lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>More than %1 %2: %n point(s) at once</source>
-        <translation>
-            <numerusform>More than %1 %2: %n point at once</numerusform>
-            <numerusform>More than %1 %2: %n points at once</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Any at all: %n point(s) at once</source>
-        <translation>
-            <numerusform>Any at all: %n point at once</numerusform>
-            <numerusform>Any at all: %n points at once</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>(%1 − %2 free) %3 × %4 points = %5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 %2 × %3 points = %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, rounded %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, at most %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 = %2, no less than 0</source>
-        <extracomment>%1 is the sum, %2 what it comes to below zero; the score itself stops at 0</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tooth perforated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sound tissue removed beside the decay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 − %2 free</source>
+        <extracomment>%1 is a value, %2 what of it costs nothing: &quot;3.20 − 1.00 free&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured, so the attempt fails: %1 points that were left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured, so it earns none of its %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: nothing lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 too far off; a worse error decides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; beyond it all of its %2 points are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(%1) / %2 %3 × %4 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, no more than all of them</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -280,6 +271,20 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Ask who made the lesson, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work cannot be marked; it is as it was. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
@@ -309,6 +314,77 @@
     </message>
     <message>
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Lesson</name>
+    <message>
+        <source>First steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ideal preparations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removing decay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: fails the attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -592,6 +668,10 @@
     </message>
     <message>
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1083,6 +1163,14 @@
         <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose what to practise</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1447,6 +1535,10 @@
         <source>Only a tooth with decay has an ideal preparation.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1587,7 +1679,7 @@
     </message>
     <message>
         <source>Grade: %1</source>
-        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1608,7 +1700,6 @@
     </message>
     <message>
         <source>At most %1 points can be lost here</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1621,6 +1712,28 @@
     </message>
     <message>
         <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1825,6 +1938,197 @@
     </message>
     <message>
         <source>What is shown of the tooth, and how</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Forecast</name>
+    <message>
+        <source>Before you see the score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many points do you expect?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What cost you most?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how the work was marked (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. You pass from %2 of 100 points. Who judges the own work first learns more from the score.</source>
+        <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing: I expect all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonStrip</name>
+    <message>
+        <source>The step before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a hint for this step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>A step of the work, and how many there are</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time worked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time left of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonsPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start this lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the tooth of this lesson on the table (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own lessons …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder that a teacher&apos;s lessons are read from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder of your own lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot be given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lesson fits the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This file cannot be given as a lesson. The others work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for another word, or clear the field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exam: faults are noted, and nothing is said until the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice: you are told what goes wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Burs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked by</source>
+        <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, passed from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not tried yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 in %n attempt(s)</source>
+        <translation>
+            <numerusform>%1 in %n attempt</numerusform>
+            <numerusform>%1 in %n attempts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

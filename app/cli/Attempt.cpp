@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
 constexpr qint64 kMostPresetBytes = 1024 * 1024;
+constexpr std::size_t kShownHash = 12;  ///< hex digits that tell rubrics apart
 
 tl::unexpected<core::Error> inPreset(const QString& file, const QString& what)
 {
@@ -98,24 +99,17 @@ QJsonObject toJson(const core::terrain::PerMaterial& values)
     return object;
 }
 
-QJsonObject toJson(const core::grading::Measures& measures)
+QJsonObject toJson(const core::grading::Measured& measured)
 {
-    return {
-        {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
-        {QStringLiteral("lesion_mm3"), measures.lesionMm3},
-        {QStringLiteral("caries_left_mm3"), measures.cariesLeftMm3},
-        {QStringLiteral("caries_left_percent"), measures.cariesLeftPercent},
-        {QStringLiteral("largest_island_mm3"), measures.largestIslandMm3},
-        {QStringLiteral("access_mm3"), measures.accessMm3},
-        {QStringLiteral("overcut_mm3"), measures.overcutMm3},
-        {QStringLiteral("deepest_cut_mm"), measures.deepestCutMm},
-        {QStringLiteral("pulp_exposed_mm2"), measures.pulpExposedMm2},
-        {QStringLiteral("perforated_mm2"), measures.perforatedMm2},
-        {QStringLiteral("remaining_over_pulp_mm"),
-         measures.hasRemainingOverPulp ? QJsonValue(measures.remainingOverPulpMm) : QJsonValue()},
-        {QStringLiteral("not_measured"),
-         QJsonArray{QStringLiteral("undercuts"), QStringLiteral("walls past 90 degrees")}},
-    };
+    QJsonObject object;
+    for (const core::grading::MeasureInfo& measure : core::grading::measureTable()) {
+        const auto value = measure.value(measured);
+        object.insert(QString::fromUtf8(measure.id.data(), static_cast<qsizetype>(measure.id.size())),
+                      value ? QJsonValue(*value) : QJsonValue());
+    }
+    object.insert(QStringLiteral("not_measured"),
+                  QJsonArray{QStringLiteral("undercuts"), QStringLiteral("walls past 90 degrees")});
+    return object;
 }
 
 QJsonObject toJsonObject(const lessons::ScoreSheet& sheet)
@@ -138,24 +132,28 @@ QString hashText(std::uint64_t hash)
 
 QString toText(const lessons::ScoreSheet& sheet)
 {
-    QString text = QStringLiteral("score          %1 of 100, %2 (pass mark %3)\n")
-                       .arg(sheet.total)
-                       .arg(sheet.passed() ? QStringLiteral("passed") : QStringLiteral("not passed"))
-                       .arg(sheet.passMark);
+    const auto points = [](int tenths) { return QStringLiteral("%1.%2").arg(tenths / 10).arg(tenths % 10); };
+    QString text =
+        QStringLiteral("score          %1 of 100, %2 (pass mark %3; rubric %4 version %5, %6)\n")
+            .arg(points(sheet.totalTenths), sheet.passed() ? QStringLiteral("passed") : QStringLiteral("not passed"),
+                 points(sheet.passMarkTenths), QString::fromStdString(sheet.rubricId))
+            .arg(sheet.rubricVersion)
+            .arg(QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
     for (const lessons::Criterion& criterion : sheet.criteria) {
-        QString rule = QStringLiteral("free %1 %2").arg(criterion.free).arg(QString::fromStdString(criterion.unit));
-        if (criterion.rule == lessons::PointRule::PerUnit)
-            rule += QStringLiteral(", then %1 points per %2, at most %3")
-                        .arg(criterion.pointsPerUnit)
-                        .arg(QString::fromStdString(criterion.unit))
-                        .arg(criterion.maxPoints);
-        else
-            rule += QStringLiteral(", beyond it %1 points at once").arg(criterion.maxPoints);
-        text += QStringLiteral("  %1 %2 %3 (%4): %5\n")
+        const QString unit = QString::fromStdString(criterion.unit);
+        const QString measured = criterion.measured
+                                     ? QStringLiteral("%1 %2").arg(*criterion.measured, 0, 'f', 3).arg(unit)
+                                     : QStringLiteral("not measured");
+        const QString rule =
+            criterion.critical
+                ? QStringLiteral("critical")
+                : QStringLiteral("span %1, %2 points").arg(criterion.span).arg(points(criterion.weightTenths));
+        text += QStringLiteral("  %1 %2 (target %3, tolerance %4, %5): -%6\n")
                     .arg(QString::fromStdString(criterion.id), -14)
-                    .arg(criterion.measured, 0, 'f', 3)
-                    .arg(QString::fromStdString(criterion.unit), rule)
-                    .arg(-criterion.pointsLost);
+                    .arg(measured)
+                    .arg(criterion.target)
+                    .arg(criterion.tolerance)
+                    .arg(rule, points(criterion.lostTenths));
     }
     return text + QStringLiteral("not measured   undercuts and walls past 90 degrees: the model is a height field\n");
 }

@@ -5,7 +5,7 @@
 #include <QJsonObject>
 
 #include "core/base/Result.h"
-#include "core/grading/Measures.h"
+#include "core/grading/MeasureTable.h"
 #include "core/session/ServoTick.h"
 #include "haptics/simulated/TickTimes.h"
 #include "lessons/ScoreSheet.h"
@@ -20,7 +20,8 @@ namespace app::cli {
 
 /// caries, enamel, dentin, pulp.
 [[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);
-[[nodiscard]] QJsonObject toJson(const core::grading::Measures& measures);
+/// Every measure by its id, null where it was not measured, and what no height map can tell.
+[[nodiscard]] QJsonObject toJson(const core::grading::Measured& measured);
 [[nodiscard]] QJsonObject toJsonObject(const lessons::ScoreSheet& sheet);
 /// p50, p99, p999 and max of tick times in microseconds.
 [[nodiscard]] QJsonObject toJson(const haptics::TickTimes& times);

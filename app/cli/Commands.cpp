@@ -20,6 +20,7 @@ constexpr Command kCommands[] = {
     {"simulate", "drive the servo tick over a device path and write what happened", simulateCommand},
     {"replay", "replay a recording, measure and score it", replayCommand},
     {"render", "draw a tooth, or what an attempt left of it, into a picture", renderCommand, Draws::Tooth},
+    {"lesson", "list lessons, check a teacher's own", lessonCommand},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},

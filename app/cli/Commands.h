@@ -40,5 +40,6 @@ int renderCommand(const QStringList& arguments);
 int demoCommand(const QStringList& arguments);
 int benchCommand(const QStringList& arguments);
 int framesCommand(const QStringList& arguments);
+int lessonCommand(const QStringList& arguments);
 
 }  // namespace app::cli

@@ -15,7 +15,7 @@
 #include "haptics/simulated/DemoHand.h"
 #include "haptics/simulated/GuidedFalcon.h"
 #include "haptics/simulated/Simulation.h"
-#include "lessons/DecayRemovalRubric.h"
+#include "lessons/Assignment.h"
 
 namespace app::cli {
 namespace {
@@ -91,17 +91,21 @@ int demoCommand(const QStringList& arguments)
     if (const core::Status written = core::recording::writeRecording(recording.toStdString(), *outcome->recording);
         !written)
         return failed(written.error());
-    const core::grading::Measures measures = core::grading::measure(outcome->tooth);
-    const lessons::ScoreSheet sheet = lessons::grade(measures);
-    const QJsonObject score{{QStringLiteral("score"), toJsonObject(sheet)},
-                            {QStringLiteral("measures"), toJson(measures)},
+    const auto assignment = lessons::practiceOn(tooth->anatomy);
+    if (!assignment)
+        return failed(assignment.error());
+    const auto marked = lessons::mark(*assignment, outcome->tooth, {});
+    if (!marked)
+        return failed(marked.error());
+    const QJsonObject score{{QStringLiteral("score"), toJsonObject(marked->sheet)},
+                            {QStringLiteral("measures"), toJson(marked->measured)},
                             {QStringLiteral("state_hash"), hashText(core::terrain::stateHash(outcome->tooth))}};
     if (const core::Status written =
             core::writeWhole(folder.absoluteFilePath(QStringLiteral("score.json")).toStdString(),
                              QJsonDocument(score).toJson().toStdString(), "The score");
         !written)
         return failed(written.error());
-    const QString scoreText = toText(sheet);
+    const QString scoreText = toText(marked->sheet);
     if (const core::Status written = core::writeWhole(
             folder.absoluteFilePath(QStringLiteral("score.txt")).toStdString(), scoreText.toStdString(), "The score");
         !written)

@@ -8,7 +8,7 @@
 #include "app/cli/Commands.h"
 #include "core/recording/Replay.h"
 #include "haptics/simulated/Simulation.h"
-#include "lessons/DecayRemovalRubric.h"
+#include "lessons/Assignment.h"
 
 namespace app::cli {
 
@@ -46,8 +46,13 @@ int replayCommand(const QStringList& arguments)
              "The replay came to another tooth than the one recorded: the recording was altered, or this Cusp "
              "computes differently from the one that made it. Do not trust its score."});
 
-    const core::grading::Measures measures = core::grading::measure(outcome->tooth);
-    const lessons::ScoreSheet sheet = lessons::grade(measures);
+    const auto assignment = lessons::practiceOn(recording->anatomy());
+    if (!assignment)
+        return failed(assignment.error());
+    const auto marked = lessons::mark(*assignment, outcome->tooth, {});
+    if (!marked)
+        return failed(marked.error());
+    const core::grading::Measures& measures = marked->measured.measures;
     const double lastsS = std::chrono::duration<double>(recording->duration()).count();
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
@@ -58,8 +63,8 @@ int replayCommand(const QStringList& arguments)
                    {QStringLiteral("state_hash"), hashText(outcome->stateHash)},
                    {QStringLiteral("verified"), recording->witness().has_value()},
                    {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
-                   {QStringLiteral("measures"), toJson(measures)},
-                   {QStringLiteral("score"), toJsonObject(sheet)}});
+                   {QStringLiteral("measures"), toJson(marked->measured)},
+                   {QStringLiteral("score"), toJsonObject(marked->sheet)}});
         return kDone;
     }
     printText(
@@ -76,7 +81,7 @@ int replayCommand(const QStringList& arguments)
             .arg(measures.removedMm3[2], 0, 'f', 4)
             .arg(measures.removedMm3[3], 0, 'f', 4)
             .arg(hashText(outcome->stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString()) +
-        toText(sheet));
+        toText(marked->sheet));
     return kDone;
 }
 

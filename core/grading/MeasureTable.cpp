@@ -180,6 +180,8 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return m.measures.lesionMm3; }, nullptr},
     {"access_mm3", "mm3", "Sound tissue straight above the lesion, which has to go with it.", kMetrics,
      [](const Measured& m) -> Value { return ofLesion(m, m.measures.accessMm3); }, nullptr},
+    {"smallest_cavity_mm3", "mm3", "The smallest cavity that clears the decay: the lesion and its access.", kMetrics,
+     [](const Measured& m) -> Value { return ofLesion(m, m.measures.lesionMm3 + m.measures.accessMm3); }, nullptr},
     {"sound_overcut_mm3", "mm3", "Sound enamel and dentin removed beside the lesion or below it.",
      "courseware.md 3.1 (Osnes 2021), 3.3", [](const Measured& m) -> Value { return m.measures.overcutMm3; },
      [](const Measured& m) -> Node { return m.measures.overcutNode; }},

@@ -16,11 +16,13 @@ public:
 
     [[nodiscard]] core::Result<std::int64_t> add(const AttemptRecord& attempt) override;
     [[nodiscard]] core::Result<std::vector<AttemptRecord>> byTooth(const std::string& tooth, int limit) override;
+    [[nodiscard]] core::Result<std::vector<AttemptRecord>> byLesson(const std::string& lessonId, int limit) override;
+    [[nodiscard]] core::Result<std::vector<LessonStanding>> standings() override;
     [[nodiscard]] core::Result<std::vector<AttemptRecord>> recent(int limit) override;
     [[nodiscard]] core::Result<std::optional<AttemptRecord>> best(const std::string& tooth) override;
 
 private:
-    [[nodiscard]] core::Result<std::vector<AttemptRecord>> select(const QString& rest, const std::string* tooth,
+    [[nodiscard]] core::Result<std::vector<AttemptRecord>> select(const QString& rest, const std::string* value,
                                                                   int limit);
 
     QSqlDatabase m_db;

@@ -21,6 +21,7 @@ private slots:
 
     void keepsEveryFieldAcrossAReopening();
     void givesEachAttemptANewId();
+    void listsALessonsOwn();
     void listsTheNewestFirst();
     void bestIsTheFirstToReachTheHighestScore();
     void answersNothingForAnUnknownTooth();
@@ -37,7 +38,7 @@ private:
         AttemptRecord record;
         record.finishedUtc = finished;
         record.tooth = tooth;
-        record.score = score;
+        record.scoreTenths = 10 * score;
         record.durationMs = 600'000;
         record.scoreSheetJson = "{}";
         record.stateHash = "0123456789abcdef";
@@ -87,6 +88,11 @@ void TestAttemptRepository::keepsEveryFieldAcrossAReopening()
     record.durationMs = 5'000'000'000;  // more than 32 bits hold
     record.scoreSheetJson = "{\"note\": \"Z\xC3\xA4hne \xE7\x89\x99 'quoted' \\\"\"}";
     record.recordingFile = "";
+    record.lessonId = "decay-36-moderate";
+    record.lessonHash = std::string(64, 'a');
+    record.rubricHash = std::string(64, 'b');
+    record.passed = true;
+    record.expectedTenths = 715;
     record.id = add(record);
     QVERIFY(record.id > 0);
 
@@ -108,6 +114,19 @@ void TestAttemptRepository::givesEachAttemptANewId()
     const std::int64_t second = add(record);
     QVERIFY(first > 0 && first != 77);
     QVERIFY(second > first);
+}
+
+void TestAttemptRepository::listsALessonsOwn()
+{
+    AttemptRecord lesson = attempt("36", 50, "2026-11-18T10:15:00Z");
+    lesson.lessonId = "class1-36";
+    const auto first = add(lesson);
+    static_cast<void>(add(attempt("36", 90, "2026-11-19T10:15:00Z")));
+    lesson.finishedUtc = "2026-11-20T10:15:00Z";
+    const auto second = add(lesson);
+    QCOMPARE(ids(m_attempts->byLesson("class1-36", 10)), (std::vector<std::int64_t>{second, first}));
+    QCOMPARE(ids(m_attempts->byLesson("class1-36", 1)), (std::vector<std::int64_t>{second}));
+    QVERIFY(m_attempts->byLesson("class1-37", 10)->empty());
 }
 
 void TestAttemptRepository::listsTheNewestFirst()

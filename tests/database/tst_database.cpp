@@ -155,7 +155,7 @@ void TestDatabase::refusesADamagedFile()
         QSqlQuery query((*database)->handle());
         for (int row = 0; row < 400; ++row)
             QVERIFY(
-                query.exec("INSERT INTO attempts (finished_utc, tooth, score_points, duration_ms, score_sheet_json, "
+                query.exec("INSERT INTO attempts (finished_utc, tooth, score_tenths, duration_ms, score_sheet_json, "
                            "state_hash, recording_file) VALUES ('2026-11-20T10:15:00Z', '36', 80, 1, "
                            "'a sheet of some length to fill a page or two', '0123456789abcdef', '')"));
     }
@@ -188,7 +188,8 @@ void TestDatabase::saysWhoHoldsTheLock()
     QSqlQuery hold((*holder)->handle());
     QVERIFY(hold.exec("BEGIN IMMEDIATE"));
 
-    const std::vector<Migration> further{{1, {}}, {2, "CREATE TABLE later (id {row_id}) {table_options};"}};
+    std::vector<Migration> further = *shippedMigrations();
+    further.push_back({static_cast<int>(further.size()) + 1, "CREATE TABLE later (id {row_id}) {table_options};"});
     const auto refused = migrate((*waiter)->handle(), further);
     QVERIFY(!refused.has_value());
     QVERIFY2(refused.error().detail.find("another program is writing") != std::string::npos,

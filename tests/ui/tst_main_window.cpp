@@ -28,7 +28,8 @@
 #include <QTranslator>
 
 #include "core/drilling/Bur.h"
-#include "lessons/DecayRemovalRubric.h"
+#include "lessons/LessonCatalog.h"
+#include "lessons/Rubric.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/inside/SectionView.h"
@@ -131,7 +132,7 @@ private slots:
     void anotherToothIsChosenWithTheKeys();
     void theWholeMouthIsReachedWithM();
     void theScoreAddsUp();
-    void aCriticalFaultFailsAHighScore();
+    void aCriticalFaultFailsGoodWork();
 
     void theFirstWindowFitsTheScreen_data();
     void theFirstWindowFitsTheScreen();
@@ -185,25 +186,25 @@ private:
 
 lessons::ScoreSheet TestMainWindow::sheet(double cariesPercent, double soundMm3, double pulpMm2)
 {
-    lessons::ScoreSheet s;
-    s.passMark = 75;
-    const auto add = [&](const char* id, double measured, const char* unit, double free, double perUnit, int most) {
-        lessons::Criterion c;
-        c.id = std::string(id);
-        c.measured = measured;
-        c.unit = std::string(unit);
-        c.free = free;
-        c.rule = perUnit > 0 ? lessons::PointRule::PerUnit : lessons::PointRule::Once;
-        c.pointsPerUnit = perUnit;
-        c.maxPoints = most;
-        c.critical = perUnit == 0;
-        s.criteria.push_back(c);
+    lessons::Rubric rubric;
+    rubric.title = {{"en", "Trial"}};
+    rubric.version = 2;
+    rubric.hash = std::string(64, 'a');
+    const auto add = [&](const std::string& id, const std::string& unit, double tolerance, double span, int weight) {
+        lessons::CriterionRule rule;
+        rule.id = rule.measure = id;
+        rule.unit = unit;
+        rule.tolerance = tolerance;
+        rule.span = span;
+        rule.weightTenths = weight;
+        rule.critical = weight == 0;
+        rubric.criteria.push_back(rule);
     };
-    add("caries_left", cariesPercent, "%", 1, 2, 60);
-    add("sound_tissue", soundMm3, "mm3", 4, 2, 40);
-    add("pulp_exposure", pulpMm2, "mm2", 0, 0, 20);
-    lessons::addUp(s);
-    return s;
+    add("caries_left", "percent", 1, 30, 600);
+    add("sound_tissue", "mm3", 4, 20, 400);
+    add("pulp_exposure", "mm2", 0, 0, 0);
+    return lessons::grade(rubric,
+                          {{"caries_left", cariesPercent}, {"sound_tissue", soundMm3}, {"pulp_exposure", pulpMm2}});
 }
 
 void TestMainWindow::initTestCase()
@@ -1365,27 +1366,27 @@ void TestMainWindow::theScoreAddsUp()
 {
     const lessons::ScoreSheet s = sheet(3.2, 9.81, 0);
     database::AttemptRecord now;
-    now.score = s.total;
+    now.scoreTenths = s.totalTenths;
     now.finishedUtc = "2026-11-20T10:15:00Z";
     database::AttemptRecord before = now;
-    before.score = 61;
+    before.scoreTenths = 610;
     m_window->showScore(s, {now, before});
     QVERIFY(child<ScorePage>()->isVisible());
-    QCOMPARE(figure("total"), QString("84"));
+    QCOMPARE(figure("total"), QString("84.0"));
     QCOMPARE(child<QLabel>("verdict")->text(), QString("Passed"));
-    QCOMPARE(child<QLabel>("sum")->text(), QString("100 − 4 − 12 − 0 = 84"));
-    QCOMPARE(figure("lost_caries_left"), QString("−4"));
-    QCOMPARE(figure("lost_sound_tissue"), QString("−12"));
+    QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 4.4 − 11.6 − 0.0 = 84.0"));
+    QCOMPARE(figure("lost_caries_left"), QString("−4.4"));
+    QCOMPARE(figure("lost_sound_tissue"), QString("−11.6"));
     QCOMPARE(figure("lost_pulp_exposure"), QString("0"));
-    QCOMPARE(child<QLabel>("worked_caries_left")->text(), QString("(3.20 − 1.00 free) % × 2 points = 4.40, rounded 4"));
+    QCOMPARE(child<QLabel>("worked_caries_left")->text(), QString("(3.20 − 1.00 free) / 30.00 % × 60.0 points = 4.4"));
     bool listed = false;
     for (const TabularLabel* label : child<ScorePage>()->findChildren<TabularLabel*>())
-        listed = listed || label->text() == "61";
+        listed = listed || label->text() == "61.0";
     QVERIFY(listed);
     // A second grade replaces the first.
     m_window->showScore(sheet(40, 30, 0), {});
     QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
-    QCOMPARE(child<QLabel>("sum")->text(), QString("100 − 60 − 40 − 0 = 0"));
+    QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 60.0 − 40.0 − 0.0 = 0.0"));
     QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
     QVERIFY(child<QLabel>("historyRemark")->text().contains("not being kept"));
     m_window->showScore(s, {now});
@@ -1396,10 +1397,10 @@ void TestMainWindow::theScoreAddsUp()
     QVERIFY2(child<PracticeRoom>()->isVisible(), "the next step is one key away");
 }
 
-void TestMainWindow::aCriticalFaultFailsAHighScore()
+void TestMainWindow::aCriticalFaultFailsGoodWork()
 {
     m_window->showScore(sheet(0, 0, 0.1), {});
-    QCOMPARE(figure("total"), QString("80"));
+    QCOMPARE(figure("total"), QString("0.0"));
     QVERIFY(child<QLabel>("verdict")->text().startsWith("Not passed"));
 }
 
@@ -1584,6 +1585,23 @@ void TestMainWindow::nothingIsClipped()
     a->back->trigger();
     a->radiograph->trigger();
     check("xray");
+    a->back->trigger();
+    window.setLessons(lessons::readCatalog({}), {{"decay-21-small", {3, 872, true}}});
+    a->lessons->trigger();
+    check("lessons");
+    a->back->trigger();
+    lessons::Assignment assignment;
+    assignment.anatomy = support::syntheticMolar();
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson->id == "decay-36-moderate")
+            assignment.lesson = entry.read.lesson;
+    QVERIFY(assignment.lesson.has_value());
+    assignment.rubric = assignment.lesson->rubric;
+    window.setAssignment(assignment);
+    window.showTooth(assignment.anatomy, 2, {});
+    check("lesson");
+    window.askForecast();
+    check("forecast");
     a->back->trigger();
     window.showScore(sheet(3.2, 40, 0.5), {});
     check("score");

@@ -10,6 +10,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/session/Links.h"
+#include "lessons/Rubric.h"
 #include "ui/text/Texts.h"
 
 using core::ErrorCode;
@@ -32,7 +33,8 @@ private slots:
     void theGravestTroubleIsTold();
     void criteriaAreWorkedInNumbers_data();
     void criteriaAreWorkedInNumbers();
-    void theSumIsExactAlsoBelowZero();
+    void criteriaHaveTheirOwnNames();
+    void theSumIsExactInEveryLanguage();
     void numbersFollowTheLanguage();
     void germanIsComplete();
     void germanPlaceholdersMatch();
@@ -89,19 +91,22 @@ QString germanFile()
     return QStringLiteral(CUSP_SOURCE_DIR "/translations/cusp_de.ts");
 }
 
-lessons::Criterion criterion(std::string_view id, double measured, std::string_view unit, double free, double perUnit,
-                             int most)
+/// One criterion as it comes out of marking, with 100 points among it and another.
+lessons::Criterion criterion(const std::string& id, std::optional<double> measured, const std::string& unit,
+                             lessons::Side side, double target, double tolerance, double span, int weightTenths)
 {
-    lessons::Criterion c;
-    c.id = std::string(id);
-    c.measured = measured;
-    c.unit = std::string(unit);
-    c.free = free;
-    c.pointsPerUnit = perUnit;
-    c.rule = perUnit > 0.0 ? lessons::PointRule::PerUnit : lessons::PointRule::Once;
-    c.maxPoints = most;
-    c.pointsLost = lessons::pointsLostBy(c);
-    return c;
+    lessons::CriterionRule rule;
+    rule.id = rule.measure = id;
+    rule.unit = unit;
+    rule.side = side;
+    rule.target = target;
+    rule.tolerance = tolerance;
+    rule.span = span;
+    rule.weightTenths = weightTenths;
+    rule.critical = weightTenths == 0;
+    lessons::Rubric rubric;
+    rubric.criteria = {rule};
+    return lessons::grade(rubric, measured ? lessons::Values{{id, *measured}} : lessons::Values{}).criteria.front();
 }
 
 }  // namespace
@@ -229,44 +234,62 @@ void TestTexts::theGravestTroubleIsTold()
 
 void TestTexts::criteriaAreWorkedInNumbers_data()
 {
+    using lessons::Side;
     QTest::addColumn<lessons::Criterion>("what");
     QTest::addColumn<QString>("worked");
-    QTest::newRow("over the free part") << criterion("caries_left", 3.2, "%", 1, 2, 60)
-                                        << "(3.20 − 1.00 free) % × 2 points = 4.40, rounded 4";
-    QTest::newRow("at the cap") << criterion("sound_tissue", 40, "mm3", 4, 2, 40)
-                                << "(40.00 − 4.00 free) mm³ × 2 points = 72.00, at most 40";
-    QTest::newRow("nothing free") << criterion("sound_tissue", 1.25, "mm3", 0, 2, 40)
-                                  << "1.25 mm³ × 2 points = 2.50, rounded 3";
-    QTest::newRow("within what is free") << criterion("sound_tissue", 3, "mm3", 4, 2, 40)
-                                         << "3.00 of 4.00 mm³ free: nothing lost";
-    QTest::newRow("exactly what is free")
-        << criterion("sound_tissue", 4, "mm3", 4, 2, 40) << "4.00 of 4.00 mm³ free: nothing lost";
-    QTest::newRow("nothing at all") << criterion("pulp_exposure", 0, "mm2", 0, 0, 100) << "Nothing lost";
-    QTest::newRow("once") << criterion("pulp_exposure", 0.2, "mm2", 0, 0, 100) << "Any at all: 100 points at once";
-    QTest::newRow("once, past some") << criterion("pulp_exposure", 0.2, "mm2", 0.1, 0, 1)
-                                     << "More than 0.10 mm²: 1 point at once";
+    QTest::newRow("over what is free") << criterion("a", 3.2, "percent", Side::Over, 0, 1, 30, 600)
+                                       << "(3.20 − 1.00 free) / 30.00 % × 60.0 points = 4.4";
+    QTest::newRow("at the cap") << criterion("a", 40, "mm3", Side::Over, 0, 4, 20, 400)
+                                << "(40.00 − 4.00 free) / 20.00 mm³ × 40.0 points, no more than all of them";
+    QTest::newRow("nothing free") << criterion("a", 1.25, "mm3", Side::Over, 0, 0, 20, 400)
+                                  << "(1.25) / 20.00 mm³ × 40.0 points = 2.5";
+    QTest::newRow("a target, both sides") << criterion("a", 1.95, "mm", Side::Both, 1.5, 0.25, 1, 200)
+                                          << "(|1.95 − 1.50| − 0.25 free) / 1.00 mm × 20.0 points = 4.0";
+    QTest::newRow("too little") << criterion("a", 1.2, "mm", Side::Under, 1.6, 0.2, 0.4, 100)
+                                << "(1.60 − 1.20 − 0.20 free) / 0.40 mm × 10.0 points = 5.0";
+    QTest::newRow("within what is free") << criterion("a", 3, "mm3", Side::Over, 0, 4, 20, 400)
+                                         << "up to 4.00 mm³: nothing lost";
+    QTest::newRow("within the band") << criterion("a", 1.6, "mm", Side::Both, 1.5, 0.25, 1, 200)
+                                     << "1.50 ± 0.25 mm: nothing lost";
+    QTest::newRow("enough") << criterion("a", 1.7, "mm", Side::Under, 1.6, 0.2, 0.4, 100)
+                            << "at least 1.40 mm: nothing lost";
+    QTest::newRow("at once") << criterion("a", 0.2, "mm2", Side::Over, 0, 0.1, 0, 50)
+                             << "up to 0.10 mm²; beyond it all of its 5.0 points are lost";
+    QTest::newRow("critical") << criterion("a", 0.2, "mm2", Side::Over, 0, 0, 0, 0)
+                              << "Allowed is up to 0.00 mm²; it fails the attempt and takes the 100.0 points left";
+    QTest::newRow("not measured") << criterion("a", {}, "mm", Side::Over, 0, 0, 1, 150)
+                                  << "Not measured, so it earns none of its 15.0 points";
 }
 
 void TestTexts::criteriaAreWorkedInNumbers()
 {
     QFETCH(lessons::Criterion, what);
     QFETCH(QString, worked);
-    QTranslator english;
-    QVERIFY(english.load(":/i18n/cusp_en.qm"));
-    QCoreApplication::installTranslator(&english);
-    QCOMPARE(ui::text::criterionWorked(what), worked);
-    QVERIFY(ui::text::criterionName(what) != QString::fromStdString(what.id));
+    QCOMPARE(ui::text::criterionWorked(what, lessons::Verdict::SumOfErrors), worked);
 }
 
-void TestTexts::theSumIsExactAlsoBelowZero()
+void TestTexts::criteriaHaveTheirOwnNames()
+{
+    lessons::Criterion line;
+    line.measure = "overcut_mm3";
+    QCOMPARE(ui::text::criterionName(line), QString("overcut_mm3"));
+    line.title = {{"en", "Too much"}, {"de", "Zu viel"}};
+    QCOMPARE(ui::text::criterionName(line), QString("Too much"));
+    QLocale::setDefault(QLocale("de_DE"));
+    QCOMPARE(ui::text::criterionName(line), QString::fromUtf8("Zu viel"));
+    QLocale::setDefault(QLocale("en_GB"));
+}
+
+void TestTexts::theSumIsExactInEveryLanguage()
 {
     lessons::ScoreSheet sheet;
-    sheet.criteria = {criterion("caries_left", 3.2, "%", 1, 2, 60), criterion("pulp_exposure", 0, "mm2", 0, 0, 100)};
-    lessons::addUp(sheet);
-    QCOMPARE(ui::text::scoreSum(sheet), QString("100 − 4 − 0 = 96"));
-    sheet.criteria.back().measured = 1;
-    lessons::addUp(sheet);
-    QCOMPARE(ui::text::scoreSum(sheet), QString("100 − 4 − 100 = −4, no less than 0"));
+    sheet.criteria = {criterion("a", 3.2, "percent", lessons::Side::Over, 0, 1, 30, 600),
+                      criterion("b", 0, "mm2", lessons::Side::Over, 0, 0, 1, 400)};
+    sheet.totalTenths = 956;
+    QCOMPARE(ui::text::scoreSum(sheet), QString("100.0 − 4.4 − 0.0 = 95.6"));
+    QLocale::setDefault(QLocale("de_DE"));
+    QCOMPARE(ui::text::scoreSum(sheet), QString("100,0 − 4,4 − 0,0 = 95,6"));
+    QLocale::setDefault(QLocale("en_GB"));
 }
 
 void TestTexts::numbersFollowTheLanguage()

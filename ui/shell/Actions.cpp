@@ -51,6 +51,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                     {Qt::Key_C});
 
     m_groups.push_back({tr("Tooth and files"), {}});
+    lessons = add("lessons", tr("Lessons"), tr("Choose what to practise"), {Qt::Key_F2});
     chooseTooth = add("tooth", tr("Choose a tooth"), tr("Show the arches and choose one of 16 teeth"), {Qt::Key_T});
     mouth = add("mouth", tr("Whole mouth"), tr("Choose a tooth in the whole mouth, or go back to the flat arches"),
                 {Qt::Key_M});

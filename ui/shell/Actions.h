@@ -43,6 +43,7 @@ public:
     QAction* redo = nullptr;
     QAction* reload = nullptr;
     QAction* grade = nullptr;
+    QAction* lessons = nullptr;
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;

@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
 
 namespace ui::shell {
 namespace {
@@ -22,13 +23,13 @@ HistoryChart::HistoryChart(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void HistoryChart::setScores(const QList<int>& oldestFirst, int passMark)
+void HistoryChart::setScores(const QList<int>& tenthsOldestFirst, int passMarkTenths)
 {
-    m_scores = oldestFirst;
-    m_passMark = passMark;
+    m_scores = tenthsOldestFirst;
+    m_passMarkTenths = passMarkTenths;
     QStringList words;
-    for (const int score : oldestFirst)
-        words << QString::number(score);
+    for (const int tenths : tenthsOldestFirst)
+        words << text::points(tenths);
     setAccessibleName(tr("Last grades, oldest first: %1").arg(words.join(QStringLiteral(", "))));
     update();
 }
@@ -39,14 +40,14 @@ void HistoryChart::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const QPalette& p = palette();
     const double base = height() - 1.0;
-    const auto heightOf = [&](int score) { return (base - 1.0) * std::clamp(score, 0, 100) / 100.0; };
-    const double mark = base - heightOf(m_passMark);
+    const auto heightOf = [&](int tenths) { return (base - 1.0) * std::clamp(tenths, 0, 1000) / 1000.0; };
+    const double mark = base - heightOf(m_passMarkTenths);
     painter.setPen(QPen(p.color(QPalette::Mid), 1));
     painter.drawLine(QPointF(0, base), QPointF(width(), base));
     painter.setPen(QPen(p.color(QPalette::PlaceholderText), 1, Qt::DashLine));
     painter.drawLine(QPointF(0, mark), QPointF(width(), mark));
     painter.setFont(typeface(kSmall));
-    const QString words = tr("pass mark %1").arg(m_passMark);
+    const QString words = tr("pass mark %1").arg(text::points(m_passMarkTenths));
     const double margin = painter.fontMetrics().horizontalAdvance(words) + 2.0 * kGapPx;
     painter.drawText(QRectF(width() - margin, mark - 18, margin, 16), Qt::AlignRight | Qt::AlignVCenter, words);
     if (m_scores.isEmpty())
@@ -68,7 +69,7 @@ void HistoryChart::paintEvent(QPaintEvent*)
         const bool inside = tall > 24.0;
         painter.setPen(p.color(inside && newest ? QPalette::HighlightedText : QPalette::WindowText));
         painter.drawText(QRectF(bar.left(), inside ? bar.top() + 4 : bar.top() - 20, column, 16), Qt::AlignCenter,
-                         QString::number(m_scores[k]));
+                         QString::number((m_scores[k] + 5) / 10));
     }
 }
 

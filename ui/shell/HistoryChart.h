@@ -12,7 +12,7 @@ class HistoryChart : public QWidget
     Q_OBJECT
 public:
     explicit HistoryChart(QWidget* parent);
-    void setScores(const QList<int>& oldestFirst, int passMark);
+    void setScores(const QList<int>& tenthsOldestFirst, int passMarkTenths);
     [[nodiscard]] QSize sizeHint() const override { return {240, 200}; }
 
 protected:
@@ -20,7 +20,7 @@ protected:
 
 private:
     QList<int> m_scores;
-    int m_passMark = 0;
+    int m_passMarkTenths = 0;
 };
 
 }  // namespace ui::shell

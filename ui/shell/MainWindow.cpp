@@ -39,6 +39,9 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/study/Forecast.h"
+#include "ui/study/LessonStrip.h"
+#include "ui/study/LessonWords.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -84,6 +87,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
+      m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room))
 {
@@ -93,8 +97,9 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     resize(firstSize(screen()->availableSize()));
     setAcceptDrops(true);
     setCentralWidget(m_pages);
-    for (QWidget* page : {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser),
-                          static_cast<QWidget*>(m_scorePage), static_cast<QWidget*>(m_xray)})
+    for (QWidget* page :
+         {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
+          static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_forecast)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
@@ -106,6 +111,14 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
     });
+    connect(m_lessonsPage, &study::LessonsPage::lessonChosen, this, [this](const lessons::Lesson& lesson) {
+        goTo(m_room);
+        leaveWork([this, lesson] { emit lessonChosen(lesson); });
+    });
+    connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
+    connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
+    connect(&m_room->lesson(), &study::LessonStrip::timeOver, this,
+            [this] { showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G.")); });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
         askForFile(
             tr("Save the X-ray pictures"), FileKind::Picture,
@@ -176,6 +189,10 @@ void MainWindow::connectActions()
             offerToStop(tr("This is a replay. Stop it to be graded on your own work."));
         else
             emit gradeRequested();
+    });
+    on(m_actions->lessons, [this] {
+        emit lessonsWanted();
+        goTo(m_lessonsPage);
     });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
     on(m_actions->mouth, [this] {
@@ -460,6 +477,7 @@ void MainWindow::enableActions()
     m_actions->redo->setEnabled(inRoom && mine && m_session.redoSteps > 0);
     m_actions->reload->setEnabled(mine);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
+    m_actions->lessons->setEnabled(!m_busy->isWorking());
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
@@ -496,10 +514,12 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     }
     m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
-    m_ideal = core::grading::idealCavity(*m_tooth);
+    const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
+    m_ideal = isAssigned ? m_assignment->shownIdeal() : core::grading::idealCavity(*m_tooth);
+    m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
-    const QString title = text::toothTitle(*m_tooth);
+    const QString title = isAssigned ? workTitle() : text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
     //: Beside the name of the tooth, where otherwise "lower left first molar" stands
     m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
@@ -554,12 +574,48 @@ void MainWindow::showMessage(const QString& sentence)
     m_messages->say({MessageBar::Kind::News, sentence, {}, {}, {}});
 }
 
-void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history)
+void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
+                           std::optional<int> expectedTenths)
 {
     m_busy->done();
-    const QString title = m_tooth != nullptr ? text::toothTitle(*m_tooth) : QString();
-    m_scorePage->setScore(title, sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage());
+    m_scorePage->setScore(workTitle(), sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage(),
+                          expectedTenths);
     goTo(m_scorePage);
+}
+
+void MainWindow::askForecast()
+{
+    m_busy->done();
+    if (m_assignment)
+        m_forecast->ask(workTitle(), m_assignment->rubric);
+    goTo(m_forecast);
+}
+
+/// The lesson, or the tooth that is practised on.
+QString MainWindow::workTitle() const
+{
+    if (m_assignment && m_assignment->lesson)
+        return study::said(m_assignment->lesson->title);
+    return m_tooth != nullptr ? text::toothTitle(*m_tooth) : QString();
+}
+
+void MainWindow::setAssignment(const lessons::Assignment& assignment)
+{
+    m_assignment = assignment;
+    setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
+    m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
+    if (!assignment.lesson)
+        return;
+    m_room->lesson().setLesson(*assignment.lesson);
+    if (!assignment.lesson->burs.empty())
+        if (const auto bur = core::drilling::findBur(assignment.lesson->burs.front()))
+            wishBur(static_cast<int>(*bur));
+}
+
+void MainWindow::setLessons(std::vector<lessons::CatalogEntry> entries,
+                            std::map<std::string, study::Standing> standings)
+{
+    m_lessonsPage->setLessons(std::move(entries), std::move(standings));
 }
 
 void MainWindow::showSaved(const QString& path)

@@ -17,8 +17,8 @@
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
 #include "database/records.h"
-#include "lessons/Aids.h"
-#include "lessons/ScoreSheet.h"
+#include "lessons/Assignment.h"
+#include "ui/study/LessonsPage.h"
 #include "ui/text/Texts.h"
 
 class QStackedWidget;
@@ -29,6 +29,10 @@ class ToothView;
 
 namespace ui::inside {
 class XrayPage;
+}
+
+namespace ui::study {
+class Forecast;
 }
 
 namespace ui::shell {
@@ -78,7 +82,14 @@ public slots:
     /// The recording that recordingSaveRequested() asked for is in this file.
     void showSaved(const QString& path);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
-    void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history);
+    /// @param expectedTenths  what the student had said in forecast()
+    void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
+                   std::optional<int> expectedTenths = {});
+    /// Asks what the student expects; forecastGiven() answers.
+    void askForecast();
+    /// The lesson that the tooth shown next is for; none: practised freely.
+    void setAssignment(const lessons::Assignment& assignment);
+    void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
     void setReplaying(bool replaying, double lengthS = 0.0);
@@ -93,6 +104,12 @@ public slots:
 
 signals:
     void toothChosen(int fdi);
+    void lessonChosen(const lessons::Lesson& lesson);
+    /// The page of lessons opens: what it shows is to be brought up to date.
+    void lessonsWanted();
+    void lessonFolderWanted();
+    /// @param worst  the criterion expected to cost most, by id; empty: none
+    void forecastGiven(int expectedTenths, const QString& worst);
     void scanChosen(const QString& path);
     /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
     void scanUnitChosen(const QString& unit);
@@ -143,6 +160,7 @@ private:
     void offerToStop(const QString& sentence);
     void enableActions();
     void placeOverlays();
+    [[nodiscard]] QString workTitle() const;
     void showIdeal();
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
@@ -162,6 +180,8 @@ private:
     PracticeRoom* m_room;
     ToothChooser* m_chooser;
     ScorePage* m_scorePage;
+    study::LessonsPage* m_lessonsPage;
+    study::Forecast* m_forecast;
     inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;
@@ -178,6 +198,7 @@ private:
     std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     lessons::Aids m_aids;
+    std::optional<lessons::Assignment> m_assignment;  ///< of the student's tooth
     Wish m_drillWish;
     Wish m_burWish;
     bool m_standsIn = false;  ///< the next tooth is not the one that was wanted

@@ -19,6 +19,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/study/LessonStrip.h"
 #include "ui/text/Texts.h"
 
 namespace ui::shell {
@@ -35,6 +36,7 @@ constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
 constexpr int kWidestSectionPx = 560;
 constexpr int kNarrowestViewPx = 280;
+constexpr int kNameFromPx = 960;  ///< a narrower room has no place for the tooth's long name
 
 }  // namespace
 
@@ -50,6 +52,8 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     m_panel = new SidePanel(actions, this);
     m_section = new inside::SectionView(this);
     m_section->hide();
+    m_lesson = new study::LessonStrip(this);
+    m_lesson->hide();
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(1);
@@ -60,6 +64,7 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(1);
     column->addWidget(makeTopBar(actions));
+    column->addWidget(m_lesson);
     column->addLayout(middle, 1);
     column->addWidget(makeBottomBar(actions, viewMenu));
 
@@ -180,6 +185,9 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     m_name->setForegroundRole(QPalette::PlaceholderText);
     row->addWidget(m_tooth);
     row->addWidget(m_name, 1);
+    auto* lessons = barButton(actions.lessons, true, frame);
+    row->addWidget(lessons);
+    frame->mayFold(lessons);
     row->addWidget(barButton(actions.openScan, false, frame));
     row->addWidget(barButton(actions.openRecording, false, frame));
     row->addWidget(barButton(actions.saveRecording, false, frame));
@@ -289,6 +297,7 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 void PracticeRoom::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    m_name->setVisible(width() >= kNameFromPx);
     // A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth
     // as much as it can.
     const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);

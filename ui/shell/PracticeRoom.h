@@ -14,6 +14,10 @@ namespace ui::inside {
 class SectionView;
 }
 
+namespace ui::study {
+class LessonStrip;
+}
+
 namespace ui::shell {
 
 class Actions;
@@ -32,6 +36,8 @@ public:
 
     [[nodiscard]] SidePanel& panel() { return *m_panel; }
     [[nodiscard]] inside::SectionView& section() { return *m_section; }
+    /// Above the tooth; hidden without a lesson.
+    [[nodiscard]] study::LessonStrip& lesson() { return *m_lesson; }
     /// @param title  "Tooth 36", or the file
     /// @param name   "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);
@@ -72,6 +78,7 @@ private:
     QWidget* m_view;
     SidePanel* m_panel;
     inside::SectionView* m_section;
+    study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
     QWidget* m_replay = nullptr;

@@ -5,21 +5,21 @@
 
 namespace ui::shell {
 
-/// A score of 0 to 100 as a bar, with the pass mark upon it.
+/// A score of 0 to 100 points as a bar, with the pass mark upon it.
 class ScoreBar : public QWidget
 {
     Q_OBJECT
 public:
     explicit ScoreBar(QWidget* parent);
-    void setScore(int score, int passMark);
+    void setScore(int scoreTenths, int passMarkTenths);
     [[nodiscard]] QSize sizeHint() const override { return {240, 34}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    int m_score = 0;
-    int m_passMark = 0;
+    int m_scoreTenths = 0;
+    int m_passMarkTenths = 0;
 };
 
 }  // namespace ui::shell

@@ -2,6 +2,7 @@
 #include "ui/shell/ScorePage.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <QDateTime>
 #include <QFrame>
@@ -29,6 +30,7 @@ constexpr int kResultWidthPx = 320;
 constexpr int kWidestPx = 1160;
 constexpr int kNarrowestBesidePx = 940;
 constexpr qsizetype kListed = 5;
+constexpr std::size_t kShownHash = 12;
 constexpr qsizetype kCharted = 12;
 
 QFrame* card(QWidget* parent)
@@ -46,9 +48,32 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
-QString signedPoints(int lost)
+QString signedPoints(int lostTenths)
 {
-    return lost == 0 ? QStringLiteral("0") : QChar(0x2212) + QString::number(lost);
+    return lostTenths == 0 ? QStringLiteral("0") : QChar(0x2212) + text::points(lostTenths);
+}
+
+QString expectation(int expectedTenths, int totalTenths)
+{
+    const int gap = expectedTenths - totalTenths;
+    const QString expected = text::points(expectedTenths);
+    if (gap == 0)
+        return ScorePage::tr("You expected %1 points: exactly so.").arg(expected);
+    return (gap > 0 ? ScorePage::tr("You expected %1 points: %2 too many.")
+                    : ScorePage::tr("You expected %1 points: %2 too few."))
+        .arg(expected, text::points(std::abs(gap)));
+}
+
+/// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
+QString rubricWords(const lessons::ScoreSheet& sheet)
+{
+    const QString name = QString::fromStdString(lessons::inLanguage(sheet.rubricTitle, QLocale().name().toStdString()));
+    //: %1 is the name of a rubric, %2 its version, %3 the beginning of its hash
+    return ScorePage::tr("Marked by \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured: the "
+                         "model is a height field.")
+        .arg(name)
+        .arg(sheet.rubricVersion)
+        .arg(QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
 }
 
 }  // namespace
@@ -146,6 +171,10 @@ QWidget* ScorePage::makeResult()
     column->addSpacing(kSpace2);
     m_bar = new ScoreBar(frame);
     column->addWidget(m_bar);
+    m_expected = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    m_expected->setWordWrap(true);
+    m_expected->setObjectName(QStringLiteral("expectation"));
+    column->addWidget(m_expected);
     column->addStretch(1);
     m_picture = new PictureFrame(frame);
     m_picture->setAccessibleName(tr("Picture of the tooth as graded"));
@@ -170,6 +199,11 @@ QWidget* ScorePage::makeCriteria()
     m_sum->setObjectName(QStringLiteral("sum"));
     sum->addWidget(m_sum);
     column->addLayout(sum);
+    m_rubric = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_rubric->setWordWrap(true);
+    m_rubric->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_rubric->setObjectName(QStringLiteral("rubric"));
+    column->addWidget(m_rubric);
     return frame;
 }
 
@@ -194,13 +228,18 @@ QWidget* ScorePage::makeHistory()
     return frame;
 }
 
-void ScorePage::setScore(const QString& tooth, const lessons::ScoreSheet& sheet,
-                         const QList<database::AttemptRecord>& history, const QImage& picture)
+void ScorePage::setScore(const QString& work, const lessons::ScoreSheet& sheet,
+                         const QList<database::AttemptRecord>& history, const QImage& picture,
+                         std::optional<int> expectedTenths)
 {
-    //: %1 is "Tooth 36" or a file name
-    setTitle(tr("Grade: %1").arg(tooth));
+    //: %1 is a lesson, "Tooth 36" or a file name
+    setTitle(tr("Grade: %1").arg(work));
+    m_expected->setVisible(expectedTenths.has_value());
+    if (expectedTenths)
+        m_expected->setText(expectation(*expectedTenths, sheet.totalTenths));
+    m_rubric->setText(rubricWords(sheet));
     const Tones tone = tones(palette());
-    m_total->setText(QString::number(sheet.total), tr("of 100"));
+    m_total->setText(text::points(sheet.totalTenths), tr("of 100"));
     const bool passed = sheet.passed();
     m_verdict->setText(passed                     ? tr("Passed")
                        : sheet.failedCritically() ? tr("Not passed: harm done")
@@ -210,10 +249,10 @@ void ScorePage::setScore(const QString& tooth, const lessons::ScoreSheet& sheet,
                                         : sheet.failedCritically() ? tone.harm
                                                                    : tone.attention,
                                         26, devicePixelRatioF()));
-    m_bar->setScore(sheet.total, sheet.passMark);
+    m_bar->setScore(sheet.totalTenths, sheet.passMarkTenths);
     m_picture->setPicture(picture);
     fillCriteria(sheet);
-    fillHistory(history, sheet.total, sheet.passMark);
+    fillHistory(history, sheet.totalTenths, sheet.passMarkTenths);
 }
 
 void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
@@ -233,9 +272,9 @@ void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
         measured->setFont(typeface(kBody));
         measured->setAlignment(Qt::AlignRight);
         measured->setText(text::criterionMeasured(criterion));
-        if (criterion.id == "sound_tissue")
+        if (criterion.measure == "sound_overcut_mm3")
             measured->setToolTip(brokenIntoLines(text::soundTissueCounted()));
-        if (criterion.id == "pulp_exposure")
+        if (criterion.measure == "pulp_exposed_mm2")
             measured->setToolTip(
                 brokenIntoLines(tr("The area that lies open, seen from above. The volume that was cut away stands "
                                    "beside the tooth, in mm³.")));
@@ -243,18 +282,20 @@ void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
         lost->setFont(typeface(kTitle, QFont::DemiBold));
         lost->setAlignment(Qt::AlignRight);
         lost->setMinimumWidth(48);
-        lost->setText(signedPoints(criterion.pointsLost));
-        lost->setColour(criterion.pointsLost > 0 ? criterion.critical ? tone.harmText : tone.attentionText
+        lost->setText(signedPoints(criterion.lostTenths));
+        lost->setColour(criterion.lostTenths > 0 ? criterion.critical ? tone.harmText : tone.attentionText
                                                  : palette().color(QPalette::PlaceholderText));
         lost->setObjectName(QStringLiteral("lost_") + QString::fromStdString(criterion.id));
         //: Tooltip on the points of one criterion
-        lost->setToolTip(tr("At most %1 points can be lost here").arg(criterion.maxPoints));
+        lost->setToolTip(criterion.critical
+                             ? tr("Fails the attempt and takes all points that are left")
+                             : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
         grid->addWidget(label(text::criterionName(criterion), kBody, QFont::Medium, QPalette::WindowText, m_criteria),
                         row, 0);
         grid->addWidget(measured, row, 1);
         grid->addWidget(lost, row, 2, 2, 1, Qt::AlignVCenter | Qt::AlignRight);
-        auto* worked =
-            label(text::criterionWorked(criterion), kSmall, QFont::Normal, QPalette::PlaceholderText, m_criteria);
+        auto* worked = label(text::criterionWorked(criterion, sheet.verdict), kSmall, QFont::Normal,
+                             QPalette::PlaceholderText, m_criteria);
         worked->setWordWrap(true);
         worked->setObjectName(QStringLiteral("worked_") + QString::fromStdString(criterion.id));
         grid->addWidget(worked, row + 1, 0, 1, 2);
@@ -269,7 +310,7 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int t
 {
     QList<int> scores;
     for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
-        scores << history[k - 1].score;
+        scores << history[k - 1].scoreTenths;
     if (scores.isEmpty())
         scores << total;
     m_chart->setScores(scores, passMark);
@@ -289,7 +330,7 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int t
         auto* score = new TabularLabel(m_list);
         score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
         score->setAlignment(Qt::AlignRight);
-        score->setText(QString::number(attempt.score));
+        score->setText(text::points(attempt.scoreTenths));
         const int line = static_cast<int>(k);
         grid->addWidget(
             label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), line,

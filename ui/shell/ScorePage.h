@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QImage>
 #include <QList>
 
@@ -28,9 +30,11 @@ public:
     ScorePage(const Actions& actions, QWidget* parent);
 
     /// @param history  newest first, this attempt included; empty: grades are not kept
+    /// @param work     the lesson, or the tooth
     /// @param picture  the tooth as it looks now; may be null
-    void setScore(const QString& tooth, const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                  const QImage& picture);
+    /// @param expectedTenths  what the student had expected, where that was asked
+    void setScore(const QString& work, const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
+                  const QImage& picture, std::optional<int> expectedTenths);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -53,6 +57,8 @@ private:
     TabularLabel* m_total = nullptr;
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
+    QLabel* m_expected = nullptr;
+    QLabel* m_rubric = nullptr;
     ScoreBar* m_bar = nullptr;
     PictureFrame* m_picture = nullptr;
     QWidget* m_criteria = nullptr;

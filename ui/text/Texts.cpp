@@ -66,8 +66,11 @@ QString remedy(Failed failed)
     case Failed::KeepingGrades:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
                                                     "one.");
+    case Failed::OpeningLesson:
+        return QCoreApplication::translate("Error", "Ask who made the lesson, or choose another one.");
     case Failed::MakingTooth:
     case Failed::SavingRecording:
+    case Failed::Marking:
         return QCoreApplication::translate("Error", "Try again.");
     }
     return {};
@@ -82,8 +85,10 @@ QString wrongKind(Failed failed)
     case Failed::KeepingGrades:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
     case Failed::OpeningScan:
+    case Failed::OpeningLesson:
     case Failed::MakingTooth:
     case Failed::SavingRecording:
+    case Failed::Marking:
         return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
     }
     return {};
@@ -139,6 +144,14 @@ QString errorText(const core::Error& error, Failed failed)
     case Failed::MakingTooth:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The tooth cannot be made. %1").arg(reason(error.code, failed));
+    case Failed::OpeningLesson:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The lesson cannot be given; what was on the table still is. %1")
+            .arg(reason(error.code, failed));
+    case Failed::Marking:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The work cannot be marked; it is as it was. %1")
+            .arg(reason(error.code, failed));
     case Failed::OpeningRecording:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The recording cannot be played. %1")
@@ -366,15 +379,8 @@ QString healthText(std::uint32_t health)
 
 QString criterionName(const lessons::Criterion& criterion)
 {
-    if (criterion.id == "caries_left")
-        return QCoreApplication::translate("Criterion", "Decay left");
-    if (criterion.id == "sound_tissue")
-        return QCoreApplication::translate("Criterion", "Sound tissue removed beside the decay");
-    if (criterion.id == "pulp_exposure")
-        return QCoreApplication::translate("Criterion", "Pulp opened");
-    if (criterion.id == "perforation")
-        return QCoreApplication::translate("Criterion", "Tooth perforated");
-    return QString::fromStdString(criterion.id);
+    const std::string& title = lessons::inLanguage(criterion.title, QLocale().name().toStdString());
+    return QString::fromStdString(title.empty() ? criterion.measure : title);
 }
 
 QString soundTissueCounted()
@@ -386,46 +392,88 @@ QString soundTissueCounted()
 
 QString criterionMeasured(const lessons::Criterion& criterion)
 {
-    return number(criterion.measured, criterion.unit == "%" ? 1 : 2) + u' ' + unitName(criterion.unit);
+    if (!criterion.measured)
+        return QCoreApplication::translate("Criterion", "not measured");
+    return number(*criterion.measured, criterion.unit == "percent" ? 1 : 2) + u' ' + unitName(criterion.unit);
 }
 
-QString criterionWorked(const lessons::Criterion& criterion)
+namespace {
+
+/// "3.20 − 1.00 free", "|1.95 − 1.50| − 0.25 free": what is left of the value as an error.
+QString errorWorked(const lessons::Criterion& criterion)
+{
+    const QString value = number(*criterion.measured, 2);
+    const QString target = number(criterion.target, 2);
+    const QString minus = QStringLiteral(" %1 ").arg(QChar(0x2212));
+    QString off = value;
+    if (criterion.side == lessons::Side::Both)
+        off = QStringLiteral("|%1%2%3|").arg(value, minus, target);
+    else if (criterion.side == lessons::Side::Under)
+        off = target + minus + value;
+    else if (criterion.target != 0.0)
+        off = value + minus + target;
+    if (criterion.tolerance > 0.0)
+        //: %1 is a value, %2 what of it costs nothing: "3.20 − 1.00 free"
+        off = QCoreApplication::translate("Criterion", "%1 − %2 free").arg(off, number(criterion.tolerance, 2));
+    return off;
+}
+
+/// What costs nothing: "up to 8.00 mm³", "1.50 ± 0.25 mm", "at least 1.60 mm".
+QString freeRange(const lessons::Criterion& criterion)
 {
     const QString unit = unitName(criterion.unit);
-    const QString measured = number(criterion.measured, 2);
-    const QString free = number(criterion.free, 2);
-    const bool someFree = criterion.free > 0.0;
-    if (!(criterion.measured > criterion.free))
-        return someFree ? QCoreApplication::translate("Criterion", "%1 of %2 %3 free: nothing lost")
-                              .arg(measured, free, unit)
-                        : QCoreApplication::translate("Criterion", "Nothing lost");
-    if (criterion.rule == lessons::PointRule::Once)
-        return someFree ? QCoreApplication::translate("Criterion", "More than %1 %2: %n point(s) at once", nullptr,
-                                                      criterion.maxPoints)
-                              .arg(free, unit)
-                        : QCoreApplication::translate("Criterion", "Any at all: %n point(s) at once", nullptr,
-                                                      criterion.maxPoints);
-    const double points = (criterion.measured - criterion.free) * criterion.pointsPerUnit;
-    const QString perUnit = QLocale().toString(criterion.pointsPerUnit, 'g', 4);
-    const QString sum = someFree ? QCoreApplication::translate("Criterion", "(%1 − %2 free) %3 × %4 points = %5")
-                                       .arg(measured, free, unit, perUnit, number(points, 2))
-                                 : QCoreApplication::translate("Criterion", "%1 %2 × %3 points = %4")
-                                       .arg(measured, unit, perUnit, number(points, 2));
-    return criterion.pointsLost < criterion.maxPoints
-               ? QCoreApplication::translate("Criterion", "%1, rounded %2").arg(sum).arg(criterion.pointsLost)
-               : QCoreApplication::translate("Criterion", "%1, at most %2").arg(sum).arg(criterion.maxPoints);
+    if (criterion.side == lessons::Side::Both)
+        return QStringLiteral("%1 ± %2 %3").arg(number(criterion.target, 2), number(criterion.tolerance, 2), unit);
+    if (criterion.side == lessons::Side::Under)
+        return QCoreApplication::translate("Criterion", "at least %1 %2")
+            .arg(number(criterion.target - criterion.tolerance, 2), unit);
+    return QCoreApplication::translate("Criterion", "up to %1 %2")
+        .arg(number(criterion.target + criterion.tolerance, 2), unit);
+}
+
+}  // namespace
+
+QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict)
+{
+    if (!criterion.measured)
+        return criterion.critical
+                   ? QCoreApplication::translate("Criterion",
+                                                 "Not measured, so the attempt fails: %1 points that were left")
+                         .arg(points(criterion.lostTenths))
+                   : QCoreApplication::translate("Criterion", "Not measured, so it earns none of its %1 points")
+                         .arg(points(criterion.weightTenths));
+    if (!(criterion.share > 0.0))
+        return QCoreApplication::translate("Criterion", "%1: nothing lost").arg(freeRange(criterion));
+    if (criterion.critical)
+        //: %1 is a range: "up to 0.00 mm²"
+        return QCoreApplication::translate("Criterion",
+                                           "Allowed is %1; it fails the attempt and takes the %2 points left")
+            .arg(freeRange(criterion), points(criterion.lostTenths));
+    const int weight = verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths;
+    if (verdict == lessons::Verdict::WorstError && criterion.lostTenths == 0)
+        return QCoreApplication::translate("Criterion", "%1 %2 too far off; a worse error decides")
+            .arg(number(criterion.error, 2), unitName(criterion.unit));
+    if (criterion.span <= 0.0)
+        return QCoreApplication::translate("Criterion", "%1; beyond it all of its %2 points are lost")
+            .arg(freeRange(criterion), points(weight));
+    const QString worked =
+        QCoreApplication::translate("Criterion", "(%1) / %2 %3 × %4 points")
+            .arg(errorWorked(criterion), number(criterion.span, 2), unitName(criterion.unit), points(weight));
+    return criterion.share < 1.0 ? worked + QStringLiteral(" = %1").arg(points(criterion.lostTenths))
+                                 : QCoreApplication::translate("Criterion", "%1, no more than all of them").arg(worked);
 }
 
 QString scoreSum(const lessons::ScoreSheet& sheet)
 {
-    QString sum = QStringLiteral("100");
+    QString sum = points(lessons::kFullTenths);
     for (const lessons::Criterion& criterion : sheet.criteria)
-        sum += QStringLiteral(" %1 %2").arg(QChar(0x2212)).arg(criterion.pointsLost);
-    const int below = sheet.pointsBelowZero();
-    if (below > 0)
-        //: %1 is the sum, %2 what it comes to below zero; the score itself stops at 0
-        return QCoreApplication::translate("Criterion", "%1 = %2, no less than 0").arg(sum, number(-below, 0));
-    return QStringLiteral("%1 = %2").arg(sum).arg(sheet.total);
+        sum += QStringLiteral(" %1 %2").arg(QChar(0x2212)).arg(points(criterion.lostTenths));
+    return QStringLiteral("%1 = %2").arg(sum, points(sheet.totalTenths));
+}
+
+QString points(int tenths)
+{
+    return QLocale().toString(tenths / 10) + QLocale().decimalPoint() + QLocale().toString(tenths % 10);
 }
 
 QString unitName(std::string_view unit)
@@ -434,6 +482,12 @@ QString unitName(std::string_view unit)
         return QStringLiteral("mm³");
     if (unit == "mm2")
         return QStringLiteral("mm²");
+    if (unit == "deg")
+        return QStringLiteral("°");
+    if (unit == "percent")
+        return QStringLiteral("%");
+    if (unit == "mm/s3")
+        return QStringLiteral("mm/s³");
     return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
 }
 

@@ -16,7 +16,15 @@
 namespace ui::text {
 
 /// What could not be done.
-enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording, KeepingGrades };
+enum class Failed {
+    OpeningScan,
+    MakingTooth,
+    OpeningLesson,
+    OpeningRecording,
+    SavingRecording,
+    Marking,
+    KeepingGrades
+};
 
 /// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is
 /// for the log and for whoever asks.
@@ -53,16 +61,18 @@ enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording,
 /// What a bit pattern of core::session::Health means for the person drilling, the gravest first; empty when well.
 [[nodiscard]] QString healthText(std::uint32_t health);
 
-/// "Decay left"; the id itself for a criterion we have no word for.
+/// "Decay left": what the rubric calls it in the user's language; the measure's own name where it says nothing.
 [[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
 /// What "sound_tissue" counts, two sentences: the same beside the tooth and in the grade.
 [[nodiscard]] QString soundTissueCounted();
-/// "12.4 %", "1.84 mm³".
+/// "12.4 %", "1.84 mm³", "not measured".
 [[nodiscard]] QString criterionMeasured(const lessons::Criterion& criterion);
-/// The formula with its numbers: "(12.40 − 5.00 free) % × 0.5 points = 3.70, rounded 4".
-[[nodiscard]] QString criterionWorked(const lessons::Criterion& criterion);
-/// "100 − 4 − 12 − 0 = 84".
+/// The formula with its numbers: "(3.20 − 1.00 free) % / 30.00 × 60.0 points = 4.4".
+[[nodiscard]] QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict);
+/// "100.0 − 4.4 − 12.0 − 0.0 = 83.6".
 [[nodiscard]] QString scoreSum(const lessons::ScoreSheet& sheet);
+/// Tenths of a point as the language writes them, always with one decimal: "83.6".
+[[nodiscard]] QString points(int tenths);
 
 /// "mm³" for "mm3", "mm²" for "mm2"; other units as they are.
 [[nodiscard]] QString unitName(std::string_view unit);

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Commands.h"
+#include "core/base/WholeFile.h"
+#include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
+
+namespace app::cli {
+namespace {
+
+constexpr std::size_t kShownHash = 12;
+
+QString english(const lessons::LocalText& text)
+{
+    return printable(QString::fromStdString(lessons::inLanguage(text, "en")));
+}
+
+QString taskName(lessons::Task task)
+{
+    static constexpr std::array kNames{"remove_decay", "cut_ideal",  "trace_shape",
+                                       "touch_points", "hold_force", "name_layers"};
+    return QLatin1String(kNames[static_cast<std::size_t>(task)]);
+}
+
+QString toothWords(const lessons::Lesson& lesson)
+{
+    if (const auto* made = std::get_if<lessons::MadeTooth>(&lesson.tooth))
+        return QString::number(made->fdi);
+    if (const auto* block = std::get_if<lessons::Block>(&lesson.tooth))
+        return QStringLiteral("block:") + QString::fromStdString(block->shape);
+    return QFileInfo(QString::fromStdString(std::get<lessons::Scan>(lesson.tooth).file)).fileName();
+}
+
+QJsonObject toJson(const lessons::ReadLesson& read)
+{
+    QJsonArray faults;
+    for (const lessons::Fault& fault : read.faults)
+        faults.append(
+            QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.what}, {"grave", fault.grave}});
+    QJsonObject object{{"file", read.file}, {"sound", read.lesson.has_value()}, {"faults", faults}};
+    if (read.lesson) {
+        object.insert("id", QString::fromStdString(read.lesson->id));
+        object.insert("version", read.lesson->version);
+        object.insert("title", english(read.lesson->title));
+        object.insert("task", taskName(read.lesson->task));
+        object.insert("tooth", toothWords(*read.lesson));
+        object.insert("exam", read.lesson->exam);
+        object.insert("hash", QString::fromStdString(read.lesson->hash));
+        object.insert("rubric", QString::fromStdString(read.lesson->rubric.id));
+        object.insert("rubric_hash", QString::fromStdString(read.lesson->rubric.hash));
+    }
+    return object;
+}
+
+void addJson(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+}
+
+void addFolder(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("folder"),
+                      QStringLiteral("The teacher's lessons; the user's own folder if not given."),
+                      QStringLiteral("FOLDER")});
+}
+
+QString folderOf(const QCommandLineParser& parser)
+{
+    return parser.isSet(QStringLiteral("folder")) ? parser.value(QStringLiteral("folder")) : lessons::teachersFolder();
+}
+
+int listLessons(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Lists the lessons that are shipped and those of a teacher's folder."));
+    addFolder(parser);
+    addJson(parser);
+    if (const auto code = parse(parser, arguments, QStringLiteral("cusp lesson list [--folder FOLDER] [--json]")))
+        return *code;
+    if (parser.isSet(QStringLiteral("folder")) && !QDir(parser.value(QStringLiteral("folder"))).exists())
+        return failed({core::ErrorCode::FileMissing,
+                       "there is no folder " + parser.value(QStringLiteral("folder")).toStdString()});
+    const auto entries = lessons::readCatalog(folderOf(parser));
+    QJsonArray list;
+    QString text;
+    for (const lessons::CatalogEntry& entry : entries) {
+        QJsonObject object = toJson(entry.read);
+        object.insert("shipped", entry.isShipped);
+        list.append(object);
+        if (const auto& lesson = entry.read.lesson) {
+            text += QStringLiteral("%1 %2 %3 %4%5\n")
+                        .arg(QString::fromStdString(lesson->id), -28)
+                        .arg(taskName(lesson->task), -13)
+                        .arg(toothWords(*lesson), -16)
+                        .arg(english(lesson->title),
+                             entry.isShipped ? QString()
+                                             : QStringLiteral("  (") + QFileInfo(entry.read.file).fileName() + u')');
+        }
+        for (const lessons::Fault& fault : entry.read.faults)
+            text += QStringLiteral("%1: %2\n")
+                        .arg(fault.grave ? QStringLiteral("not given") : QStringLiteral("note"),
+                             printable(fault.sentence()));
+    }
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"lessons", list}});
+    else
+        printText(text);
+    return kDone;
+}
+
+int checkLessons(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral(
+        "Reads lessons as the window would, builds what they ask for and says everything that is wrong with them. Ends "
+        "with 1 if one of them cannot be given."));
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QStringLiteral("A lesson (.lesson.json); several may be named."));
+    addJson(parser);
+    const QString usage = QStringLiteral("cusp lesson check FILE ... [--json]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (parser.positionalArguments().isEmpty())
+        return wrongUsage(QStringLiteral("name a lesson; usage: ") + usage);
+    bool isSound = true;
+    QJsonArray list;
+    QString text;
+    for (const QString& file : parser.positionalArguments()) {
+        lessons::ReadLesson read = lessons::readLesson(file);
+        if (read.lesson) {
+            if (const auto assigned = lessons::assign(*read.lesson); !assigned) {
+                read.faults.push_back({file, {}, QString::fromStdString(assigned.error().detail), true});
+                read.lesson.reset();
+            }
+        }
+        isSound = isSound && read.lesson;
+        list.append(toJson(read));
+        for (const lessons::Fault& fault : read.faults)
+            text += printable(fault.sentence()) + u'\n';
+        if (read.lesson)
+            text += QStringLiteral("%1 is sound: %2, version %3, content %4\n")
+                        .arg(QFileInfo(file).fileName(), QString::fromStdString(read.lesson->id))
+                        .arg(read.lesson->version)
+                        .arg(QString::fromStdString(read.lesson->hash.substr(0, kShownHash)));
+    }
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"lessons", list}});
+    else
+        printText(text, isSound ? stdout : stderr);
+    return isSound ? kDone : kFailed;
+}
+
+int listMeasures(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Lists what can be measured of an attempt, for the criteria of a rubric."));
+    addJson(parser);
+    if (const auto code = parse(parser, arguments, QStringLiteral("cusp lesson measures [--json]")))
+        return *code;
+    QJsonArray list;
+    QString text;
+    for (const core::grading::MeasureInfo& measure : core::grading::measureTable()) {
+        const auto words = [](std::string_view part) {
+            return QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size()));
+        };
+        list.append(QJsonObject{{"id", words(measure.id)},
+                                {"unit", words(measure.unit)},
+                                {"definition", words(measure.definition)},
+                                {"source", words(measure.source)}});
+        text += QStringLiteral("%1 %2 %3 [%4]\n")
+                    .arg(words(measure.id), -32)
+                    .arg(words(measure.unit), -8)
+                    .arg(words(measure.definition), words(measure.source));
+    }
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"measures", list}});
+    else
+        printText(text);
+    return kDone;
+}
+
+struct Part
+{
+    const char* name;
+    const char* summary;
+    int (*run)(const QStringList& arguments);
+};
+constexpr std::array kParts{
+    Part{"list", "the lessons there are", listLessons},
+    Part{"check", "what is wrong with lessons", checkLessons},
+    Part{"measures", "what a rubric can judge", listMeasures},
+};
+
+QString partsHelp()
+{
+    QString text = QStringLiteral("Usage: cusp lesson PART [OPTIONS]\n\n");
+    for (const Part& part : kParts)
+        text +=
+            QStringLiteral("  cusp lesson %1 %2\n").arg(QLatin1String(part.name), -9).arg(QLatin1String(part.summary));
+    return text + QStringLiteral("\n\"cusp lesson PART --help\" explains one.\n");
+}
+
+}  // namespace
+
+int lessonCommand(const QStringList& arguments)
+{
+    if (arguments.isEmpty())
+        return wrongUsage(
+            QStringLiteral("say what about lessons: list, check or measures; \"cusp lesson --help\" explains"));
+    const QString& first = arguments.front();
+    if (first == u"--help" || first == u"-h" || first == u"help") {
+        printText(partsHelp());
+        return kDone;
+    }
+    const auto* const found =
+        std::find_if(kParts.begin(), kParts.end(), [&](const Part& part) { return first == QLatin1String(part.name); });
+    if (found == kParts.end())
+        return wrongUsage(
+            QStringLiteral("cusp lesson has no part \"%1\"; \"cusp lesson --help\" lists them").arg(printable(first)));
+    return found->run(arguments.mid(1));
+}
+
+}  // namespace app::cli

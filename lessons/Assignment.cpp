@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/Assignment.h"
+
+#include <filesystem>
+
+#include "lessons/LessonReader.h"
+
+namespace lessons {
+namespace {
+
+const QString kFreeRubric = QStringLiteral("decay_removal");
+
+core::teeth::BuildOptions buildOptions(const Lesson& lesson)
+{
+    core::teeth::BuildOptions options;
+    options.gridSide = lesson.gridSide;
+    if (lesson.lesion)
+        options.cariesExtent = lesson.lesion->extent;
+    else
+        options.caries.reset();
+    return options;
+}
+
+core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
+{
+    core::teeth::BuildOptions options = buildOptions(lesson);
+    if (const auto* made = std::get_if<MadeTooth>(&lesson.tooth)) {
+        options.seed = made->seed;
+        return core::teeth::buildTooth({made->fdi}, options);
+    }
+    const auto& scan = std::get<Scan>(lesson.tooth);
+    if (!scan.unit.empty())
+        if (const auto unit = core::mesh::parseUnit(scan.unit))
+            options.placement.unit = *unit;
+    if (!scan.up.empty())
+        if (const auto up = core::mesh::parseAxis(scan.up))
+            options.placement.up = *up;
+    options.fdi = scan.fdi;
+    return core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
+}
+
+}  // namespace
+
+core::grading::IdealTop Assignment::shownIdeal() const
+{
+    return ideal ? ideal->top : core::grading::idealCavity(*anatomy);
+}
+
+core::Result<Assigned> assign(const Lesson& lesson)
+{
+    auto built = build(lesson);
+    if (!built)
+        return tl::unexpected(built.error());
+    Assignment assignment;
+    assignment.anatomy = built->anatomy;
+    assignment.lesson = lesson;
+    assignment.rubric = lesson.rubric;
+    return Assigned{std::move(assignment), std::move(built->report)};
+}
+
+core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
+{
+    auto rubric = readRubric(kFreeRubric);
+    if (!rubric)
+        return tl::unexpected(rubric.error());
+    Assignment assignment;
+    assignment.anatomy = std::move(anatomy);
+    assignment.rubric = std::move(*rubric);
+    return assignment;
+}
+
+core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy,
+                                      const std::string& lessonJson)
+{
+    if (lessonJson.empty())
+        return practiceOn(std::move(anatomy));
+    ReadLesson read = readLessonText(QByteArray::fromStdString(lessonJson), QStringLiteral("the recording's lesson"));
+    if (!read.lesson)
+        return core::unexpected(core::ErrorCode::BadStructure, read.faults.front().sentence().toStdString());
+    Assignment assignment;
+    assignment.anatomy = std::move(anatomy);
+    assignment.rubric = read.lesson->rubric;
+    assignment.lesson = std::move(read.lesson);
+    return assignment;
+}
+
+core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
+                        const std::optional<core::grading::Process>& process)
+{
+    Mark result;
+    result.measured.measures = core::grading::measure(tooth);
+    result.measured.process = process;
+    if (assignment.ideal) {
+        auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);
+        if (!deviation)
+            return tl::unexpected(deviation.error());
+        result.measured.deviation = *deviation;
+    }
+    result.sheet = grade(assignment.rubric, valuesOf(result.measured));
+    return result;
+}
+
+}  // namespace lessons

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/grading/MeasureTable.h"
+#include "core/teeth/ToothBuilder.h"
+#include "lessons/Lesson.h"
+
+namespace lessons {
+
+/// What lies on the table and how it will be marked: a lesson with its tooth made and its ideal worked out, or a tooth
+/// to practise on freely. A plain value.
+struct Assignment
+{
+    std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
+    std::optional<Lesson> lesson;  ///< none: practised freely
+    Rubric rubric;
+    std::optional<core::grading::Preparation> ideal;  ///< what is to be cut; nothing where decay is to be removed
+    std::optional<core::grading::Leeway> leeway;
+
+    /// The surface that is asked for, for view and section; null if nothing is.
+    [[nodiscard]] core::grading::IdealTop shownIdeal() const;
+};
+
+/// An assignment and what the importer had to say about its tooth.
+struct Assigned
+{
+    Assignment assignment;
+    core::teeth::ToothReport report;
+};
+
+/// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
+[[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson);
+
+/// A tooth without a lesson: marked as removal of decay.
+[[nodiscard]] core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy);
+
+/// The assignment that a recording was made for.
+/// @param lessonJson  what the recording keeps; empty: practised freely
+[[nodiscard]] core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy,
+                                                    const std::string& lessonJson);
+
+/// An attempt, measured and marked.
+struct Mark
+{
+    core::grading::Measured measured;
+    ScoreSheet sheet;
+};
+
+/// Measures a tooth of the assignment's anatomy and marks it. A few milliseconds at 150 x 150. Any thread that owns the
+/// tooth.
+/// @param process  how the attempt went, where that is known
+[[nodiscard]] core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
+                                      const std::optional<core::grading::Process>& process);
+
+}  // namespace lessons

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/JsonKeys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <QJsonArray>
+
+namespace lessons {
+namespace {
+
+constexpr qsizetype kLongestText = 4000;
+constexpr qsizetype kMostLanguages = 40;
+constexpr qsizetype kMostNames = 40;
+/// So many letters may differ for one key to be taken for a slip of another.
+constexpr int kSlip = 3;
+
+/// How many letters have to be changed, put in or left out to make b of a (Levenshtein).
+int lettersApart(const QString& a, const QString& b)
+{
+    std::vector<int> row(static_cast<std::size_t>(b.size()) + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (qsizetype i = 0; i < a.size(); ++i) {
+        int corner = row[0]++;
+        for (qsizetype j = 0; j < b.size(); ++j) {
+            const auto at = static_cast<std::size_t>(j);
+            const int changed = corner + (a[i] == b[j] ? 0 : 1);
+            corner = row[at + 1];
+            row[at + 1] = std::min({changed, corner + 1, row[at] + 1});
+        }
+    }
+    return row.back();
+}
+
+QString kindOf(const QJsonValue& value)
+{
+    switch (value.type()) {
+    case QJsonValue::Bool:
+        return QStringLiteral("true or false");
+    case QJsonValue::Double:
+        return QStringLiteral("a number");
+    case QJsonValue::String:
+        return QStringLiteral("a text");
+    case QJsonValue::Array:
+        return QStringLiteral("a list");
+    case QJsonValue::Object:
+        return QStringLiteral("an object");
+    case QJsonValue::Null:
+    case QJsonValue::Undefined:
+        break;
+    }
+    return QStringLiteral("null");
+}
+
+}  // namespace
+
+JsonKeys::JsonKeys(QJsonObject object, QString file, QString path, std::vector<Fault>& faults)
+    : m_object(std::move(object)), m_file(std::move(file)), m_path(std::move(path)), m_faults(&faults)
+{}
+
+QString JsonKeys::pathOf(const QString& key) const
+{
+    return m_path.isEmpty() ? key : key.isEmpty() ? m_path : m_path + QLatin1Char('.') + key;
+}
+
+void JsonKeys::fault(const char* key, const QString& what, bool grave)
+{
+    m_faults->push_back({m_file, pathOf(QLatin1String(key)), what, grave});
+}
+
+QJsonValue JsonKeys::take(const char* key)
+{
+    m_asked.insert(QLatin1String(key));
+    return m_object.value(QLatin1String(key));
+}
+
+bool JsonKeys::has(const char* key)
+{
+    return !take(key).isUndefined();
+}
+
+std::optional<double> JsonKeys::number(const char* key, double low, double high, const char* unit)
+{
+    const QJsonValue value = take(key);
+    if (value.isUndefined())
+        return std::nullopt;
+    if (!value.isDouble()) {
+        fault(key,
+              QStringLiteral("is %1; write a number of %2 without its unit").arg(kindOf(value), QLatin1String(unit)));
+        return std::nullopt;
+    }
+    const double number = value.toDouble();
+    if (!std::isfinite(number) || number < low || number > high) {
+        fault(key, QStringLiteral("is %1, it must lie between %2 and %3 %4")
+                       .arg(number)
+                       .arg(low)
+                       .arg(high)
+                       .arg(QLatin1String(unit))
+                       .trimmed());
+        return std::nullopt;
+    }
+    return number;
+}
+
+double JsonKeys::number(const char* key, double low, double high, const char* unit, double otherwise)
+{
+    return number(key, low, high, unit).value_or(otherwise);
+}
+
+qint64 JsonKeys::whole(const char* key, qint64 low, qint64 high, qint64 otherwise)
+{
+    const auto value = number(key, static_cast<double>(low), static_cast<double>(high), "");
+    if (!value)
+        return otherwise;
+    if (*value != std::floor(*value)) {
+        fault(key, QStringLiteral("is %1, it must be a whole number").arg(*value));
+        return otherwise;
+    }
+    return static_cast<qint64>(*value);
+}
+
+bool JsonKeys::flag(const char* key, bool otherwise)
+{
+    const QJsonValue value = take(key);
+    if (!value.isUndefined() && !value.isBool())
+        fault(key, QStringLiteral("is %1; write true or false").arg(kindOf(value)));
+    return value.toBool(otherwise);
+}
+
+std::string JsonKeys::text(const char* key, qsizetype longest)
+{
+    const QJsonValue value = take(key);
+    if (value.isUndefined())
+        return {};
+    if (!value.isString()) {
+        fault(key, QStringLiteral("is %1; write a text in quotes").arg(kindOf(value)));
+        return {};
+    }
+    const QString text = value.toString();
+    if (text.size() > longest) {
+        fault(key, QStringLiteral("has %1 characters; at most %2 are read").arg(text.size()).arg(longest));
+        return {};
+    }
+    return text.toStdString();
+}
+
+std::string JsonKeys::neededText(const char* key, qsizetype longest)
+{
+    if (take(key).isUndefined() || take(key) == QJsonValue(QString())) {
+        fault(key, QStringLiteral("is missing"));
+        return {};
+    }
+    return text(key, longest);
+}
+
+LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
+{
+    LocalText result;
+    if (value.isString()) {
+        result.emplace("en", value.toString().left(kLongestText).toStdString());
+        return result;
+    }
+    if (!value.isObject()) {
+        fault(key, QStringLiteral("is %1; write {\"en\": \"...\", \"de\": \"...\"}").arg(kindOf(value)));
+        return result;
+    }
+    const QJsonObject languages = value.toObject();
+    if (languages.isEmpty() || languages.size() > kMostLanguages) {
+        fault(key,
+              QStringLiteral("has texts in %1 languages; it takes 1 to %2").arg(languages.size()).arg(kMostLanguages));
+        return result;
+    }
+    for (auto language = languages.begin(); language != languages.end(); ++language) {
+        const QString code = language.key();
+        if (code.size() < 2 || code.size() > 12 || !language.value().isString() ||
+            language.value().toString().size() > kLongestText) {
+            fault(key,
+                  QStringLiteral("\"%1\" must be the code of a language (en, de, es, ja) with a text of at most %2 "
+                                 "characters")
+                      .arg(code.left(12))
+                      .arg(kLongestText));
+            continue;
+        }
+        result.emplace(code.toStdString(), language.value().toString().toStdString());
+    }
+    return result;
+}
+
+LocalText JsonKeys::local(const char* key, bool isNeeded)
+{
+    const QJsonValue value = take(key);
+    if (!value.isUndefined())
+        return localOf(value, key);
+    if (isNeeded)
+        fault(key, QStringLiteral("is missing"));
+    return {};
+}
+
+QStringList JsonKeys::names(const char* key)
+{
+    const QJsonValue value = take(key);
+    if (value.isUndefined())
+        return {};
+    QStringList found;
+    for (const QJsonValue name : value.toArray())
+        if (name.isString() && name.toString().size() <= kLongestText)
+            found << name.toString();
+    if (!value.isArray() || found.size() != value.toArray().size() || found.size() > kMostNames) {
+        fault(key, QStringLiteral("must be a list of at most %1 texts: [\"...\", \"...\"]").arg(kMostNames));
+        return {};
+    }
+    return found;
+}
+
+std::optional<JsonKeys> JsonKeys::object(const char* key)
+{
+    const QJsonValue value = take(key);
+    if (value.isUndefined())
+        return std::nullopt;
+    if (!value.isObject()) {
+        fault(key, QStringLiteral("is %1; write an object in braces").arg(kindOf(value)));
+        return std::nullopt;
+    }
+    return JsonKeys(value.toObject(), m_file, pathOf(QLatin1String(key)), *m_faults);
+}
+
+void JsonKeys::objects(const char* key, int most, const std::function<void(JsonKeys&)>& each)
+{
+    const QJsonValue value = take(key);
+    if (value.isUndefined())
+        return;
+    const QJsonArray list = value.toArray();
+    if (!value.isArray() || list.size() > most) {
+        fault(key, QStringLiteral("must be a list of at most %1 objects").arg(most));
+        return;
+    }
+    for (qsizetype k = 0; k < list.size(); ++k) {
+        JsonKeys item(list[k].toObject(), m_file, pathOf(QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(k)),
+                      *m_faults);
+        if (!list[k].isObject())
+            item.fault("", QStringLiteral("is %1; write an object in braces").arg(kindOf(list[k])));
+        else
+            each(item);
+    }
+}
+
+int JsonKeys::choice(const char* key, const QStringList& known)
+{
+    const QJsonValue value = take(key);
+    if (value.isUndefined())
+        return -1;
+    const auto place = known.indexOf(value.toString());
+    if (!value.isString() || place < 0)
+        fault(key, QStringLiteral("\"%1\" is not known; there are %2")
+                       .arg(value.toVariant().toString().left(40), known.join(QStringLiteral(", "))));
+    return static_cast<int>(value.isString() ? place : -1);
+}
+
+std::map<std::string, double> JsonKeys::allNumbers(double low, double high)
+{
+    std::map<std::string, double> found;
+    for (const QString& key : m_object.keys())
+        if (const auto value = number(qUtf8Printable(key), low, high, ""))
+            found.emplace(key.toStdString(), *value);
+    return found;
+}
+
+void JsonKeys::nameTheRest()
+{
+    for (const QString& key : m_object.keys()) {
+        if (m_asked.contains(key))
+            continue;
+        QString nearest;
+        int least = kSlip + 1;
+        for (const QString& known : m_asked) {
+            if (const int apart = lettersApart(key, known); apart < least && !m_object.contains(known)) {
+                least = apart;
+                nearest = known;
+            }
+        }
+        m_faults->push_back({m_file, pathOf(key.left(60)),
+                             nearest.isEmpty()
+                                 ? QStringLiteral("is not a key that is known here, so it is left out")
+                                 : QStringLiteral("is not a key that is known here; did you mean \"%1\"?").arg(nearest),
+                             false});
+    }
+}
+
+}  // namespace lessons

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QSet>
+#include <QString>
+#include <QStringList>
+
+#include "lessons/LessonReader.h"
+#include "lessons/LocalText.h"
+
+namespace lessons {
+
+/// The keys of one JSON object, read one by one: each value is checked as it is taken, everything wrong is collected,
+/// and keys that nobody asked for are named at the end. So a teacher sees all faults of a file at once.
+class JsonKeys
+{
+public:
+    /// @param path    where the object stands in its file: "rubric.criteria[2]"; empty at the top
+    /// @param faults  must outlive this
+    JsonKeys(QJsonObject object, QString file, QString path, std::vector<Fault>& faults);
+
+    [[nodiscard]] bool has(const char* key);
+    /// A number within [low, high], or a fault and nothing. `unit` is for the sentence.
+    [[nodiscard]] std::optional<double> number(const char* key, double low, double high, const char* unit);
+    [[nodiscard]] double number(const char* key, double low, double high, const char* unit, double otherwise);
+    [[nodiscard]] qint64 whole(const char* key, qint64 low, qint64 high, qint64 otherwise);
+    [[nodiscard]] bool flag(const char* key, bool otherwise);
+    /// UTF-8, at most `longest` characters; empty if missing.
+    [[nodiscard]] std::string text(const char* key, qsizetype longest = 200);
+    /// As text(); a missing or empty one is a fault.
+    [[nodiscard]] std::string neededText(const char* key, qsizetype longest = 200);
+    /// {"en": "...", "de": "..."}, or a plain text for all languages.
+    [[nodiscard]] LocalText local(const char* key, bool isNeeded);
+    [[nodiscard]] QStringList names(const char* key);
+    /// The object at `key`, if there is one; something else there is a fault.
+    [[nodiscard]] std::optional<JsonKeys> object(const char* key);
+    /// Calls `each` for the objects of the list at `key`, at most `most` of them.
+    void objects(const char* key, int most, const std::function<void(JsonKeys&)>& each);
+    /// The place of `value` in `known`, or a fault that lists them, and -1. -1 without a fault if the key is missing.
+    [[nodiscard]] int choice(const char* key, const QStringList& known);
+    /// All keys and numbers of this object, each within [low, high].
+    [[nodiscard]] std::map<std::string, double> allNumbers(double low, double high);
+
+    /// Warns of every key that was not asked for, with the nearest that was.
+    void nameTheRest();
+    void fault(const char* key, const QString& what, bool grave = true);
+    [[nodiscard]] QString pathOf(const QString& key) const;
+
+private:
+    [[nodiscard]] QJsonValue take(const char* key);
+    [[nodiscard]] LocalText localOf(const QJsonValue& value, const char* key);
+
+    QJsonObject m_object;
+    QString m_file;
+    QString m_path;
+    std::vector<Fault>* m_faults;
+    QSet<QString> m_asked;
+};
+
+}  // namespace lessons

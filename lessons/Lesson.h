@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lessons/Aids.h"
+#include "lessons/LocalText.h"
+#include "lessons/Rubric.h"
+
+namespace lessons {
+
+/// What a student is asked to do.
+enum class Task {
+    RemoveDecay,  ///< take the lesion out and spare the rest
+    CutIdeal,     ///< cut the ideal preparation
+    TraceShape,   ///< mill the shape out of a practice block
+    TouchPoints,  ///< touch places without cutting
+    HoldForce,    ///< press steadily
+    NameLayers    ///< feel the layers blindfold and name them
+};
+
+/// A tooth that the program makes.
+struct MadeTooth
+{
+    int fdi = 36;
+    std::uint64_t seed = 0;
+    bool operator==(const MadeTooth&) const = default;
+};
+/// A practice block that the program makes: "line", "cross", ...
+struct Block
+{
+    std::string shape;
+    std::uint64_t seed = 0;
+    bool operator==(const Block&) const = default;
+};
+/// The scan of a tooth, a file beside the lesson.
+struct Scan
+{
+    std::string file;  ///< absolute path
+    std::string hash;  ///< SHA-256 of its content, 64 hex digits
+    std::string unit;  ///< "mm", "cm", "m", "inch", "um"; empty: guessed
+    std::string up;    ///< "+z" and so on; empty: guessed
+    int fdi = 0;
+    bool operator==(const Scan&) const = default;
+};
+
+/// Decay that is put into the tooth.
+struct Lesion
+{
+    double extent = 0.5;  ///< 0 none .. 1 deepest; where it runs, the tooth's seed says
+    bool operator==(const Lesion&) const = default;
+};
+
+/// The preparation that is asked for: made by a rule whose numbers have names, or captured from an instructor's cut.
+struct Ideal
+{
+    std::string kind;                     ///< "class1", "class2", "access", "block"; "captured" for a file
+    std::map<std::string, double> sizes;  ///< what differs from the kind's own figures
+    std::string file;                     ///< of a captured one, absolute path
+    std::string hash;                     ///< SHA-256 of its content
+    bool operator==(const Ideal&) const = default;
+};
+
+/// Zones round a shape: so much beside and below the target is forgiven in per cent, beyond it is the container.
+struct LeewayZone
+{
+    double sidesMm = 0.3;
+    double bottomMm = 0.3;
+    bool operator==(const LeewayZone&) const = default;
+};
+
+/// A step of the work, with a hint for who asks.
+struct Step
+{
+    LocalText text;
+    LocalText hint;
+    bool operator==(const Step&) const = default;
+};
+
+/// What counts as an infraction, each with its limit; what is not set is not watched.
+struct Rules
+{
+    bool pulpExposed = true;
+    bool perforated = true;
+    std::optional<double> depthLimitMm;  ///< below the original surface
+    std::optional<double> ridgeLimitMm;  ///< marginal ridge that must stay
+    std::optional<double> besideMm;      ///< so far outside the ideal nothing may be cut
+    std::optional<double> forceLimitN;   ///< held for 0.2 s
+    std::optional<double> airLimitS;     ///< bur turning without touching anything, at a stretch
+    bool operator==(const Rules&) const = default;
+};
+
+/// What the orientation exercises ask.
+struct Exercise
+{
+    int points = 0;           ///< to touch
+    double withinMm = 0.4;    ///< of the point
+    double forceN = 1.0;      ///< to hold
+    double forceBandN = 0.2;  ///< to both sides
+    double seconds = 10.0;    ///< for so long
+    bool operator==(const Exercise&) const = default;
+};
+
+/// A lesson as its file says it, with the rubric it names read in. A plain value: what it asks is done by others.
+struct Lesson
+{
+    std::string id;  ///< lower-case letters, digits and '-': "decay-36-moderate"
+    int version = 1;
+    LocalText title;
+    LocalText goal;
+    Task task = Task::RemoveDecay;
+    std::variant<MadeTooth, Block, Scan> tooth;
+    int gridSide = 150;
+    std::optional<Lesion> lesion;
+    std::optional<Ideal> ideal;
+    std::optional<LeewayZone> leeway;
+    std::optional<Exercise> exercise;
+    std::vector<std::string> burs;  ///< allowed, by id; the first is given; none: all
+    std::string handpiece = "turbine";
+    std::string preset = "natural";
+    Aids aids;
+    bool guidance = false;  ///< live: distance to the limit by colour of the bur, hints, a guiding fixture
+    std::vector<Step> steps;
+    double minutes = 0.0;  ///< 0: as long as it takes
+    bool exam = false;
+    Rules rules;
+    Rubric rubric;
+    LocalText notModelled;  ///< what the lesson leaves out
+    std::string hash;       ///< SHA-256 over the content, with rubric, scan and captured ideal; 64 hex digits
+    std::string json;       ///< the whole lesson as one JSON text, rubric included: what a recording keeps
+    bool operator==(const Lesson&) const = default;
+};
+
+}  // namespace lessons

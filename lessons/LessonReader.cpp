@@ -1,0 +1,617 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/LessonReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+
+#include "core/drilling/Bur.h"
+#include "core/grading/MeasureTable.h"
+#include "core/mesh/Placement.h"
+#include "core/settings/Handpiece.h"
+#include "core/settings/HardnessPreset.h"
+#include "core/teeth/ToothTable.h"
+#include "core/terrain/Grid.h"
+#include "lessons/JsonKeys.h"
+
+namespace lessons {
+namespace {
+
+constexpr int kMostFiles = 8;
+constexpr qint64 kLargestScanBytes = qint64{1} << 30;
+constexpr int kMostSteps = 40;
+constexpr double kMostPoints = 100.0;
+constexpr qint64 kLargestSeed = qint64{1} << 53;
+constexpr int kNewestVersion = 1'000'000;
+const QString kShipped = QStringLiteral(":/lessons/");
+const char* const kBasedOn = "based_on";
+
+const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
+                         QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("name_layers")};
+const QStringList kSides{QStringLiteral("over"), QStringLiteral("under"), QStringLiteral("both")};
+const QStringList kVerdicts{QStringLiteral("sum_of_errors"), QStringLiteral("worst_error")};
+
+/// Puts one object over another: what is null goes, objects are merged, everything else is replaced (RFC 7386).
+QJsonObject merged(QJsonObject base, const QJsonObject& over)
+{
+    for (auto entry = over.begin(); entry != over.end(); ++entry) {
+        if (entry.value().isNull())
+            base.remove(entry.key());
+        else if (entry.value().isObject() && base.value(entry.key()).isObject())
+            base.insert(entry.key(), merged(base.value(entry.key()).toObject(), entry.value().toObject()));
+        else
+            base.insert(entry.key(), entry.value());
+    }
+    return base;
+}
+
+/// A name as a file may give it: of a file beside it or in a folder below. What leads elsewhere is refused.
+bool isNameBeside(const QString& name)
+{
+    return !name.isEmpty() && name.size() < 200 && QDir::isRelativePath(name) && !name.contains(QLatin1Char('\\')) &&
+           !name.split(QLatin1Char('/')).contains(QStringLiteral("..")) && !name.startsWith(QLatin1Char(':'));
+}
+
+QString sizeWords(qint64 bytes)
+{
+    return bytes >= 1024 * 1024 ? QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1)
+                                : QStringLiteral("%1 bytes").arg(bytes);
+}
+
+/// Gathers a lesson or a rubric from its files, and the faults on the way.
+class Files
+{
+public:
+    explicit Files(std::vector<Fault>& faults) : m_faults(faults) {}
+
+    /// The object of a file with all that it is based on; nothing (and a fault) if any of it cannot be read.
+    std::optional<QJsonObject> gather(const QString& file) { return gather(file, {}, {}); }
+
+    /// Where a name in `file` leads: beside it, or to what we ship. Empty (and a fault) if it may not be named.
+    QString find(const QString& file, const QString& key, const QString& name)
+    {
+        if (!isNameBeside(name)) {
+            say(file, key,
+                QStringLiteral("\"%1\" leads out of the lesson's folder; name a file beside it").arg(name.left(80)));
+            return {};
+        }
+        const QString beside = QFileInfo(file).dir().filePath(name);
+        return QFileInfo::exists(beside) || file.startsWith(kShipped) || !QFileInfo::exists(kShipped + name)
+                   ? beside
+                   : kShipped + name;
+    }
+
+    void say(const QString& file, const QString& key, const QString& what)
+    {
+        m_faults.push_back({file, key, what, true});
+    }
+
+private:
+    std::optional<QJsonObject> gather(const QString& file, const QString& namedIn, QStringList way)
+    {
+        const auto complain = [&](const QString& what) {
+            if (namedIn.isEmpty())
+                say(file, {}, what);
+            else
+                say(namedIn, QLatin1String(kBasedOn), QStringLiteral("%1: %2").arg(QFileInfo(file).fileName(), what));
+            return std::nullopt;
+        };
+        if (way.contains(file))
+            return complain(QStringLiteral("is based on itself by way of %1").arg(QFileInfo(way.back()).fileName()));
+        if (way.size() >= kMostFiles)
+            return complain(QStringLiteral("more than %1 files are based on one another").arg(kMostFiles));
+        way << file;
+        const auto object = read(file, complain);
+        if (!object || !object->contains(QLatin1String(kBasedOn)))
+            return object;
+        const QJsonValue base = object->value(QLatin1String(kBasedOn));
+        const QString baseFile = find(file, QLatin1String(kBasedOn), base.toString());
+        if (baseFile.isEmpty())
+            return std::nullopt;
+        const auto under = gather(baseFile, file, way);
+        if (!under)
+            return std::nullopt;
+        QJsonObject whole = merged(*under, *object);
+        whole.remove(QLatin1String(kBasedOn));
+        return whole;
+    }
+
+    template <class Complain>
+    std::optional<QJsonObject> read(const QString& name, Complain complain)
+    {
+        QFile file(name);
+        if (!QFileInfo::exists(name))
+            return complain(QStringLiteral("there is no such file"));
+        if (QFileInfo(name).isDir() || !file.open(QIODevice::ReadOnly))
+            return complain(QStringLiteral("cannot be read (%1)")
+                                .arg(QFileInfo(name).isDir() ? QStringLiteral("it is a folder") : file.errorString()));
+        if (file.size() > kLargestLessonBytes)
+            return complain(QStringLiteral("has %1; a lesson has at most %2")
+                                .arg(sizeWords(file.size()), sizeWords(kLargestLessonBytes)));
+        const QByteArray bytes = file.read(kLargestLessonBytes + 1);
+        if (bytes.isEmpty())
+            return complain(QStringLiteral("is empty"));
+        return parse(bytes, complain);
+    }
+
+public:
+    template <class Complain>
+    static std::optional<QJsonObject> parse(QByteArray bytes, Complain complain)
+    {
+        if (bytes.size() > kLargestLessonBytes)
+            return complain(QStringLiteral("has %1; a lesson has at most %2")
+                                .arg(sizeWords(bytes.size()), sizeWords(kLargestLessonBytes)));
+        if (bytes.startsWith("\xEF\xBB\xBF"))
+            bytes.remove(0, 3);
+        QJsonParseError error;
+        const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
+        if (document.isNull()) {
+            const auto before = bytes.left(error.offset);
+            return complain(QStringLiteral("is not JSON: line %1, column %2: %3")
+                                .arg(before.count('\n') + 1)
+                                .arg(error.offset - before.lastIndexOf('\n'))
+                                .arg(error.errorString()));
+        }
+        if (!document.isObject())
+            return complain(QStringLiteral("must be one JSON object in braces"));
+        return document.object();
+    }
+
+private:
+    std::vector<Fault>& m_faults;
+};
+
+bool checkFormat(JsonKeys& keys)
+{
+    if (!keys.has("format")) {
+        keys.fault("format", QStringLiteral("is missing; write \"format\": %1").arg(kLessonFormat));
+        return false;
+    }
+    const qint64 format = keys.whole("format", 1, kNewestVersion, 0);
+    if (format > kLessonFormat)
+        keys.fault("format",
+                   QStringLiteral("is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson")
+                       .arg(format)
+                       .arg(kLessonFormat));
+    return format == kLessonFormat;
+}
+
+void takeId(JsonKeys& keys, std::string& id)
+{
+    static const QRegularExpression kPattern(QStringLiteral("^[a-z0-9][a-z0-9_-]{0,63}$"));
+    id = keys.neededText("id", 64);
+    if (!id.empty() && !kPattern.match(QString::fromStdString(id)).hasMatch())
+        keys.fault("id", QStringLiteral(
+                             "may hold small letters, digits, '-' and '_' only, and begins with a letter or digit"));
+}
+
+/// Tenths of a point; a weight such as 12.25 is a fault, for points are given to a tenth.
+int takeTenths(JsonKeys& keys, const char* key, int otherwise)
+{
+    const auto points = keys.number(key, 0.0, kMostPoints, "points");
+    if (!points)
+        return otherwise;
+    const double tenths = *points * 10.0;
+    if (std::abs(tenths - std::round(tenths)) > 1.0e-9)
+        keys.fault(key, QStringLiteral("is %1; points are given to a tenth").arg(*points));
+    return static_cast<int>(std::lround(tenths));
+}
+
+/// The id of a measure that exists, with its unit.
+std::string takeMeasure(JsonKeys& keys, const char* key, std::string* unit)
+{
+    const std::string id = keys.neededText(key, 80);
+    if (id.empty())
+        return id;
+    const auto measure = core::grading::findMeasure(id);
+    if (!measure)
+        keys.fault(key, QStringLiteral("\"%1\" is no measure; \"cusp lesson measures\" lists them")
+                            .arg(QString::fromStdString(id)));
+    else if (unit != nullptr)
+        *unit = std::string(measure->unit);
+    return id;
+}
+
+CriterionRule takeCriterion(JsonKeys& keys)
+{
+    CriterionRule rule;
+    takeId(keys, rule.id);
+    rule.title = keys.local("title", false);
+    rule.measure = takeMeasure(keys, "measure", &rule.unit);
+    rule.side = static_cast<Side>(std::max(0, keys.choice("side", kSides)));
+    rule.target = keys.number("target", -kLargestRubricNumber, kLargestRubricNumber, rule.unit.c_str(), 0.0);
+    rule.tolerance = keys.number("tolerance", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
+    rule.critical = keys.flag("critical", false);
+    rule.span = keys.number("span", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
+    if (auto allowance = keys.object("allowance")) {
+        rule.allowance = Allowance{takeMeasure(*allowance, "measure", nullptr),
+                                   allowance->number("each", 0.0, kLargestRubricNumber, "", 0.0)};
+        allowance->nameTheRest();
+    }
+    if (!rule.critical && !keys.has("weight"))
+        keys.fault("weight", QStringLiteral("is missing"));
+    rule.weightTenths = takeTenths(keys, "weight", 0);
+    keys.nameTheRest();
+    return rule;
+}
+
+Rubric takeRubric(JsonKeys& keys, bool isOnItsOwn, const QJsonObject& object)
+{
+    Rubric rubric;
+    if (isOnItsOwn && !checkFormat(keys))
+        return rubric;
+    static_cast<void>(keys.has("format"));
+    takeId(keys, rubric.id);
+    rubric.version = static_cast<int>(keys.whole("version", 1, kNewestVersion, 1));
+    rubric.title = keys.local("title", true);
+    rubric.verdict = static_cast<Verdict>(std::max(0, keys.choice("verdict", kVerdicts)));
+    rubric.passMarkTenths = takeTenths(keys, "pass_mark", rubric.passMarkTenths);
+    keys.objects("criteria", static_cast<int>(kMostCriteria),
+                 [&](JsonKeys& item) { rubric.criteria.push_back(takeCriterion(item)); });
+    keys.nameTheRest();
+    rubric.hash =
+        QCryptographicHash::hash(QJsonDocument(object).toJson(QJsonDocument::Compact), QCryptographicHash::Sha256)
+            .toHex()
+            .toStdString();
+    return rubric;
+}
+
+bool anyGrave(const std::vector<Fault>& faults)
+{
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) { return fault.grave; });
+}
+
+/// The rubric named or written in a lesson, as an object with nothing left to look up.
+std::optional<QJsonObject> rubricObject(const QJsonValue& value, const QString& file, Files& files)
+{
+    if (value.isObject())
+        return value.toObject();
+    if (!value.isString()) {
+        files.say(
+            file, QStringLiteral("rubric"),
+            QStringLiteral("is missing; name one that is shipped (\"decay_removal\"), a file beside the lesson, or "
+                           "write it out"));
+        return std::nullopt;
+    }
+    const QString name = value.toString();
+    const QString found = name.endsWith(QStringLiteral(".json")) ? files.find(file, QStringLiteral("rubric"), name)
+                                                                 : kShipped + name + QStringLiteral(".rubric.json");
+    if (found.isEmpty())
+        return std::nullopt;
+    if (!QFileInfo::exists(found)) {
+        files.say(file, QStringLiteral("rubric"), QStringLiteral("there is no rubric \"%1\"").arg(name.left(80)));
+        return std::nullopt;
+    }
+    return files.gather(found);
+}
+
+/// SHA-256 of a file beside the lesson; empty, and a fault, if it cannot be read.
+std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (path.isEmpty() || !QFileInfo::exists(path)) {
+        keys.fault(key, QStringLiteral("there is no file \"%1\" beside the lesson").arg(QFileInfo(path).fileName()));
+        return {};
+    }
+    if (QFileInfo(path).size() > kLargestScanBytes || !file.open(QIODevice::ReadOnly) || !hash.addData(&file)) {
+        keys.fault(key, QStringLiteral("\"%1\" cannot be read").arg(QFileInfo(path).fileName()));
+        return {};
+    }
+    return hash.result().toHex().toStdString();
+}
+
+/// Turns the whole object of a lesson into a Lesson.
+class LessonMaker
+{
+public:
+    /// @param folder  where the lesson's other files lie; null for a text that stands on its own
+    LessonMaker(const QJsonObject& whole, const QString& file, Files* files, std::vector<Fault>& faults)
+        : m_whole(whole), m_file(file), m_files(files), m_faults(faults), m_keys(whole, file, {}, faults)
+    {}
+
+    Lesson make()
+    {
+        Lesson lesson;
+        if (!checkFormat(m_keys))
+            return lesson;
+        takeId(m_keys, lesson.id);
+        lesson.version = static_cast<int>(m_keys.whole("version", 1, kNewestVersion, 1));
+        lesson.title = m_keys.local("title", true);
+        lesson.goal = m_keys.local("goal", true);
+        lesson.notModelled = m_keys.local("not_modelled", false);
+        if (!m_keys.has("task"))
+            m_keys.fault("task", QStringLiteral("is missing; there are %1").arg(kTasks.join(QStringLiteral(", "))));
+        lesson.task = static_cast<Task>(std::max(0, m_keys.choice("task", kTasks)));
+        takeTooth(lesson);
+        lesson.gridSide = static_cast<int>(m_keys.whole("grid", core::terrain::kMinGridSide,
+                                                        core::terrain::kMaxGridSide, core::terrain::kDefaultGridSide));
+        takeWork(lesson);
+        takeTools(lesson);
+        takeRules(lesson);
+        m_keys.objects("steps", kMostSteps, [&](JsonKeys& step) {
+            lesson.steps.push_back({step.local("text", true), step.local("hint", false)});
+            step.nameTheRest();
+        });
+        lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);
+        lesson.exam = m_keys.flag("exam", false);
+        lesson.guidance = m_keys.flag("guidance", false);
+        if (auto rubric = m_keys.object("rubric")) {
+            lesson.rubric = takeRubric(*rubric, false, m_whole.value(QStringLiteral("rubric")).toObject());
+            if (!anyGrave(m_faults))
+                if (const auto sound = check(lesson.rubric); !sound)
+                    m_keys.fault("rubric", QString::fromStdString(sound.error().detail));
+        } else {
+            m_keys.fault("rubric", QStringLiteral("is missing"));
+        }
+        m_keys.nameTheRest();
+        checkWhole(lesson);
+        lesson.json = QJsonDocument(m_whole).toJson(QJsonDocument::Compact).toStdString();
+        lesson.hash = QCryptographicHash::hash(QByteArray::fromStdString(lesson.json), QCryptographicHash::Sha256)
+                          .toHex()
+                          .toStdString();
+        return lesson;
+    }
+
+private:
+    void takeTooth(Lesson& lesson)
+    {
+        auto tooth = m_keys.object("tooth");
+        if (!tooth) {
+            m_keys.fault("tooth", QStringLiteral("is missing; write {\"fdi\": 36}, {\"block\": \"line\"} or "
+                                                 "{\"scan\": \"tooth.stl\"}"));
+            return;
+        }
+        const int named = (tooth->has("block") ? 1 : 0) + (tooth->has("scan") ? 1 : 0);
+        if (named > 1 || (named == 0 && !tooth->has("fdi")))
+            tooth->fault("", QStringLiteral("must name one of \"fdi\", \"block\" and \"scan\""));
+        else if (tooth->has("block"))
+            lesson.tooth = Block{tooth->neededText("block", 40), seedOf(*tooth)};
+        else if (tooth->has("scan"))
+            lesson.tooth = takeScan(*tooth);
+        else
+            lesson.tooth = MadeTooth{fdiOf(*tooth), seedOf(*tooth)};
+        tooth->nameTheRest();
+    }
+
+    static std::uint64_t seedOf(JsonKeys& keys)
+    {
+        return static_cast<std::uint64_t>(keys.whole("seed", 0, kLargestSeed, 0));
+    }
+
+    static int fdiOf(JsonKeys& keys)
+    {
+        const int fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
+        if (fdi != 0 && !core::teeth::findToothSizes(fdi))
+            keys.fault("fdi",
+                       QStringLiteral("there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38")
+                           .arg(fdi));
+        return fdi;
+    }
+
+    Scan takeScan(JsonKeys& keys)
+    {
+        Scan scan;
+        const QString name = QString::fromStdString(keys.neededText("scan"));
+        scan.unit = keys.text("unit", 20);
+        scan.up = keys.text("up", 4);
+        scan.fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
+        if (!scan.unit.empty() && !core::mesh::parseUnit(scan.unit))
+            keys.fault("unit", QStringLiteral("\"%1\" is no unit; write mm, cm, m or the millimetres of one unit")
+                                   .arg(QString::fromStdString(scan.unit)));
+        if (!scan.up.empty() && !core::mesh::parseAxis(scan.up))
+            keys.fault("up", QStringLiteral("\"%1\" is no direction; write +x, -x, +y, -y, +z or -z")
+                                 .arg(QString::fromStdString(scan.up)));
+        takeFile(keys, "scan", QStringLiteral("tooth"), name, scan.file, scan.hash);
+        return scan;
+    }
+
+    /// Where a file that the lesson names lies, and its hash, which goes into the lesson's own.
+    void takeFile(JsonKeys& keys, const char* key, const QString& parent, const QString& name, std::string& path,
+                  std::string& hash)
+    {
+        if (m_files == nullptr) {
+            path = name.toStdString();
+            hash = keys.text("content", 64);
+            return;
+        }
+        static_cast<void>(keys.has("content"));
+        const QString found = m_files->find(m_file, keys.pathOf(QLatin1String(key)), name);
+        if (found.isEmpty())
+            return;
+        path = QFileInfo(found).absoluteFilePath().toStdString();
+        hash = hashOf(found, keys, key);
+        QJsonObject owner = m_whole.value(parent).toObject();
+        owner.insert(QStringLiteral("content"), QString::fromStdString(hash));
+        m_whole.insert(parent, owner);
+    }
+
+    void takeWork(Lesson& lesson)
+    {
+        if (auto lesion = m_keys.object("lesion")) {
+            lesson.lesion = Lesion{lesion->number("extent", 0.0, 1.0, "", 0.5)};
+            lesion->nameTheRest();
+        }
+        if (auto ideal = m_keys.object("ideal")) {
+            Ideal asked;
+            if (ideal->has("captured")) {
+                asked.kind = "captured";
+                takeFile(*ideal, "captured", QStringLiteral("ideal"),
+                         QString::fromStdString(ideal->neededText("captured")), asked.file, asked.hash);
+            } else {
+                asked.kind = ideal->neededText("kind", 40);
+                if (auto sizes = ideal->object("sizes"))
+                    asked.sizes = sizes->allNumbers(-1000.0, 1000.0);
+            }
+            lesson.ideal = asked;
+            ideal->nameTheRest();
+        }
+        if (auto leeway = m_keys.object("leeway")) {
+            lesson.leeway = LeewayZone{leeway->number("sides_mm", 0.0, 3.0, "mm", 0.3),
+                                       leeway->number("bottom_mm", 0.0, 3.0, "mm", 0.3)};
+            leeway->nameTheRest();
+        }
+        if (auto exercise = m_keys.object("exercise")) {
+            Exercise asked;
+            asked.points = static_cast<int>(exercise->whole("points", 0, 20, 0));
+            asked.withinMm = exercise->number("within_mm", 0.1, 5.0, "mm", asked.withinMm);
+            asked.forceN = exercise->number("force_n", 0.1, 8.0, "N", asked.forceN);
+            asked.forceBandN = exercise->number("force_band_n", 0.01, 4.0, "N", asked.forceBandN);
+            asked.seconds = exercise->number("seconds", 1.0, 120.0, "s", asked.seconds);
+            lesson.exercise = asked;
+            exercise->nameTheRest();
+        }
+    }
+
+    void takeTools(Lesson& lesson)
+    {
+        for (const QString& bur : m_keys.names("burs")) {
+            if (const auto known = core::drilling::findBur(bur.toStdString()); !known)
+                m_keys.fault("burs", QString::fromStdString(known.error().detail));
+            lesson.burs.push_back(bur.toStdString());
+        }
+        if (m_keys.has("handpiece"))
+            lesson.handpiece = m_keys.text("handpiece", 40);
+        if (const auto known = core::settings::findHandpiece(lesson.handpiece); !known)
+            m_keys.fault("handpiece", QString::fromStdString(known.error().detail));
+        if (m_keys.has("preset"))
+            lesson.preset = m_keys.text("preset", 40);
+        if (const auto known = core::settings::findHardnessPreset(lesson.preset); !known)
+            m_keys.fault("preset", QString::fromStdString(known.error().detail));
+        if (!m_keys.has("aids"))
+            return;
+        lesson.aids = Aids::none();
+        for (const QString& name : m_keys.names("aids")) {
+            if (bool* const aid = aidNamed(lesson.aids, name))
+                *aid = true;
+            else
+                m_keys.fault("aids", QStringLiteral("\"%1\" is no aid; there are section, depth_gauge, radiograph, "
+                                                    "heat_map, mirror, ideal")
+                                         .arg(name.left(40)));
+        }
+    }
+
+    static bool* aidNamed(Aids& aids, const QString& name)
+    {
+        const std::pair<const char*, bool*> known[] = {
+            {"section", &aids.section},  {"depth_gauge", &aids.depthGauge}, {"radiograph", &aids.radiograph},
+            {"heat_map", &aids.heatMap}, {"mirror", &aids.mirror},          {"ideal", &aids.ideal}};
+        for (const auto& [id, aid] : known)
+            if (name == QLatin1String(id))
+                return aid;
+        return nullptr;
+    }
+
+    void takeRules(Lesson& lesson)
+    {
+        auto rules = m_keys.object("rules");
+        if (!rules)
+            return;
+        Rules& set = lesson.rules;
+        set.pulpExposed = rules->flag("pulp_exposed", set.pulpExposed);
+        set.perforated = rules->flag("perforated", set.perforated);
+        set.depthLimitMm = rules->number("depth_limit_mm", 0.1, 10.0, "mm");
+        set.ridgeLimitMm = rules->number("ridge_limit_mm", 0.1, 5.0, "mm");
+        set.besideMm = rules->number("beside_mm", 0.0, 10.0, "mm");
+        set.forceLimitN = rules->number("force_limit_n", 0.1, 10.0, "N");
+        set.airLimitS = rules->number("air_limit_s", 1.0, 600.0, "s");
+        rules->nameTheRest();
+    }
+
+    /// What no single key tells.
+    void checkWhole(const Lesson& lesson)
+    {
+        const bool isBlock = std::holds_alternative<Block>(lesson.tooth);
+        if (lesson.task == Task::RemoveDecay && (isBlock || !lesson.lesion || lesson.lesion->extent <= 0.0))
+            m_keys.fault("lesion",
+                         QStringLiteral("to remove decay there must be some: write \"lesion\": {\"extent\": 0.5} for a "
+                                        "tooth"));
+        if (lesson.task == Task::CutIdeal && !lesson.ideal)
+            m_keys.fault("ideal", QStringLiteral("is missing; it says which preparation is to be cut"));
+        if (lesson.task == Task::TraceShape && !isBlock)
+            m_keys.fault("tooth", QStringLiteral("a shape is traced in a block: write {\"block\": \"line\"}"));
+        if (lesson.task >= Task::TouchPoints && !lesson.exercise)
+            m_keys.fault("exercise", QStringLiteral("is missing; it says how much of what is asked"));
+    }
+
+    QJsonObject m_whole;
+    QString m_file;
+    Files* m_files;
+    std::vector<Fault>& m_faults;
+    JsonKeys m_keys;
+};
+
+}  // namespace
+
+QString Fault::sentence() const
+{
+    const QString where = QFileInfo(file).fileName();
+    return (key.isEmpty() ? where + QLatin1Char(' ') : where + QStringLiteral(", ") + key + QStringLiteral(": ")) +
+           what;
+}
+
+ReadLesson readLesson(const QString& file)
+{
+    ReadLesson result;
+    result.file = file;
+    Files files(result.faults);
+    auto whole = files.gather(file);
+    if (!whole)
+        return result;
+    const auto rubric = rubricObject(whole->value(QStringLiteral("rubric")), file, files);
+    if (!rubric)
+        return result;
+    whole->insert(QStringLiteral("rubric"), *rubric);
+    Lesson lesson = LessonMaker(*whole, file, &files, result.faults).make();
+    if (!anyGrave(result.faults))
+        result.lesson = std::move(lesson);
+    return result;
+}
+
+ReadLesson readLessonText(const QByteArray& json, const QString& name)
+{
+    ReadLesson result;
+    result.file = name;
+    const auto complain = [&](const QString& what) {
+        result.faults.push_back({name, {}, what, true});
+        return std::nullopt;
+    };
+    const auto whole = Files::parse(json, complain);
+    if (!whole)
+        return result;
+    Lesson lesson = LessonMaker(*whole, name, nullptr, result.faults).make();
+    if (!anyGrave(result.faults))
+        result.lesson = std::move(lesson);
+    return result;
+}
+
+core::Result<Rubric> readRubric(const QString& fileOrId)
+{
+    const QString file =
+        fileOrId.endsWith(QStringLiteral(".json")) ? fileOrId : kShipped + fileOrId + QStringLiteral(".rubric.json");
+    std::vector<Fault> faults;
+    Files files(faults);
+    if (const auto whole = files.gather(file)) {
+        JsonKeys keys(*whole, file, {}, faults);
+        Rubric rubric = takeRubric(keys, true, *whole);
+        if (!anyGrave(faults)) {
+            if (auto sound = check(rubric); !sound)
+                return tl::unexpected(sound.error());
+            return rubric;
+        }
+    }
+    for (const Fault& fault : faults)
+        if (fault.grave)
+            return core::unexpected(core::ErrorCode::BadStructure, fault.sentence().toStdString());
+    return core::unexpected(core::ErrorCode::BadStructure, file.toStdString() + " cannot be read");
+}
+
+}  // namespace lessons

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace lessons {
+
+/// One text in several languages: language code ("en", "de") to UTF-8.
+using LocalText = std::map<std::string, std::string>;
+
+/// The text in this language; else in English, else in the first there is; empty for an empty text. A code with a
+/// country ("de_AT") finds its language.
+[[nodiscard]] const std::string& inLanguage(const LocalText& text, std::string_view language);
+
+}  // namespace lessons

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/Rubric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace lessons {
+namespace {
+
+std::string in(const Rubric& rubric, const CriterionRule& rule, const char* key)
+{
+    return "rubric " + rubric.id + ", criterion " + rule.id + ", " + key + ": ";
+}
+
+core::Status checkNumber(const Rubric& rubric, const CriterionRule& rule, const char* key, double value, double least)
+{
+    if (std::isfinite(value) && value >= least && value <= kLargestRubricNumber)
+        return {};
+    return core::unexpected(core::ErrorCode::OutOfRange, in(rubric, rule, key) + std::to_string(value) + " " +
+                                                             rule.unit + " is not between " + std::to_string(least) +
+                                                             " and " + std::to_string(kLargestRubricNumber));
+}
+
+core::Status checkCriterion(const Rubric& rubric, const CriterionRule& rule)
+{
+    if (auto sound = checkNumber(rubric, rule, "target", rule.target, -kLargestRubricNumber); !sound)
+        return sound;
+    if (auto sound = checkNumber(rubric, rule, "tolerance", rule.tolerance, 0.0); !sound)
+        return sound;
+    if (auto sound = checkNumber(rubric, rule, "span", rule.span, 0.0); !sound)
+        return sound;
+    if (rule.allowance)
+        if (auto sound = checkNumber(rubric, rule, "allowance", rule.allowance->each, 0.0); !sound)
+            return sound;
+    if (rule.critical && rule.weightTenths != 0)
+        return core::unexpected(core::ErrorCode::BadStructure,
+                                in(rubric, rule, "weight") + "a critical criterion has none; it fails the attempt and "
+                                                             "takes all points that are left");
+    if (!rule.critical && rule.weightTenths <= 0)
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                in(rubric, rule, "weight") + "must be at least 0.1 points");
+    return {};
+}
+
+double tolerated(const CriterionRule& rule, const Values& values)
+{
+    if (!rule.allowance)
+        return rule.tolerance;
+    const auto scale = values.find(rule.allowance->measure);
+    const bool known = scale != values.end() && std::isfinite(scale->second);
+    return rule.tolerance + (known ? rule.allowance->each * std::max(0.0, scale->second) : 0.0);
+}
+
+/// How far a value is off its target on the side that counts.
+double offTarget(const CriterionRule& rule, double value)
+{
+    switch (rule.side) {
+    case Side::Over:
+        return std::max(0.0, value - rule.target);
+    case Side::Under:
+        return std::max(0.0, rule.target - value);
+    case Side::Both:
+        break;
+    }
+    return std::abs(value - rule.target);
+}
+
+Criterion judge(const CriterionRule& rule, const Values& values)
+{
+    Criterion line;
+    line.id = rule.id;
+    line.title = rule.title;
+    line.measure = rule.measure;
+    line.unit = rule.unit;
+    line.side = rule.side;
+    line.target = rule.target;
+    line.tolerance = tolerated(rule, values);
+    line.span = rule.span;
+    line.weightTenths = rule.weightTenths;
+    line.critical = rule.critical;
+    const auto value = values.find(rule.measure);
+    if (value == values.end() || !std::isfinite(value->second)) {
+        line.share = 1.0;  // nothing unmeasured earns points
+        return line;
+    }
+    line.measured = value->second;
+    line.error = std::max(0.0, offTarget(rule, value->second) - line.tolerance);
+    if (line.error > 0.0)
+        line.share = rule.span > 0.0 ? std::min(1.0, line.error / rule.span) : 1.0;
+    return line;
+}
+
+int tenths(double points)
+{
+    return static_cast<int>(std::lround(points));
+}
+
+}  // namespace
+
+Values valuesOf(const core::grading::Measured& measured)
+{
+    Values values;
+    for (const core::grading::MeasureInfo& measure : core::grading::measureTable())
+        if (const auto value = measure.value(measured))
+            values.emplace(measure.id, *value);
+    return values;
+}
+
+core::Status check(const Rubric& rubric)
+{
+    if (rubric.criteria.empty() || rubric.criteria.size() > kMostCriteria)
+        return core::unexpected(core::ErrorCode::BadStructure, "rubric " + rubric.id + ", criteria: there are " +
+                                                                   std::to_string(rubric.criteria.size()) +
+                                                                   ", it takes 1 to " + std::to_string(kMostCriteria));
+    if (rubric.passMarkTenths < 0 || rubric.passMarkTenths > kFullTenths)
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                "rubric " + rubric.id + ", pass_mark: must lie between 0 and 100 points");
+    std::set<std::string> ids;
+    int sum = 0;
+    for (const CriterionRule& rule : rubric.criteria) {
+        if (auto sound = checkCriterion(rubric, rule); !sound)
+            return sound;
+        if (!ids.insert(rule.id).second)
+            return core::unexpected(core::ErrorCode::BadStructure, in(rubric, rule, "id") + "is there twice");
+        sum += rule.weightTenths;
+    }
+    if (sum != kFullTenths) {
+        const std::string whole = std::to_string(sum / 10) + "." + std::to_string(sum % 10);
+        return core::unexpected(core::ErrorCode::BadStructure, "rubric " + rubric.id +
+                                                                   ", weight: those of all criteria make " + whole +
+                                                                   " points; they must make 100");
+    }
+    return {};
+}
+
+ScoreSheet grade(const Rubric& rubric, const Values& values)
+{
+    ScoreSheet sheet;
+    sheet.rubricId = rubric.id;
+    sheet.rubricVersion = rubric.version;
+    sheet.rubricHash = rubric.hash;
+    sheet.rubricTitle = rubric.title;
+    sheet.verdict = rubric.verdict;
+    sheet.passMarkTenths = rubric.passMarkTenths;
+    Criterion* worst = nullptr;
+    for (const CriterionRule& rule : rubric.criteria)
+        sheet.criteria.push_back(judge(rule, values));
+    for (Criterion& line : sheet.criteria) {
+        if (line.critical)
+            continue;
+        if (rubric.verdict == Verdict::SumOfErrors)
+            line.lostTenths = tenths(line.weightTenths * line.share);
+        else if (worst == nullptr || line.share > worst->share)
+            worst = &line;
+    }
+    if (worst != nullptr)
+        worst->lostTenths = tenths(kFullTenths * worst->share);
+    int left = kFullTenths;
+    for (const Criterion& line : sheet.criteria)
+        left -= line.lostTenths;
+    for (Criterion& line : sheet.criteria) {
+        if (line.critical && line.share > 0.0) {
+            line.lostTenths = left;  // the first to fail takes what is left, the others find nothing
+            left = 0;
+        }
+    }
+    sheet.totalTenths = left;
+    return sheet;
+}
+
+}  // namespace lessons

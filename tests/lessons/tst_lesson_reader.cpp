@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
+
+using namespace lessons;
+
+class TestLessonReader : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init();
+
+    void readsEveryKey();
+    void everyShippedLessonIsSoundAndHasItsDecay();
+    void tellsEachFaultByFileAndKey_data();
+    void tellsEachFaultByFileAndKey();
+    void tellsAllFaultsAtOnce();
+    void unknownKeysAreNotedWithTheNearest();
+    void whatIsBasedOnAnotherTakesItsKeys();
+    void refusesACircleOfFiles();
+    void refusesAFileThatIsNotThere();
+    void refusesNamesThatLeadElsewhere();
+    void refusesTenMegabytes();
+    void truncatedAnywhereNeverCrashes();
+    void theHashTellsContentApart();
+    void theTextOfALessonIsTheLesson();
+    void aFaultyFileLeavesTheOthers();
+    void anIdBelongsToOneLesson();
+
+private:
+    QString write(const QString& name, const QByteArray& content) const
+    {
+        QFile file(m_folder->filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("the scratch folder cannot be written");
+        return file.fileName();
+    }
+    QString write(const QString& name, const QJsonObject& object) const
+    {
+        return write(name, QJsonDocument(object).toJson());
+    }
+    static QString sentences(const ReadLesson& read)
+    {
+        QStringList all;
+        for (const Fault& fault : read.faults)
+            all << fault.sentence();
+        return all.join(QLatin1Char('\n'));
+    }
+    static QJsonObject lesson()
+    {
+        return {{"format", 1},
+                {"id", "try-36"},
+                {"title", QJsonObject{{"en", "Try"}, {"de", "Versuch"}}},
+                {"goal", "Take the decay out."},
+                {"task", "remove_decay"},
+                {"tooth", QJsonObject{{"fdi", 36}, {"seed", 7}}},
+                {"lesion", QJsonObject{{"extent", 0.5}}},
+                {"rubric", "decay_removal"}};
+    }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+void TestLessonReader::init()
+{
+    m_folder.emplace();
+}
+
+void TestLessonReader::readsEveryKey()
+{
+    QJsonObject object = lesson();
+    object["version"] = 3;
+    object["not_modelled"] = "Undercuts.";
+    object["grid"] = 200;
+    object["ideal"] = QJsonObject{{"kind", "class1"}, {"sizes", QJsonObject{{"depth_mm", 1.75}}}};
+    object["leeway"] = QJsonObject{{"sides_mm", 0.2}, {"bottom_mm", 0.4}};
+    object["exercise"] =
+        QJsonObject{{"points", 5}, {"within_mm", 0.5}, {"force_n", 1.5}, {"force_band_n", 0.3}, {"seconds", 12}};
+    object["burs"] = QJsonArray{"330", "2"};
+    object["handpiece"] = "low-speed";
+    object["preset"] = "typodont";
+    object["aids"] = QJsonArray{"section", "mirror"};
+    object["steps"] = QJsonArray{QJsonObject{{"text", "Look."}, {"hint", "Closer."}}};
+    object["minutes"] = 12.5;
+    object["exam"] = true;
+    object["guidance"] = true;
+    object["rules"] =
+        QJsonObject{{"pulp_exposed", false}, {"perforated", false},  {"depth_limit_mm", 2.5}, {"ridge_limit_mm", 1.2},
+                    {"beside_mm", 0.5},      {"force_limit_n", 3.0}, {"air_limit_s", 30}};
+    const ReadLesson read = readLesson(write("try.lesson.json", object));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
+    const Lesson& got = *read.lesson;
+    QCOMPARE(got.id, std::string("try-36"));
+    QCOMPARE(got.version, 3);
+    QCOMPARE(inLanguage(got.title, "de_AT"), std::string("Versuch"));
+    QCOMPARE(inLanguage(got.title, "ja"), std::string("Try"));
+    QCOMPARE(inLanguage(got.goal, "de"), std::string("Take the decay out."));
+    QCOMPARE(std::get<MadeTooth>(got.tooth), (MadeTooth{36, 7}));
+    QCOMPARE(got.gridSide, 200);
+    QCOMPARE(got.lesion->extent, 0.5);
+    QCOMPARE(got.ideal->sizes.at("depth_mm"), 1.75);
+    QCOMPARE(*got.leeway, (LeewayZone{0.2, 0.4}));
+    QCOMPARE(*got.exercise, (Exercise{5, 0.5, 1.5, 0.3, 12.0}));
+    QCOMPARE(got.burs, (std::vector<std::string>{"330", "2"}));
+    QCOMPARE(got.handpiece, std::string("low-speed"));
+    QCOMPARE(got.preset, std::string("typodont"));
+    QVERIFY(got.aids.section && got.aids.mirror && !got.aids.radiograph && !got.aids.ideal);
+    QCOMPARE(inLanguage(got.steps.at(0).hint, "en"), std::string("Closer."));
+    QCOMPARE(got.minutes, 12.5);
+    QVERIFY(got.exam && got.guidance);
+    QCOMPARE(got.rules, (Rules{false, false, 2.5, 1.2, 0.5, 3.0, 30.0}));
+    QCOMPARE(got.rubric.id, std::string("decay_removal"));
+    QCOMPARE(got.rubric.hash.size(), std::size_t{64});
+}
+
+void TestLessonReader::everyShippedLessonIsSoundAndHasItsDecay()
+{
+    int decays = 0;
+    for (const CatalogEntry& entry : readCatalog({})) {
+        QVERIFY2(entry.read.lesson, qPrintable(sentences(entry.read)));
+        QVERIFY2(entry.read.faults.empty(), qPrintable(sentences(entry.read)));
+        const Lesson& shipped = *entry.read.lesson;
+        for (const LocalText* text : {&shipped.title, &shipped.goal})
+            QVERIFY2(text->contains("en") && text->contains("de"), shipped.id.c_str());
+        if (shipped.task != Task::RemoveDecay)
+            continue;
+        ++decays;
+        Lesson coarse = shipped;
+        coarse.gridSide = 100;
+        const auto assigned = assign(coarse);
+        QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+        const double decayMm3 = assigned->report.layersMm3[0];
+        QVERIFY2(decayMm3 > 0.1, qPrintable(QStringLiteral("%1: %2 mm3").arg(shipped.id.c_str()).arg(decayMm3)));
+    }
+    QCOMPARE(decays, 48);
+}
+
+void TestLessonReader::tellsEachFaultByFileAndKey_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QByteArray>("value");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* name, const char* key, const char* value, const char* says) {
+        QTest::newRow(name) << QString(key) << QByteArray(value) << QString(says);
+    };
+    row("no format", "format", "null", "format: is missing");
+    row("a newer format", "format", "2", "newer Cusp");
+    row("format in words", "format", "\"1\"", "format: is a text");
+    row("no title", "title", "null", "title: is missing");
+    row("title a number", "title", "3", "title: is a number");
+    row("title in no language", "title", "{}", "title: has texts in 0 languages");
+    row("an odd id", "id", "\"Try 36\"", "id: may hold small letters");
+    row("no id", "id", "null", "id: is missing");
+    row("an unknown task", "task", "\"remove\"", "task: \"remove\" is not known; there are remove_decay");
+    row("a tooth that does not exist", "tooth", "{\"fdi\": 39}", "tooth.fdi: there is no tooth 39");
+    row("a tooth of the right", "tooth", "{\"fdi\": 46}", "tooth.fdi: there is no tooth 46");
+    row("a tooth beyond counting", "tooth", "{\"fdi\": 1e300}", "tooth.fdi: is 1e+300");
+    row("half a tooth", "tooth", "{\"fdi\": 36.5}", "tooth.fdi: is 36.5, it must be a whole number");
+    row("two teeth", "tooth", "{\"scan\": \"a.stl\", \"block\": \"line\"}", "tooth: must name one of");
+    row("a scan that is not there", "tooth", "{\"scan\": \"a.stl\"}", "tooth.scan: there is no file \"a.stl\"");
+    row("a unit unheard of", "tooth", "{\"scan\": \"a.stl\", \"unit\": \"ell\"}", "tooth.unit: \"ell\" is no unit");
+    row("no tooth", "tooth", "null", "tooth: is missing");
+    row("an extent with its unit", "lesion", "{\"extent\": \"50 %\"}", "lesion.extent: is a text; write a number");
+    row("an extent over 1", "lesion", "{\"extent\": 50}", "lesion.extent: is 50, it must lie between 0 and 1");
+    row("no decay", "lesion", "null", "lesion: to remove decay there must be some");
+    row("a grid too fine", "grid", "4096", "grid: is 4096, it must lie between 64 and 1024");
+    row("an unknown bur", "burs", "[\"331x\"]", "burs: ");
+    row("burs as a text", "burs", "\"330\"", "burs: must be a list");
+    row("an unknown handpiece", "handpiece", "\"laser\"", "handpiece: ");
+    row("an unknown preset", "preset", "\"butter\"", "preset: ");
+    row("an unknown aid", "aids", "[\"x-ray\"]", "aids: \"x-ray\" is no aid");
+    row("no rubric", "rubric", "null", "rubric: is missing");
+    row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
+    row("a depth in micrometres", "rules", "{\"depth_limit_mm\": 2500}",
+        "rules.depth_limit_mm: is 2500, it must lie between 0.1 and 10 mm");
+    row("exam maybe", "exam", "\"maybe\"", "exam: is a text; write true or false");
+    row("a measure that is none", "rubric",
+        R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "beauty", "weight": 100}]})",
+        "rubric.criteria[0].measure: \"beauty\" is no measure");
+    row("weights that make 90", "rubric",
+        R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent", "weight": 90}]})",
+        "those of all criteria make 90.0 points");
+    row("a weight in hundredths", "rubric",
+        R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent", "weight": 33.33}]})",
+        "rubric.criteria[0].weight: is 33.33; points are given to a tenth");
+}
+
+void TestLessonReader::tellsEachFaultByFileAndKey()
+{
+    QFETCH(QString, key);
+    QFETCH(QByteArray, value);
+    QFETCH(QString, says);
+    QJsonObject object = lesson();
+    const QJsonValue parsed = QJsonDocument::fromJson("[" + value + "]").array().at(0);
+    if (parsed.isNull())
+        object.remove(key);
+    else
+        object[key] = parsed;
+    const ReadLesson read = readLesson(write("odd.lesson.json", object));
+    QVERIFY(!read.lesson);
+    QVERIFY2(sentences(read).contains("odd.lesson.json, "), qPrintable(sentences(read)));
+    QVERIFY2(sentences(read).contains(says), qPrintable(sentences(read)));
+}
+
+void TestLessonReader::tellsAllFaultsAtOnce()
+{
+    QJsonObject object = lesson();
+    object["tooth"] = QJsonObject{{"fdi", 99}};
+    object["grid"] = 3;
+    object["preset"] = "butter";
+    const ReadLesson read = readLesson(write("odd.lesson.json", object));
+    QCOMPARE(read.faults.size(), std::size_t{3});
+}
+
+void TestLessonReader::unknownKeysAreNotedWithTheNearest()
+{
+    QJsonObject object = lesson();
+    object["minuts"] = 3;
+    object["colour of the sky"] = "blue";
+    const ReadLesson read = readLesson(write("odd.lesson.json", object));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QCOMPARE(read.faults.size(), std::size_t{2});
+    QVERIFY2(sentences(read).contains("minuts: is not a key that is known here; did you mean \"minutes\"?"),
+             qPrintable(sentences(read)));
+    QVERIFY(!read.faults[0].grave && !read.faults[1].grave);
+}
+
+void TestLessonReader::whatIsBasedOnAnotherTakesItsKeys()
+{
+    write("base.json", lesson());
+    const QString file = write("deep.lesson.json", QJsonObject{{"format", 1},
+                                                               {"based_on", "base.json"},
+                                                               {"id", "deep-36"},
+                                                               {"minutes", 20},
+                                                               {"tooth", QJsonObject{{"seed", 9}}}});
+    const ReadLesson read = readLesson(file);
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QCOMPARE(read.lesson->id, std::string("deep-36"));
+    QCOMPARE(std::get<MadeTooth>(read.lesson->tooth), (MadeTooth{36, 9}));
+    QCOMPARE(read.lesson->minutes, 20.0);
+}
+
+void TestLessonReader::refusesACircleOfFiles()
+{
+    write("a.json", QJsonObject{{"format", 1}, {"based_on", "b.json"}});
+    const QString file = write("b.json", QJsonObject{{"format", 1}, {"based_on", "a.json"}});
+    const ReadLesson read = readLesson(file);
+    QVERIFY(!read.lesson);
+    QVERIFY2(sentences(read).contains("a.json, based_on: b.json: is based on itself by way of a.json"),
+             qPrintable(sentences(read)));
+    // A chain that never ends is no better.
+    for (int k = 0; k < 12; ++k)
+        write(QStringLiteral("%1.json").arg(k),
+              QJsonObject{{"format", 1}, {"based_on", QStringLiteral("%1.json").arg(k + 1)}});
+    QVERIFY(!readLesson(m_folder->filePath("0.json")).lesson);
+}
+
+void TestLessonReader::refusesAFileThatIsNotThere()
+{
+    QVERIFY(sentences(readLesson(m_folder->filePath("none.lesson.json"))).contains("there is no such file"));
+    QVERIFY(sentences(readLesson(m_folder->path())).contains("is a folder"));
+    QVERIFY(sentences(readLesson(write("empty.lesson.json", QByteArray()))).contains("is empty"));
+    const QString file = write("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", "gone.json"}});
+    QVERIFY2(sentences(readLesson(file)).contains("based_on: gone.json: there is no such file"),
+             qPrintable(sentences(readLesson(file))));
+    QVERIFY(sentences(readLesson(write("text.lesson.json", QByteArray("Dear all,\nhello"))))
+                .contains("is not JSON: line 1, column"));
+    QVERIFY(sentences(readLesson(write("list.lesson.json", QByteArray("[]")))).contains("one JSON object"));
+    QVERIFY(!readLesson(write("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}"))).lesson);
+    // A mark at the beginning that some editors set is no fault.
+    QVERIFY(readLesson(write("bom.lesson.json", "\xEF\xBB\xBF" + QJsonDocument(lesson()).toJson())).lesson);
+}
+
+void TestLessonReader::refusesNamesThatLeadElsewhere()
+{
+    for (const char* name : {"../secret.json", "/etc/passwd", "a/../../b.json", "C:\\x.json", ":/lessons/x.json", ""}) {
+        const ReadLesson read = readLesson(write("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", name}}));
+        QVERIFY(!read.lesson);
+        QVERIFY2(sentences(read).contains("leads out of the lesson's folder"), qPrintable(sentences(read)));
+        QJsonObject object = lesson();
+        object["tooth"] = QJsonObject{{"scan", name}};
+        QVERIFY(!readLesson(write("b.lesson.json", object)).lesson);
+    }
+}
+
+void TestLessonReader::refusesTenMegabytes()
+{
+    QJsonObject object = lesson();
+    object["goal"] = QString(10 * 1024 * 1024, QLatin1Char('x'));
+    const ReadLesson read = readLesson(write("large.lesson.json", object));
+    QVERIFY2(sentences(read).contains("has 10.0 MB; a lesson has at most 1.0 MB"), qPrintable(sentences(read)));
+    const QByteArray nested = QByteArray(200'000, '[') + QByteArray(200'000, ']');
+    QVERIFY(!readLesson(write("deep.lesson.json", "{\"format\": 1, \"steps\": " + nested + "}")).lesson);
+}
+
+void TestLessonReader::truncatedAnywhereNeverCrashes()
+{
+    const QByteArray whole = QJsonDocument(lesson()).toJson();
+    for (qsizetype length = 1; length < whole.size() - 2; ++length) {
+        const ReadLesson read = readLessonText(whole.left(length), QStringLiteral("cut"));
+        QVERIFY(!read.lesson);
+        QVERIFY(!read.faults.empty());
+    }
+}
+
+void TestLessonReader::theHashTellsContentApart()
+{
+    const QJsonObject object = lesson();
+    const auto hashOf = [&](const QByteArray& bytes) {
+        const ReadLesson read = readLesson(write("h.lesson.json", bytes));
+        return read.lesson ? read.lesson->hash : std::string();
+    };
+    const std::string first = hashOf(QJsonDocument(object).toJson());
+    QCOMPARE(first.size(), std::size_t{64});
+    // Neither spaces nor the place of the file count.
+    QCOMPARE(hashOf(QJsonDocument(object).toJson(QJsonDocument::Compact)), first);
+    QJsonObject other = object;
+    other["minutes"] = 1;
+    QVERIFY(hashOf(QJsonDocument(other).toJson()) != first);
+    // The rubric is a part of the lesson, as if it had been written out.
+    const auto rubric = readRubric(QStringLiteral("decay_removal"));
+    QVERIFY(rubric.has_value());
+    QFile shipped(QStringLiteral(":/lessons/decay_removal.rubric.json"));
+    QVERIFY(shipped.open(QIODevice::ReadOnly));
+    other = object;
+    other["rubric"] = QJsonDocument::fromJson(shipped.readAll()).object();
+    QCOMPARE(hashOf(QJsonDocument(other).toJson()), first);
+}
+
+void TestLessonReader::theTextOfALessonIsTheLesson()
+{
+    for (const CatalogEntry& entry : readCatalog({})) {
+        const Lesson& original = *entry.read.lesson;
+        const ReadLesson again = readLessonText(QByteArray::fromStdString(original.json), QStringLiteral("text"));
+        QVERIFY2(again.lesson, qPrintable(sentences(again)));
+        QVERIFY(*again.lesson == original);
+    }
+}
+
+void TestLessonReader::aFaultyFileLeavesTheOthers()
+{
+    write("good.lesson.json", lesson());
+    write("bad.lesson.json", QByteArray("{"));
+    write("notes.txt", QByteArray("not a lesson"));
+    const auto entries = readCatalog(m_folder->path());
+    int own = 0;
+    int faulty = 0;
+    for (const CatalogEntry& entry : entries) {
+        own += entry.isShipped ? 0 : 1;
+        faulty += entry.isFaulty() ? 1 : 0;
+    }
+    QCOMPARE(own, 2);
+    QCOMPARE(faulty, 1);
+    QVERIFY(readCatalog(m_folder->filePath("nowhere")).size() == entries.size() - 2);
+}
+
+void TestLessonReader::anIdBelongsToOneLesson()
+{
+    QJsonObject object = lesson();
+    object["id"] = "decay-36-moderate";
+    write("mine.lesson.json", object);
+    const auto entries = readCatalog(m_folder->path());
+    QVERIFY(entries.back().isFaulty());
+    QVERIFY2(sentences(entries.back().read).contains("belongs to another lesson"),
+             qPrintable(sentences(entries.back().read)));
+}
+
+QTEST_GUILESS_MAIN(TestLessonReader)
+#include "tst_lesson_reader.moc"

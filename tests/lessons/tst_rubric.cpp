@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/Rng.h"
+#include "lessons/LessonReader.h"
+#include "lessons/Rubric.h"
+#include "lessons/ScoreSheetJson.h"
+
+using namespace lessons;
+
+namespace {
+
+CriterionRule rule(const std::string& id, double target, double tolerance, double span, int weightTenths,
+                   Side side = Side::Over)
+{
+    CriterionRule made;
+    made.id = id;
+    made.measure = id;
+    made.side = side;
+    made.target = target;
+    made.tolerance = tolerance;
+    made.span = span;
+    made.weightTenths = weightTenths;
+    return made;
+}
+
+Rubric twoHalves()
+{
+    Rubric rubric;
+    rubric.id = std::string("halves");
+    rubric.title = {{"en", "Halves"}};
+    rubric.criteria = {rule("a", 0.0, 1.0, 2.0, 500), rule("b", 1.5, 0.25, 0.5, 500, Side::Both)};
+    return rubric;
+}
+
+Rubric decayRemoval()
+{
+    auto shipped = readRubric(QStringLiteral("decay_removal"));
+    return shipped.value_or(Rubric{});
+}
+
+}  // namespace
+
+class TestRubric : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theExampleOfTheDocumentIsRight();
+    void eachSideCountsItsOwnErrors_data();
+    void eachSideCountsItsOwnErrors();
+    void halfATenthGoesUp();
+    void whatWasNotMeasuredEarnsNothing();
+    void anAllowanceGrowsWithItsMeasure();
+    void theWorstErrorDecides();
+    void aCriticalErrorTakesWhatIsLeft();
+    void theSumIsAlwaysExact();
+    void moreErrorNeverEarnsPoints();
+    void refusesWhatCannotMark_data();
+    void refusesWhatCannotMark();
+    void jsonHoldsEveryNumberBitForBit();
+};
+
+void TestRubric::theExampleOfTheDocumentIsRight()
+{
+    const Rubric rubric = decayRemoval();
+    QCOMPARE(rubric.criteria.size(), std::size_t{4});
+    const ScoreSheet sheet = grade(rubric, {{"caries_left_percent", 4.2},
+                                            {"sound_overcut_mm3", 9.0},
+                                            {"smallest_cavity_mm3", 2.0},
+                                            {"pulp_exposed_mm2", 0.0},
+                                            {"perforated_mm2", 0.0}});
+    QCOMPARE(sheet.criteria[0].lostTenths, 64);
+    QCOMPARE(sheet.criteria[1].tolerance, 8.0);
+    QCOMPARE(sheet.criteria[1].lostTenths, 15);
+    QCOMPARE(sheet.criteria[2].lostTenths, 0);
+    QCOMPARE(sheet.totalTenths, 921);
+    QVERIFY(sheet.passed());
+}
+
+void TestRubric::eachSideCountsItsOwnErrors_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("error");
+    QTest::newRow("over, above") << 0 << 2.0 << 0.25;
+    QTest::newRow("over, below") << 0 << 0.5 << 0.0;
+    QTest::newRow("under, above") << 1 << 2.0 << 0.0;
+    QTest::newRow("under, below") << 1 << 1.0 << 0.25;
+    QTest::newRow("both, above") << 2 << 2.0 << 0.25;
+    QTest::newRow("both, below") << 2 << 1.0 << 0.25;
+    QTest::newRow("both, at the edge of the tolerance") << 2 << 1.75 << 0.0;
+}
+
+void TestRubric::eachSideCountsItsOwnErrors()
+{
+    QFETCH(int, side);
+    QFETCH(double, value);
+    QFETCH(double, error);
+    Rubric rubric;
+    rubric.criteria = {rule("a", 1.5, 0.25, 1.0, 1000, static_cast<Side>(side))};
+    const ScoreSheet sheet = grade(rubric, {{"a", value}});
+    QCOMPARE(sheet.criteria[0].error, error);
+    QCOMPARE(sheet.criteria[0].lostTenths, static_cast<int>(1000 * error));
+}
+
+void TestRubric::halfATenthGoesUp()
+{
+    Rubric rubric = twoHalves();
+    rubric.criteria = {rule("a", 0.0, 0.0, 8.0, 4), rule("b", 0.0, 0.0, 0.0, 996)};
+    QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 0.0}}).criteria[0].lostTenths, 1);  // 4 / 8 = 0.5
+    QCOMPARE(grade(rubric, {{"a", 0.99}, {"b", 0.0}}).criteria[0].lostTenths, 0);
+}
+
+void TestRubric::whatWasNotMeasuredEarnsNothing()
+{
+    const ScoreSheet sheet = grade(twoHalves(), {{"a", std::nan("")}, {"b", std::numeric_limits<double>::infinity()}});
+    QVERIFY(!sheet.criteria[0].measured && !sheet.criteria[1].measured);
+    QCOMPARE(sheet.totalTenths, 0);
+    QCOMPARE(grade(twoHalves(), {{"a", 0.0}}).totalTenths, 500);
+}
+
+void TestRubric::anAllowanceGrowsWithItsMeasure()
+{
+    Rubric rubric;
+    rubric.criteria = {rule("a", 0.0, 6.0, 10.0, 1000)};
+    rubric.criteria[0].allowance = Allowance{"cavity", 0.5};
+    QCOMPARE(grade(rubric, {{"a", 9.0}}).criteria[0].tolerance, 6.0);
+    QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", 4.0}}).criteria[0].tolerance, 8.0);
+    QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", -4.0}}).criteria[0].tolerance, 6.0);
+}
+
+void TestRubric::theWorstErrorDecides()
+{
+    Rubric rubric = twoHalves();
+    rubric.verdict = Verdict::WorstError;
+    const ScoreSheet sheet = grade(rubric, {{"a", 1.5}, {"b", 2.125}});  // shares 0.25 and 0.75
+    QCOMPARE(sheet.criteria[0].lostTenths, 0);
+    QCOMPARE(sheet.criteria[1].lostTenths, 750);
+    QCOMPARE(sheet.totalTenths, 250);
+    QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 1.5}}).totalTenths, 1000);
+    // The first of equals.
+    QCOMPARE(grade(rubric, {{"a", 3.0}, {"b", 9.0}}).criteria[0].lostTenths, 1000);
+}
+
+void TestRubric::aCriticalErrorTakesWhatIsLeft()
+{
+    Rubric rubric = twoHalves();
+    rubric.criteria.push_back(rule("harm", 0.0, 0.1, 0.0, 0));
+    rubric.criteria.push_back(rule("worse", 0.0, 0.0, 0.0, 0));
+    rubric.criteria[2].critical = rubric.criteria[3].critical = true;
+    const ScoreSheet sheet = grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.2}, {"worse", 1.0}});
+    QCOMPARE(sheet.criteria[0].lostTenths, 250);
+    QCOMPARE(sheet.criteria[2].lostTenths, 750);
+    QCOMPARE(sheet.criteria[3].lostTenths, 0);
+    QCOMPARE(sheet.totalTenths, 0);
+    QVERIFY(sheet.failedCritically() && !sheet.passed());
+    QVERIFY(grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.1}, {"worse", 0.0}}).passed());
+    // Failing does not hang on the points: with nothing left to lose it fails all the same.
+    Rubric lenient = rubric;
+    lenient.passMarkTenths = 0;
+    QVERIFY(!grade(lenient, {{"a", 9.0}, {"b", 9.0}, {"harm", 1.0}, {"worse", 0.0}}).passed());
+}
+
+void TestRubric::theSumIsAlwaysExact()
+{
+    core::Rng rng(5);
+    for (int round = 0; round < 2000; ++round) {
+        Rubric rubric;
+        rubric.verdict = round % 3 == 0 ? Verdict::WorstError : Verdict::SumOfErrors;
+        int left = kFullTenths;
+        for (int k = 0; left > 0; ++k) {
+            const int weight = k == 9 ? left : std::min(left, 1 + static_cast<int>(rng.uniform(0.0, 300.0)));
+            left -= weight;
+            rubric.criteria.push_back(rule(std::to_string(k), rng.uniform(-1.0, 1.0), rng.uniform(0.0, 1.0),
+                                           rng.uniform(0.0, 2.0), weight, static_cast<Side>(k % 3)));
+        }
+        if (round % 4 == 0) {
+            rubric.criteria.push_back(rule("critical", 0.0, 2.0, 0.0, 0));
+            rubric.criteria.back().critical = true;
+        }
+        QVERIFY2(check(rubric).has_value(), check(rubric) ? "" : check(rubric).error().detail.c_str());
+        Values values;
+        for (const CriterionRule& criterion : rubric.criteria)
+            if (rng.uniform() > 0.1)
+                values[criterion.measure] = rng.uniform(-3.0, 3.0);
+        const ScoreSheet sheet = grade(rubric, values);
+        int sum = sheet.totalTenths;
+        for (const Criterion& line : sheet.criteria) {
+            QVERIFY(line.lostTenths >= 0);
+            sum += line.lostTenths;
+        }
+        QCOMPARE(sum, kFullTenths);
+        QVERIFY(sheet.totalTenths >= 0);
+    }
+}
+
+void TestRubric::moreErrorNeverEarnsPoints()
+{
+    core::Rng rng(6);
+    for (int round = 0; round < 2000; ++round) {
+        Rubric rubric = twoHalves();
+        rubric.criteria[0].span = rng.uniform(0.0, 3.0);
+        rubric.criteria[0].tolerance = rng.uniform(0.0, 1.0);
+        const double value = rng.uniform(0.0, 4.0);
+        const int better = grade(rubric, {{"a", value}, {"b", 1.5}}).totalTenths;
+        const int worse = grade(rubric, {{"a", value + rng.uniform()}, {"b", 1.5}}).totalTenths;
+        QVERIFY(worse <= better);
+    }
+}
+
+void TestRubric::refusesWhatCannotMark_data()
+{
+    QTest::addColumn<int>("what");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("weights over 100") << 0 << "make 110.0 points";
+    QTest::newRow("weights under 100") << 1 << "make 90.0 points";
+    QTest::newRow("twice the same id") << 2 << "twice";
+    QTest::newRow("no criteria") << 3 << "criteria";
+    QTest::newRow("a critical one with weight") << 4 << "critical";
+    QTest::newRow("a negative tolerance") << 5 << "tolerance";
+    QTest::newRow("not a number") << 6 << "target";
+    QTest::newRow("a pass mark over 100") << 7 << "pass_mark";
+}
+
+void TestRubric::refusesWhatCannotMark()
+{
+    QFETCH(int, what);
+    QFETCH(QString, says);
+    Rubric rubric = twoHalves();
+    QVERIFY(check(rubric).has_value());
+    CriterionRule& first = rubric.criteria[0];
+    switch (what) {
+    case 0:
+        first.weightTenths = 600;
+        break;
+    case 1:
+        first.weightTenths = 400;
+        break;
+    case 2:
+        first.id = std::string("b");
+        break;
+    case 3:
+        rubric.criteria.clear();
+        break;
+    case 4:
+        first.critical = true;
+        break;
+    case 5:
+        first.tolerance = -0.1;
+        break;
+    case 6:
+        first.target = std::nan("");
+        break;
+    default:
+        rubric.passMarkTenths = 1001;
+    }
+    const auto sound = check(rubric);
+    QVERIFY(!sound.has_value());
+    QVERIFY2(QString::fromStdString(sound.error().detail).contains(says), sound.error().detail.c_str());
+}
+
+void TestRubric::jsonHoldsEveryNumberBitForBit()
+{
+    Rubric rubric = twoHalves();
+    rubric.hash = std::string("abc");
+    const ScoreSheet sheet = grade(rubric, {{"a", 1.0 + 1.0 / 3.0}});
+    const QJsonObject object = QJsonDocument::fromJson(toJson(sheet)).object();
+    QCOMPARE(object["format"].toInt(), 2);
+    QCOMPARE(object["total_tenths"].toInt(), sheet.totalTenths);
+    QCOMPARE(object["rubric_hash"].toString(), QString("abc"));
+    const QJsonObject first = object["criteria"].toArray().at(0).toObject();
+    QCOMPARE(first["measured"].toDouble(), 1.0 + 1.0 / 3.0);
+    QCOMPARE(first["share"].toDouble(), sheet.criteria[0].share);
+    QCOMPARE(first["lost_tenths"].toInt(), sheet.criteria[0].lostTenths);
+    QVERIFY(object["criteria"].toArray().at(1).toObject()["measured"].isNull());
+}
+
+QTEST_GUILESS_MAIN(TestRubric)
+#include "tst_rubric.moc"

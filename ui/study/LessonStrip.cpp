@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/LessonStrip.h"
+
+#include <utility>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/LessonWords.h"
+#include "ui/text/Texts.h"
+
+namespace ui::study {
+namespace {
+
+using namespace ui::shell;
+
+constexpr double kSecondsAMinute = 60.0;
+constexpr double kSoonS = 60.0;
+
+}  // namespace
+
+LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
+{
+    setProperty("kind", "bar");
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kSpace4, kSpace1, kSpace4, kSpace1);
+    row->setSpacing(kSpace2);
+    const auto arrow = [this](const QString& drawing, const QString& words) {
+        auto* button = new QToolButton(this);
+        button->setIcon(lineIcon(drawing, palette()));
+        button->setIconSize({16, 16});
+        button->setAutoRaise(true);
+        button->setToolTip(words);
+        button->setAccessibleName(words);
+        button->setFocusPolicy(Qt::TabFocus);
+        return button;
+    };
+    m_before = arrow(QStringLiteral("back"), tr("The step before"));
+    m_next = arrow(QStringLiteral("forward"), tr("The next step"));
+    m_number = new QLabel(this);
+    m_number->setForegroundRole(QPalette::PlaceholderText);
+    m_text = new QLabel(this);
+    m_text->setWordWrap(true);
+    m_text->setFont(typeface(kBody, QFont::Medium));
+    m_text->setObjectName(QStringLiteral("lessonStep"));
+    m_hint = new QPushButton(tr("Hint"), this);
+    m_hint->setProperty("kind", "segment");
+    m_hint->setCheckable(true);
+    m_hint->setToolTip(tr("Show a hint for this step"));
+    m_hint->setFocusPolicy(Qt::TabFocus);
+    m_hint->setObjectName(QStringLiteral("lessonHint"));
+    m_time = new TabularLabel(this);
+    m_time->setFont(typeface(kTitle, QFont::Medium));
+    m_time->setObjectName(QStringLiteral("lessonTime"));
+    row->addWidget(m_before);
+    row->addWidget(m_number);
+    row->addWidget(m_next);
+    row->addSpacing(kSpace2);
+    row->addWidget(m_text, 1);
+    row->addWidget(m_hint);
+    row->addSpacing(kSpace4);
+    row->addWidget(m_time);
+    connect(m_before, &QToolButton::clicked, this, [this] {
+        --m_step;
+        showStep();
+    });
+    connect(m_next, &QToolButton::clicked, this, [this] {
+        ++m_step;
+        showStep();
+    });
+    connect(m_hint, &QPushButton::toggled, this, &LessonStrip::showStep);
+}
+
+void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
+{
+    m_lesson = lesson;
+    m_step = 0;
+    m_overSaid = false;
+    showStep();
+    setTime(0.0);
+}
+
+void LessonStrip::showStep()
+{
+    const std::size_t count = m_lesson.steps.size();
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_number)})
+        part->setVisible(count > 1);
+    m_before->setEnabled(m_step > 0);
+    m_next->setEnabled(m_step + 1 < count);
+    //: A step of the work, and how many there are
+    m_number->setText(tr("%1 of %2").arg(m_step + 1).arg(count));
+    const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
+    m_hint->setVisible(hasHint);
+    const bool showsHint = hasHint && m_hint->isChecked();
+    const QString step = count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
+    m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
+    m_text->setToolTip(said(m_lesson.goal));
+}
+
+void LessonStrip::setTime(double workedS)
+{
+    const double limitS = m_lesson.minutes * kSecondsAMinute;
+    if (limitS <= 0.0) {
+        m_time->setText(text::duration(workedS));
+        m_time->setToolTip(tr("Time worked"));
+        return;
+    }
+    const double leftS = limitS - workedS;
+    const Tones tone = tones(palette());
+    m_time->setText(leftS >= 0.0 ? text::duration(leftS) : QChar(0x2212) + text::duration(-leftS));
+    m_time->setColour(leftS < 0.0 ? tone.harmText : leftS < kSoonS ? tone.attentionText : QColor());
+    m_time->setToolTip(tr("Time left of %1").arg(timeWords(m_lesson)));
+    if (leftS < 0.0 && !std::exchange(m_overSaid, true))
+        emit timeOver();
+}
+
+}  // namespace ui::study

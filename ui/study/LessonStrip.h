@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+#include "lessons/Lesson.h"
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace ui::shell {
+class TabularLabel;
+}
+
+namespace ui::study {
+
+/// Above the tooth while a lesson is worked on: the step to do, a hint for who asks, and the time.
+class LessonStrip final : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit LessonStrip(QWidget* parent);
+
+    /// Begins with the first step.
+    void setLesson(const ::lessons::Lesson& lesson);
+    /// @param workedS  seconds of this attempt so far
+    void setTime(double workedS);
+
+signals:
+    /// The lesson's time is over; said once.
+    void timeOver();
+
+private:
+    void showStep();
+
+    ::lessons::Lesson m_lesson;
+    std::size_t m_step = 0;
+    bool m_overSaid = false;
+    QLabel* m_number = nullptr;
+    QLabel* m_text = nullptr;
+    QPushButton* m_hint = nullptr;
+    QToolButton* m_before = nullptr;
+    QToolButton* m_next = nullptr;
+    shell::TabularLabel* m_time = nullptr;
+};
+
+}  // namespace ui::study

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "lessons/Lesson.h"
+
+/// What is said of a lesson, in the user's language.
+namespace ui::study {
+
+/// A text of the lesson's own in the language of the program.
+[[nodiscard]] QString said(const ::lessons::LocalText& text);
+/// The heading that lessons of this task stand under: "Removing decay".
+[[nodiscard]] QString groupName(::lessons::Task task);
+/// Groups stand in this order: what comes first is done first.
+[[nodiscard]] int groupPlace(::lessons::Task task);
+/// "Lower left first molar (36)", "Practice block", a scan's file name.
+[[nodiscard]] QString toothWords(const ::lessons::Lesson& lesson);
+/// "Pear, No. 330; round, No. 2", or that any may be taken.
+[[nodiscard]] QString burWords(const ::lessons::Lesson& lesson);
+/// The aids that are allowed; "none", "all".
+[[nodiscard]] QString aidWords(const ::lessons::Aids& aids);
+/// "8 minutes", or that there is no limit.
+[[nodiscard]] QString timeWords(const ::lessons::Lesson& lesson);
+/// Each criterion with what it may cost: "Decay left: 60.0 points".
+[[nodiscard]] QStringList criteriaWords(const ::lessons::Rubric& rubric);
+
+}  // namespace ui::study
