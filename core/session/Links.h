@@ -92,9 +92,16 @@ struct Undo
 {};
 struct Redo
 {};
-/// Back to the uncut tooth; an undo step like any other.
+/// Back to the uncut tooth; a step like a stroke, which can be undone.
 struct Reload
 {};
+/// Names a moment of the tooth that can be gone back to (history::UndoTree). No moment has the number 0.
+enum class MomentId : std::uint64_t {};
+/// To any moment of the history.
+struct GoTo
+{
+    MomentId id{};
+};
 /// A new tooth; ownership of `tooth` goes to the session with the command.
 struct ReplaceTooth
 {
@@ -112,7 +119,7 @@ struct SetDrill
 /// Lead the hand home over the tooth; nothing where the device has no work area.
 struct BringHome
 {};
-using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome>;
+using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome, GoTo>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.
@@ -121,6 +128,7 @@ struct SessionState
     std::uint64_t toothGeneration = 0;
     int undoSteps = 0;  ///< strokes that can be taken back
     int redoSteps = 0;
+    std::uint64_t historyVersion = 0;   ///< another one whenever SessionLoop::historySoFar() would be another
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
     terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all

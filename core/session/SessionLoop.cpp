@@ -51,8 +51,10 @@ void SessionLoop::takeEvents()
             if (m_records && !m_upcoming.empty())
                 m_recording.emplace(m_settings, m_upcoming.front().anatomy);
             m_recordedGeneration = event.value;
+            m_attemptTime = {};
             continue;
         }
+        m_attemptTime += std::chrono::microseconds(event.dtUs);
         if (m_recording)
             m_recording->append(event);
     }
@@ -82,7 +84,8 @@ void SessionLoop::applyGroup()
         m_toUi.push_back(patch);
     }
     m_mirrorTick = m_group.back().tick;
-    m_vouched = {m_mirror, m_mirrorTick};
+    m_vouched = m_mirror;
+    m_vouchedTick = m_mirrorTick;
     m_unfinished = true;
     if (m_group.back().strokeEnded) {
         rememberUnfinished();
@@ -90,13 +93,14 @@ void SessionLoop::applyGroup()
     }
 }
 
-/// The mirror as it is becomes a moment that can be gone back to.
+/// The mirror as it is becomes a moment that can be gone back to. The mutex is held.
 void SessionLoop::rememberUnfinished()
 {
     if (!m_unfinished)
         return;
-    m_undo.push({m_mirror, m_mirrorTick});
+    m_undo.push({m_mirror, m_mirrorTick, std::chrono::duration<double>(m_attemptTime).count(), m_removed.of(m_mirror)});
     m_unfinished = false;
+    ++m_historyVersion;
 }
 
 void SessionLoop::takeCommands()
@@ -106,32 +110,45 @@ void SessionLoop::takeCommands()
         std::visit([this](const auto& known) { apply(known); }, command);
 }
 
-void SessionLoop::apply(const Undo&)
+/// Goes to another moment, if `go` finds one. What has been cut since the last is one of its own.
+void SessionLoop::step(const std::function<bool()>& go)
 {
     if (!m_anatomy)
         return;
-    rememberUnfinished();
-    if (m_undo.undo())
-        handOver(m_undo.current());
+    {
+        const std::lock_guard lock(m_mutex);
+        rememberUnfinished();
+        if (!go())
+            return;
+        ++m_historyVersion;
+    }
+    handOver();
+}
+
+void SessionLoop::apply(const Undo&)
+{
+    step([this] { return m_undo.undo(); });
 }
 
 void SessionLoop::apply(const Redo&)
 {
-    if (!m_anatomy || m_unfinished)
-        return;
-    if (m_undo.redo())
-        handOver(m_undo.current());
+    if (!m_unfinished)
+        step([this] { return m_undo.redo(); });
+}
+
+void SessionLoop::apply(const GoTo& where)
+{
+    step([this, &where] { return m_undo.goTo(where.id); });
 }
 
 void SessionLoop::apply(const Reload&)
 {
-    if (!m_anatomy)
-        return;
-    rememberUnfinished();
-    if (m_undo.current().tick == 0)
-        return;
-    m_undo.push({m_uncut, 0});
-    handOver(m_undo.current());
+    step([this] {
+        if (m_undo.current().tick == 0)
+            return false;
+        m_undo.push({m_uncut, 0, std::chrono::duration<double>(m_attemptTime).count(), {}});
+        return true;
+    });
 }
 
 void SessionLoop::apply(const ReplaceTooth& replace)
@@ -144,8 +161,10 @@ void SessionLoop::apply(const ReplaceTooth& replace)
     m_uncut = history::TiledHeights(m_anatomy->grid, m_anatomy->top);
     m_mirror = m_uncut;
     m_mirrorTick = 0;
-    m_vouched = {m_uncut, 0};
-    m_undo.restart({m_mirror, 0});
+    m_vouched = m_uncut;
+    m_vouchedTick = 0;
+    m_undo.restart({m_uncut, 0, 0.0, {}});
+    ++m_historyVersion;
     m_unfinished = false;
     m_strokes = 0;
     m_wholeMm3 = terrain::volumes(*tooth);
@@ -171,18 +190,19 @@ void SessionLoop::apply(const BringHome& home)
     static_cast<void>(m_servo.commands.tryPush(home));
 }
 
-/// Gives the servo the tooth of a moment and shows the view what that changes.
-void SessionLoop::handOver(const history::ToothMoment& moment)
+/// Gives the servo the tooth of the present moment and shows the view what that changes.
+void SessionLoop::handOver()
 {
-    const std::lock_guard lock(m_mutex);
+    const history::ToothMoment& moment = m_undo.current();
     m_group.clear();
     for (const TilePatch& patch : history::patchesBetween(m_mirror, moment.top, moment.tick, m_generation))
         m_toUi.push_back(patch);
-    m_mirror = moment.top;
-    m_mirrorTick = moment.tick;
     static_cast<void>(
         m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, moment.top.flat())),
                                            m_generation, ++m_serial, false, moment.tick}));
+    const std::lock_guard lock(m_mutex);
+    m_mirror = moment.top;
+    m_mirrorTick = moment.tick;
 }
 
 void SessionLoop::forward()
@@ -198,6 +218,7 @@ void SessionLoop::publish()
     out.toothGeneration = m_generation;
     out.undoSteps = m_undo.undoSteps() + (m_unfinished ? 1 : 0);
     out.redoSteps = m_unfinished ? 0 : m_undo.redoSteps();
+    out.historyVersion = m_historyVersion;
     out.strokes = m_strokes;
     out.wholeMm3 = m_wholeMm3;
     if (m_anatomy) {
@@ -216,8 +237,8 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
     std::optional<recording::Recording> copy = m_recording;
     // Patches come in groups, so the mirror may be a few ticks behind the events, never ahead: a moment it can vouch
     // for, unless the recording had to stop before it.
-    if (copy && m_recordedGeneration == m_generation && m_vouched.tick <= copy->ticks())
-        copy->setWitness({m_vouched.tick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.top.flat()))});
+    if (copy && m_recordedGeneration == m_generation && m_vouchedTick <= copy->ticks())
+        copy->setWitness({m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;
 }
 
@@ -227,6 +248,25 @@ std::optional<terrain::Tooth> SessionLoop::toothSoFar() const
     if (!m_anatomy)
         return std::nullopt;
     return terrain::restored(m_anatomy, m_mirror.flat());
+}
+
+std::vector<history::MomentInfo> SessionLoop::historySoFar() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_undo.list();
+}
+
+std::vector<float> SessionLoop::momentHeights(MomentId id) const
+{
+    history::TiledHeights top;
+    {
+        const std::lock_guard lock(m_mutex);
+        const history::ToothMoment* moment = m_undo.find(id);
+        if (moment == nullptr)
+            return {};
+        top = moment->top;
+    }
+    return top.flat();
 }
 
 }  // namespace core::session

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
-#include "core/history/RemovedTally.h"
-#include "core/history/UndoStack.h"
+#include "core/history/UndoTree.h"
 #include "core/recording/Recording.h"
 #include "core/rt/Loop.h"
 #include "core/session/ServoLinks.h"
@@ -19,7 +19,7 @@ namespace core::session {
 struct SessionMemory
 {
     bool recording = true;
-    std::size_t undoBytes = history::UndoStack::kDefaultLimitBytes;
+    std::size_t undoBytes = history::UndoTree::kDefaultLimitBytes;
 };
 
 /// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
@@ -40,6 +40,13 @@ public:
     /// The tooth as the mirror has it. Any thread; empty before the first tooth.
     [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
 
+    /// The moments that can be gone back to, oldest first. Any thread; empty before the first tooth. Cheap, but ask
+    /// only when SessionState::historyVersion is another than before.
+    [[nodiscard]] std::vector<history::MomentInfo> historySoFar() const;
+    /// The top map at a moment, row by row, mm, for a small picture of it. Any thread; empty if it is not known any
+    /// more.
+    [[nodiscard]] std::vector<float> momentHeights(MomentId id) const;
+
 private:
     struct Upcoming
     {
@@ -59,8 +66,10 @@ private:
     void apply(const SetBur& bur);
     void apply(const SetDrill& drill);
     void apply(const BringHome& home);
+    void apply(const GoTo& where);
+    void step(const std::function<bool()>& go);
     void rememberUnfinished();
-    void handOver(const history::ToothMoment& moment);
+    void handOver();
     void forward();
     void publish();
 
@@ -69,17 +78,20 @@ private:
     ServoSettings m_settings;
     bool m_records;
 
-    mutable std::mutex m_mutex;  ///< guards what recordingSoFar() and toothSoFar() read; the servo never comes here
+    mutable std::mutex m_mutex;  ///< guards what other threads ask for; the servo never comes here
     std::optional<recording::Recording> m_recording;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     std::uint64_t m_recordedGeneration = 0;  ///< the tooth that m_recording is about
     history::TiledHeights m_uncut;
     history::TiledHeights m_mirror;
     std::uint64_t m_mirrorTick = 0;
-    history::ToothMoment m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
+    history::TiledHeights m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
+    std::uint64_t m_vouchedTick = 0;
+    history::UndoTree m_undo;
 
     std::deque<Upcoming> m_upcoming;  ///< handed to the servo, not yet begun there
-    history::UndoStack m_undo;
+    std::uint64_t m_historyVersion = 0;
+    std::chrono::microseconds m_attemptTime{0};
     bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
     int m_strokes = 0;
     std::uint64_t m_serial = 0;

@@ -2,6 +2,7 @@
 #include <QTest>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include <glm/geometric.hpp>
@@ -43,7 +44,9 @@ class TestSessionLoop : public QObject
 private slots:
     void undoAndRedoGoStrokeByStroke();
     void undoInMidStrokeTakesBackWhatIsCutSoFar();
-    void cuttingAfterUndoForgetsRedo();
+    void cuttingAfterUndoBeginsABranch();
+    void anyMomentIsAJumpAway();
+    void historyTellsWhatWasRemoved();
     void reloadCanBeUndone();
     void patchesOfAnOlderToothAreIgnored();
     void newToothWhileTheOldOneIsCut();
@@ -111,13 +114,15 @@ void TestSessionLoop::undoInMidStrokeTakesBackWhatIsCutSoFar()
     QCOMPARE(rig.liveHash(), half);
 }
 
-void TestSessionLoop::cuttingAfterUndoForgetsRedo()
+void TestSessionLoop::cuttingAfterUndoBeginsABranch()
 {
     support::Rig rig;
     rig.open(block());
     rig.send(SetDrill{true});
     stroke(rig, -1.0);
     stroke(rig, 0.0);
+    const std::uint64_t first = rig.liveHash();
+    const MomentId ofFirst = rig.session->historySoFar().back().id;
     rig.send(Undo{});
     rig.run(20);
     QCOMPARE(state(rig).redoSteps, 1);
@@ -127,6 +132,73 @@ void TestSessionLoop::cuttingAfterUndoForgetsRedo()
     rig.send(Redo{});
     rig.run(20);
     QCOMPARE(rig.liveHash(), now);
+    rig.send(GoTo{ofFirst});
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), first);
+    QCOMPARE(rig.mirrorHash(), first);
+    QVERIFY(recording::replay(rig.session->recordingSoFar().value())->agreesWithWitness);
+}
+
+void TestSessionLoop::anyMomentIsAJumpAway()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    Rng rng(4);
+    std::map<MomentId, std::uint64_t> hashes{{rig.session->historySoFar().front().id, rig.liveHash()}};
+    for (int n = 0; n < 60; ++n) {
+        if (n % 3 == 2) {
+            const auto all = rig.session->historySoFar();
+            const MomentId id = all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id;
+            rig.send(GoTo{id});
+            rig.run(20);
+            QCOMPARE(rig.liveHash(), hashes.at(id));
+        } else {
+            stroke(rig, rng.uniform(-3.0, 3.0));
+            hashes[rig.session->historySoFar().back().id] = rig.liveHash();
+        }
+    }
+    rig.send(GoTo{MomentId{12345}});  // nobody knows that one
+    const std::uint64_t before = rig.liveHash();
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), before);
+    const auto all = rig.session->historySoFar();
+    QCOMPARE(all.size(), 41U);
+    for (const history::MomentInfo& moment : all) {
+        const auto tooth = terrain::restored(rig.live().anatomy, rig.session->momentHeights(moment.id));
+        QCOMPARE(terrain::stateHash(tooth), hashes.at(moment.id));
+    }
+    QVERIFY(rig.session->momentHeights(MomentId{12345}).empty());
+    QVERIFY(recording::replay(rig.session->recordingSoFar().value())->agreesWithWitness);
+}
+
+void TestSessionLoop::historyTellsWhatWasRemoved()
+{
+    support::Rig rig;
+    QVERIFY(rig.session->historySoFar().empty());
+    rig.open(block());
+    rig.send(SetDrill{true});
+    const std::uint64_t version = state(rig).historyVersion;
+    rig.run(100);
+    QCOMPARE(state(rig).historyVersion, version);
+    stroke(rig, -1.0);
+    QVERIFY(state(rig).historyVersion != version);
+    const auto after = rig.session->historySoFar();
+    QCOMPARE(after.size(), 2U);
+    QVERIFY(after[0].removed == history::Removed{});
+    QVERIFY(after[1].isCurrent);
+    QCOMPARE(after[1].parent, after[0].id);
+    QCOMPARE(after[1].removed.volumesMm3, state(rig).removedMm3);
+    // The moment is told when the pause after the stroke has made it one.
+    const double ticksS = 0.001 * static_cast<double>(rig.servo->state().tick);
+    QVERIFY2(after[1].seconds > 0.15 && after[1].seconds <= ticksS, qPrintable(QString::number(after[1].seconds)));
+    rig.send(Reload{});
+    rig.run(20);
+    const auto whole = rig.session->historySoFar();
+    QCOMPARE(whole.size(), 3U);
+    QCOMPARE(whole[2].parent, whole[1].id);
+    QVERIFY(whole[2].removed == history::Removed{});
+    QVERIFY(whole[2].seconds >= whole[1].seconds);
 }
 
 void TestSessionLoop::reloadCanBeUndone()
