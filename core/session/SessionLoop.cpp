@@ -4,17 +4,31 @@
 #include <algorithm>
 
 namespace core::session {
+namespace {
+
+/// Frees what a command owns that nobody will carry out.
+void discard(const SessionCommand& command)
+{
+    if (const auto* replace = std::get_if<ReplaceTooth>(&command)) {
+        delete replace->tooth;
+        delete replace->lesson;
+    } else if (const auto* resume = std::get_if<ResumeAttempt>(&command)) {
+        delete resume->attempt;
+    }
+}
+
+}  // namespace
 
 SessionLoop::SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory)
-    : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording), m_undo(memory.undoBytes)
+    : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording),
+      m_undoBytes(memory.undoBytes)
 {}
 
 SessionLoop::~SessionLoop()
 {
     freeRetired();
     for (SessionCommand command; m_ui.commands.tryPop(command);)
-        if (const auto* replace = std::get_if<ReplaceTooth>(&command))
-            delete replace->tooth;
+        discard(command);
 }
 
 void SessionLoop::tick(std::chrono::microseconds)
@@ -48,10 +62,16 @@ void SessionLoop::takeEvents()
         if (event.kind == ServoEvent::Kind::Begin) {
             while (!m_upcoming.empty() && m_upcoming.front().generation < event.value)
                 m_upcoming.pop_front();
-            if (m_records && !m_upcoming.empty())
-                m_recording.emplace(m_settings, m_upcoming.front().anatomy);
+            if (m_upcoming.empty())
+                continue;
+            m_attemptTime = m_upcoming.front().recording.duration();
+            if (m_records)
+                m_recording = std::move(m_upcoming.front().recording);
             m_recordedGeneration = event.value;
-            m_attemptTime = {};
+            m_upcoming.pop_front();
+            if (m_recordedGeneration == m_generation)
+                for (const ServoEvent& noted : std::exchange(m_noted, {}))
+                    note(noted);
             continue;
         }
         m_attemptTime += std::chrono::microseconds(event.dtUs);
@@ -154,25 +174,71 @@ void SessionLoop::apply(const Reload&)
 void SessionLoop::apply(const ReplaceTooth& replace)
 {
     const std::unique_ptr<terrain::Tooth> tooth(replace.tooth);
+    const std::unique_ptr<const std::string> lesson(replace.lesson);
+    const history::TiledHeights uncut(tooth->anatomy->grid, tooth->anatomy->top);
+    history::UndoTree history(m_undoBytes);
+    history.restart({uncut, 0, 0.0, {}});
+    take({recording::Recording(m_settings, tooth->anatomy, lesson ? *lesson : std::string()), uncut, std::move(history),
+          0},
+         replace.generation, false);
+}
+
+void SessionLoop::apply(const ResumeAttempt& resume)
+{
+    const std::unique_ptr<Unfinished> attempt(resume.attempt);
+    take(std::move(*attempt), resume.generation, true);
+}
+
+/// Begins with an attempt, or goes on with it.
+void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed)
+{
+    const std::uint64_t tick = attempt.recording.ticks();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_anatomy = attempt.recording.anatomy();
+        m_generation = generation;
+        m_uncut = std::move(attempt.uncut);
+        m_undo = std::move(attempt.history);
+        m_mirror = m_undo.current().top;
+        m_mirrorTick = tick;
+        m_vouched = m_mirror;
+        m_vouchedTick = tick;
+        ++m_historyVersion;
+        m_unfinished = false;
+        m_strokes = attempt.strokes;
+        m_wholeMm3 = terrain::volumes(terrain::Tooth(m_anatomy));
+        m_removed = history::RemovedTally(m_anatomy);
+        m_group.clear();
+        // The view has been shown the whole tooth.
+        const auto cut = history::patchesBetween(m_uncut, m_mirror, tick, m_generation);
+        m_toUi.assign(cut.begin(), cut.end());
+        m_noted.clear();
+        m_upcoming.push_back({m_generation, std::move(attempt.recording)});
+    }
+    static_cast<void>(
+        m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, m_mirror.flat())),
+                                           m_generation, ++m_serial, true, tick, resumed}));
+}
+
+void SessionLoop::apply(const SetAids& aids)
+{
     const std::lock_guard lock(m_mutex);
-    m_anatomy = tooth->anatomy;
-    m_generation = replace.generation;
-    m_upcoming.push_back({m_generation, m_anatomy});
-    m_uncut = history::TiledHeights(m_anatomy->grid, m_anatomy->top);
-    m_mirror = m_uncut;
-    m_mirrorTick = 0;
-    m_vouched = m_uncut;
-    m_vouchedTick = 0;
-    m_undo.restart({m_uncut, 0, 0.0, {}});
-    ++m_historyVersion;
-    m_unfinished = false;
-    m_strokes = 0;
-    m_wholeMm3 = terrain::volumes(*tooth);
-    m_removed = history::RemovedTally(m_anatomy);
-    m_group.clear();
-    m_toUi.clear();
-    static_cast<void>(m_servo.commands.tryPush(
-        SwapTooth{new contact::LiveTooth(terrain::Tooth(m_anatomy)), m_generation, ++m_serial, true, 0}));
+    note({ServoEvent::Kind::Aids, 0, glm::vec3(0.0F), aids.aids});
+}
+
+void SessionLoop::apply(const AddNote& added)
+{
+    const std::lock_guard lock(m_mutex);
+    note({ServoEvent::Kind::Note, 0, glm::vec3(0.0F), added.code});
+}
+
+/// On the recording, as soon as that is the one of the present tooth. The mutex is held.
+void SessionLoop::note(const ServoEvent& event)
+{
+    if (m_recordedGeneration != m_generation)
+        m_noted.push_back(event);
+    else if (m_recording)
+        m_recording->append(event);
 }
 
 void SessionLoop::apply(const SetBur& bur)

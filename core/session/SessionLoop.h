@@ -8,10 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/history/UndoTree.h"
-#include "core/recording/Recording.h"
 #include "core/rt/Loop.h"
 #include "core/session/ServoLinks.h"
+#include "core/session/Unfinished.h"
 
 namespace core::session {
 
@@ -51,7 +50,7 @@ private:
     struct Upcoming
     {
         std::uint64_t generation = 0;
-        std::shared_ptr<const terrain::ToothAnatomy> anatomy;
+        recording::Recording recording;  ///< what is on it already
     };
 
     void freeRetired();
@@ -63,6 +62,11 @@ private:
     void apply(const Redo&);
     void apply(const Reload&);
     void apply(const ReplaceTooth& replace);
+    void apply(const ResumeAttempt& resume);
+    void apply(const SetAids& aids);
+    void apply(const AddNote& note);
+    void note(const ServoEvent& event);
+    void take(Unfinished attempt, std::uint64_t generation, bool resumed);
     void apply(const SetBur& bur);
     void apply(const SetDrill& drill);
     void apply(const BringHome& home);
@@ -77,6 +81,7 @@ private:
     UiLinks& m_ui;
     ServoSettings m_settings;
     bool m_records;
+    std::size_t m_undoBytes;
 
     mutable std::mutex m_mutex;  ///< guards what other threads ask for; the servo never comes here
     std::optional<recording::Recording> m_recording;
@@ -90,6 +95,7 @@ private:
     history::UndoTree m_undo;
 
     std::deque<Upcoming> m_upcoming;  ///< handed to the servo, not yet begun there
+    std::vector<ServoEvent> m_noted;  ///< of an attempt that has not begun there
     std::uint64_t m_historyVersion = 0;
     std::chrono::microseconds m_attemptTime{0};
     bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
