@@ -14,9 +14,9 @@ namespace core {
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian and read in place");
 
 /// 64-bit FNV-1a over bytes: a checksum against damage, not against forgery.
-[[nodiscard]] inline std::uint64_t fnv1a(std::string_view bytes)
+/// @param hash  of what goes before these bytes
+[[nodiscard]] inline std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xCBF29CE484222325ULL)
 {
-    std::uint64_t hash = 0xCBF29CE484222325ULL;
     for (const char byte : bytes) {
         hash ^= static_cast<unsigned char>(byte);
         hash *= 0x100000001B3ULL;

@@ -12,6 +12,9 @@ namespace core::recording {
 namespace {
 
 constexpr int kPackLevel = 3;
+/// Columns that the undo steps of one recording may set back, all together: 44,000 steps at grid 150, half a minute's
+/// work. A small hostile file could otherwise ask for hours.
+constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
 
 bool plausible(const terrain::ToothAnatomy& tooth)
 {
@@ -219,6 +222,16 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
     if (!in.ok() || in.left() != 0)
         return std::nullopt;
     return events;
+}
+
+EventGuard::Verdict EventGuard::look(const ServoEvent& event, const Recording& soFar)
+{
+    const bool restores = event.kind == ServoEvent::Kind::Restore;
+    if (restores && event.value > soFar.ticks())
+        return Verdict::IntoTheFuture;
+    if (restores || event.kind == ServoEvent::Kind::Resume)
+        m_restoredColumns += soFar.anatomy()->grid.count();
+    return m_restoredColumns > kMaxRestoredColumns ? Verdict::TooManySteps : Verdict::Sound;
 }
 
 }  // namespace core::recording

@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/session/ServoLinks.h"
-#include "core/session/ServoTick.h"
+#include "core/recording/Recording.h"
 
 /// The parts of which recordings and journals are made, as bytes. Pure functions; readers check all that a replay
 /// relies on and answer with nothing where it does not hold.
@@ -49,5 +48,16 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 [[nodiscard]] std::string eventBytes(std::span<const ServoEvent> events);
 /// At most kChunkEvents of them.
 [[nodiscard]] std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes);
+
+/// Looks at events before they are appended to a recording that is being read: would a replay come to an end?
+class EventGuard
+{
+public:
+    enum class Verdict { Sound, IntoTheFuture, TooManySteps };
+    [[nodiscard]] Verdict look(const ServoEvent& event, const Recording& soFar);
+
+private:
+    std::uint64_t m_restoredColumns = 0;
+};
 
 }  // namespace core::recording

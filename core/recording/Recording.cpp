@@ -13,9 +13,6 @@ namespace core::recording {
 namespace {
 
 constexpr std::string_view kMagic{"CUSPREC\n", 8};
-/// Columns that the undo steps of one recording may set back, all together: 44,000 steps at grid 150, half a minute's
-/// work. A small hostile file could otherwise ask for hours.
-constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1024} * 1024 * 1024;
 
 void putSection(ByteWriter& out, Section kind, std::string_view payload)
@@ -24,6 +21,13 @@ void putSection(ByteWriter& out, Section kind, std::string_view payload)
     out.put(static_cast<std::uint64_t>(payload.size()));
     out.put(fnv1a(payload));
     out.putAll(std::span(payload.data(), payload.size()));
+}
+
+/// Of a chunk that we have packed, or checked when it was read.
+std::vector<ServoEvent> unpackedEvents(std::string_view chunk)
+{
+    const auto raw = unpack(chunk, kMaxChunkBytes);
+    return (raw ? eventsFrom(*raw) : std::nullopt).value_or(std::vector<ServoEvent>{});
 }
 
 /// @param place  "in its settings"
@@ -68,13 +72,28 @@ std::size_t Recording::packedBytes() const
     return sum;
 }
 
+std::uint64_t Recording::events() const
+{
+    return kChunkEvents * m_chunks.size() + m_tail.size();
+}
+
+std::vector<ServoEvent> Recording::eventsSince(std::uint64_t first) const
+{
+    const auto chunk = static_cast<std::size_t>(first / kChunkEvents);
+    const auto inside = static_cast<std::ptrdiff_t>(first % kChunkEvents);
+    if (first >= events())
+        return {};
+    if (chunk == m_chunks.size())
+        return {m_tail.begin() + inside, m_tail.end()};
+    std::vector<ServoEvent> events = unpackedEvents(m_chunks[chunk]);
+    events.erase(events.begin(), events.begin() + inside);
+    return events;
+}
+
 void Recording::forEach(const std::function<void(const ServoEvent&)>& visit) const
 {
     for (const std::string& chunk : m_chunks) {
-        // Packed by us, or checked when it was read.
-        const auto raw = unpack(chunk, kMaxChunkBytes);
-        const auto events = raw ? eventsFrom(*raw) : std::nullopt;
-        for (const ServoEvent& event : events.value_or(std::vector<ServoEvent>{}))
+        for (const ServoEvent& event : unpackedEvents(chunk))
             visit(event);
     }
     for (const ServoEvent& event : m_tail)
@@ -136,7 +155,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
     std::string lesson;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     std::optional<Recording> recording;
-    std::uint64_t restoredColumns = 0;
+    EventGuard guard;
     while (in.ok()) {
         const auto kind = in.take<std::uint32_t>();
         const auto size = in.take<std::uint64_t>();
@@ -177,13 +196,15 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             if (!events || !recording)
                 return damaged("in its events");
             for (const ServoEvent& event : *events) {
-                if (event.kind == ServoEvent::Kind::Restore && event.value > recording->m_ticks)
+                switch (guard.look(event, *recording)) {
+                case EventGuard::Verdict::Sound:
+                    break;
+                case EventGuard::Verdict::IntoTheFuture:
                     return damaged("in an undo step");
-                if (event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume)
-                    restoredColumns += anatomy->grid.count();
-                if (restoredColumns > kMaxRestoredColumns)
+                case EventGuard::Verdict::TooManySteps:
                     return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
                                                                "it was not made by Cusp and is not replayed.");
+                }
                 recording->append(event);
             }
             break;

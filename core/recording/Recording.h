@@ -54,6 +54,10 @@ public:
     [[nodiscard]] std::chrono::microseconds duration() const { return m_duration; }
     [[nodiscard]] std::size_t packedBytes() const;
 
+    [[nodiscard]] std::uint64_t events() const;
+    /// Events from number `first` on, counted from nought: as many as are at hand together, at most 4096. Empty if
+    /// there are none yet.
+    [[nodiscard]] std::vector<session::ServoEvent> eventsSince(std::uint64_t first) const;
     /// All events in order.
     void forEach(const std::function<void(const session::ServoEvent&)>& visit) const;
 

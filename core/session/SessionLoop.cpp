@@ -107,6 +107,7 @@ void SessionLoop::applyGroup()
     m_vouched = m_mirror;
     m_vouchedTick = m_mirrorTick;
     m_unfinished = true;
+    m_hasCut = true;
     if (m_group.back().strokeEnded) {
         rememberUnfinished();
         ++m_strokes;
@@ -205,6 +206,7 @@ void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resume
         m_vouchedTick = tick;
         ++m_historyVersion;
         m_unfinished = false;
+        m_hasCut = resumed;
         m_strokes = attempt.strokes;
         m_wholeMm3 = terrain::volumes(terrain::Tooth(m_anatomy));
         m_removed = history::RemovedTally(m_anatomy);
@@ -306,6 +308,17 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
     if (copy && m_recordedGeneration == m_generation && m_vouchedTick <= copy->ticks())
         copy->setWitness({m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;
+}
+
+RecordedPart SessionLoop::recordedSince(std::uint64_t generation, std::uint64_t first) const
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_recording)
+        return {};
+    RecordedPart part{m_recordedGeneration, m_hasCut && m_recordedGeneration == m_generation, {}};
+    if (m_recordedGeneration == generation)
+        part.events = m_recording->eventsSince(first);
+    return part;
 }
 
 std::optional<terrain::Tooth> SessionLoop::toothSoFar() const

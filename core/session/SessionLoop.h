@@ -21,6 +21,14 @@ struct SessionMemory
     std::size_t undoBytes = history::UndoTree::kDefaultLimitBytes;
 };
 
+/// What of an attempt a journal is still to write.
+struct RecordedPart
+{
+    std::uint64_t generation = 0;    ///< of the tooth that is being recorded; 0: none yet
+    bool isWorthKeeping = false;     ///< something has come off it
+    std::vector<ServoEvent> events;  ///< the next that are at hand; empty where another generation was asked for
+};
+
 /// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
 /// restored teeth and hands them over, passes cut tiles on to the view. It may wait and allocate; the servo never does.
 class SessionLoop final : public rt::Loop
@@ -36,6 +44,8 @@ public:
     /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth, and
     /// where no recording is kept.
     [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
+    /// What has been recorded of a tooth from event number `first` on. Any thread.
+    [[nodiscard]] RecordedPart recordedSince(std::uint64_t generation, std::uint64_t first) const;
     /// The tooth as the mirror has it. Any thread; empty before the first tooth.
     [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
 
@@ -99,6 +109,7 @@ private:
     std::uint64_t m_historyVersion = 0;
     std::chrono::microseconds m_attemptTime{0};
     bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
+    bool m_hasCut = false;      ///< something has come off this tooth, and be it put back
     int m_strokes = 0;
     std::uint64_t m_serial = 0;
     std::uint64_t m_generation = 0;
