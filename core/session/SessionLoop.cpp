@@ -203,7 +203,7 @@ void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resume
         m_mirror = m_undo.current().top;
         m_mirrorTick = tick;
         m_vouched = m_mirror;
-        m_vouchedTick = tick;
+        m_vouchedTick = resumed ? std::nullopt : std::optional(tick);
         ++m_historyVersion;
         m_unfinished = false;
         m_hasCut = resumed;
@@ -305,8 +305,8 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
     std::optional<recording::Recording> copy = m_recording;
     // Patches come in groups, so the mirror may be a few ticks behind the events, never ahead: a moment it can vouch
     // for, unless the recording had to stop before it.
-    if (copy && m_recordedGeneration == m_generation && m_vouchedTick <= copy->ticks())
-        copy->setWitness({m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
+    if (copy && m_recordedGeneration == m_generation && m_vouchedTick && *m_vouchedTick <= copy->ticks())
+        copy->setWitness({*m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;
 }
 

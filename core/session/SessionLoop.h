@@ -101,7 +101,7 @@ private:
     history::TiledHeights m_mirror;
     std::uint64_t m_mirrorTick = 0;
     history::TiledHeights m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
-    std::uint64_t m_vouchedTick = 0;
+    std::optional<std::uint64_t> m_vouchedTick;  ///< nothing: since the attempt was resumed there was none
     history::UndoTree m_undo;
 
     std::deque<Upcoming> m_upcoming;  ///< handed to the servo, not yet begun there

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 #include "core/session/StrokeWatch.h"
 
@@ -114,7 +115,18 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
         return tl::unexpected(servo.error());
     history::TiledHeights uncut = servo->heights();
     Gardener gardener(recording, *servo);
-    recording.forEach([&](const ServoEvent& event) { gardener.play(event); });
+    // What the tooth was after the last tick: not the same as what it came to, if an undo was the last thing done.
+    bool wentElsewhere = false;
+    const auto witness = [&] { return recording::Witness{servo->tick(), terrain::stateHash(servo->tooth().tooth())}; };
+    std::optional<recording::Witness> last;
+    recording.forEach([&](const ServoEvent& event) {
+        const bool goes = event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume;
+        if (goes && !wentElsewhere)
+            last = witness();
+        wentElsewhere = goes || (wentElsewhere && !recording::isTick(event.kind));
+        gardener.play(event);
+    });
+    recording.setWitness(wentElsewhere ? *last : witness());
     const int strokes = gardener.strokes();
     return std::make_unique<Unfinished>(Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes});
 }

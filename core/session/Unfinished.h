@@ -11,7 +11,7 @@ namespace core::session {
 /// An attempt as it was left, with all that a session needs to go on with it.
 struct Unfinished
 {
-    recording::Recording recording;
+    recording::Recording recording;  ///< with what the tooth was after its last tick as witness
     history::TiledHeights uncut;
     history::UndoTree history;  ///< its present moment is what the tooth came to
     int strokes = 0;

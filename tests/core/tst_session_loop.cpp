@@ -60,6 +60,7 @@ private slots:
     void nothingIsRememberedWhereNobodyAsks();
     void lessonAidsAndNotesGoOnTheRecording();
     void anAttemptIsTakenUpAgain();
+    void anAttemptThatEndedWithUndoIsTakenUpAgain();
     void theMomentsOfAnAttemptComeBack();
     void theViewIsShownWhatWasCutBefore();
 };
@@ -532,6 +533,41 @@ void TestSessionLoop::anAttemptIsTakenUpAgain()
     const auto last = recording::replay(third.session->recordingSoFar().value());
     QVERIFY(last->agreesWithWitness);
     QCOMPARE(last->stateHash, third.liveHash());
+}
+
+void TestSessionLoop::anAttemptThatEndedWithUndoIsTakenUpAgain()
+{
+    support::Rig first;
+    first.open(block());
+    first.send(SetDrill{true});
+    stroke(first, -1.0);
+    const std::uint64_t once = first.liveHash();
+    stroke(first, 1.0);
+    const std::uint64_t twice = first.liveHash();
+    const recording::Recording before = first.session->recordingSoFar().value();
+    first.send(Undo{});
+    first.run(20);
+    QCOMPARE(first.liveHash(), once);
+    // It ends with the undo, before another tick.
+    recording::Recording left({}, block());
+    const std::uint64_t events = first.session->recordingSoFar()->events();
+    std::uint64_t n = 0;
+    first.session->recordingSoFar()->forEach([&](const ServoEvent& event) {
+        if (n++ < before.events() || (n <= events && event.kind == ServoEvent::Kind::Restore))
+            left.append(event);
+    });
+    QCOMPARE(recording::replay(left)->stateHash, once);
+    support::Rig second;
+    second.resume(left);
+    QCOMPARE(second.liveHash(), once);
+    const recording::Recording made = second.session->recordingSoFar().value();
+    QVERIFY(made.witness().has_value());
+    QCOMPARE(made.witness()->stateHash, twice);
+    QVERIFY(recording::replay(made)->agreesWithWitness);
+    QCOMPARE(recording::replay(made)->stateHash, once);
+    second.send(Redo{});
+    second.run(20);
+    QCOMPARE(second.liveHash(), twice);
 }
 
 void TestSessionLoop::theMomentsOfAnAttemptComeBack()
