@@ -3,11 +3,10 @@
 
 #include <atomic>
 #include <deque>
-#include <set>
 #include <vector>
 
 #include "core/history/RemovedTally.h"
-#include "core/recording/Recording.h"
+#include "core/recording/Replay.h"
 #include "core/rt/Loop.h"
 
 namespace app {
@@ -33,27 +32,20 @@ public:
 
 private:
     ReplayLoop(const core::recording::Recording& recording, core::session::UiLinks& links, std::uint64_t generation,
-               std::unique_ptr<core::session::ServoTick> servo);
+               core::recording::Replayer servo);
 
-    void play(const core::session::ServoEvent& event);
     void sendPatches();
     void publish();
 
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
     core::session::UiLinks& m_links;
     std::uint64_t m_generation;
-    std::unique_ptr<core::session::ServoTick> m_servo;
-    std::unique_ptr<core::contact::LiveTooth> m_tooth;
+    core::recording::Replayer m_servo;
     std::vector<core::session::ServoEvent> m_events;
     std::size_t m_next = 0;
     std::chrono::microseconds m_due{0};
     std::chrono::microseconds m_played{0};
-    std::uint64_t m_tick = 0;
-    core::history::TiledHeights m_shown;   ///< what the view has been sent
-    core::history::TiledHeights m_newest;  ///< the tooth, as tiles
+    core::history::TiledHeights m_shown;  ///< what the view has been sent
     core::history::RemovedTally m_removed;
-    std::set<std::uint64_t> m_restored;  ///< ticks that some undo goes back to
-    std::vector<std::pair<std::uint64_t, core::history::TiledHeights>> m_moments;
     std::deque<core::session::TilePatch> m_toSend;
     core::session::SessionState m_session;
     std::atomic<int> m_speed{1};

@@ -11,11 +11,9 @@ using namespace core::session;
 
 /// Ticks between two groups of patches: the view has a new surface 125 times a second.
 constexpr int kTicksPerGroup = 8;
-/// A pause of this many ticks without cutting ends a stroke, and so an undo step.
-constexpr int kStrokeGapTicks = 150;
 constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::terrain::kMaxGridSide / kTileSide);
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
-constexpr std::size_t kMostEventsPerCommand = 4;
+constexpr std::size_t kMostEventsPerCommand = 5;
 
 /// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does (haptics.md 2.2: the
 /// limit falls as one over the delay).
@@ -52,7 +50,7 @@ void ServoLoop::record(const ServoEvent& event) noexcept
 
 void ServoLoop::apply(const SwapTooth& swap) noexcept
 {
-    if (core::contact::LiveTooth* old = m_tick->swapTooth(swap.tooth, swap.anew))
+    if (core::contact::LiveTooth* old = m_tick->swapTooth(swap.tooth, swap.anew, swap.tick))
         static_cast<void>(m_links.retired.tryPush(old));  // tick() made sure there is room
     m_generation = swap.generation;
     m_serial = swap.serial;
@@ -60,15 +58,17 @@ void ServoLoop::apply(const SwapTooth& swap) noexcept
         m_isDirty[tile] = 0;
     m_dirty.clear();
     m_tilesPerSide = (swap.tooth->grid().side + kTileSide - 1) / kTileSide;
-    m_inStroke = false;
+    m_stroke.restart();
     m_strokeEnded = false;
     m_health &= ~static_cast<std::uint32_t>(kPatchQueueFull);
     if (!swap.anew) {
-        record({ServoEvent::Kind::Restore, 0, glm::vec3(0.0F), swap.restoredTick});
+        record({ServoEvent::Kind::Restore, 0, glm::vec3(0.0F), swap.tick});
         return;
     }
     m_health = 0;
     record({ServoEvent::Kind::Begin, 0, glm::vec3(0.0F), swap.generation});
+    if (swap.resumed)
+        record({ServoEvent::Kind::Resume, 0, glm::vec3(0.0F), 0});
     record({ServoEvent::Kind::Bur, 0, glm::vec3(0.0F), m_tick->state().burIndex});
     record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), m_tick->state().drillOn ? 1U : 0U});
     if (m_springPercent != 100)
@@ -134,14 +134,10 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});
-        if (!m_tick->changed().isEmpty()) {
+        const bool cut = !m_tick->changed().isEmpty();
+        if (cut)
             markDirty(m_tick->changed());
-            m_inStroke = true;
-            m_ticksSinceCut = 0;
-        } else if (m_inStroke && ++m_ticksSinceCut >= kStrokeGapTicks) {
-            m_inStroke = false;
-            m_strokeEnded = true;
-        }
+        m_strokeEnded = m_stroke.endsWith(cut) || m_strokeEnded;
         if (++m_ticksSinceSent >= kTicksPerGroup || m_strokeEnded)
             sendPatches();
     }

@@ -7,6 +7,7 @@
 #include "core/rt/Loop.h"
 #include "core/session/ServoLinks.h"
 #include "core/session/ServoTick.h"
+#include "core/session/StrokeWatch.h"
 #include "haptics/HapticDevice.h"
 
 namespace haptics {
@@ -63,8 +64,7 @@ private:
     std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile
     int m_tilesPerSide = 0;
     int m_ticksSinceSent = 0;
-    int m_ticksSinceCut = 0;
-    bool m_inStroke = false;
+    core::session::StrokeWatch m_stroke;
     bool m_strokeEnded = false;
     core::session::TilePatch m_patch;
 };

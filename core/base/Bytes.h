@@ -14,14 +14,36 @@ namespace core {
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian and read in place");
 
 /// 64-bit FNV-1a over bytes: a checksum against damage, not against forgery.
-[[nodiscard]] inline std::uint64_t fnv1a(std::string_view bytes)
+/// @param hash  of what goes before these bytes
+[[nodiscard]] inline std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xCBF29CE484222325ULL)
 {
-    std::uint64_t hash = 0xCBF29CE484222325ULL;
     for (const char byte : bytes) {
         hash ^= static_cast<unsigned char>(byte);
         hash *= 0x100000001B3ULL;
     }
     return hash;
+}
+
+/// Well-formed UTF-8: no code point cut short, written longer than need be, a surrogate, or beyond U+10FFFF.
+[[nodiscard]] inline bool isUtf8(std::string_view text)
+{
+    for (std::size_t at = 0; at < text.size();) {
+        const auto byte = [&](std::size_t n) {
+            return at + n < text.size() ? static_cast<unsigned char>(text[at + n]) : 0U;
+        };
+        const unsigned first = byte(0);
+        const std::size_t more = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+        if (first > 0xF4 || (first >= 0x80 && first < 0xC2))
+            return false;
+        for (std::size_t n = 1; n <= more; ++n)
+            if ((byte(n) & 0xC0U) != 0x80)
+                return false;
+        if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) >= 0xA0) ||
+            (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) >= 0x90))
+            return false;
+        at += 1 + more;
+    }
+    return true;
 }
 
 /// Appends plain values to a string of bytes.

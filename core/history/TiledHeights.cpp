@@ -68,15 +68,6 @@ std::vector<float> TiledHeights::flat() const
     return heights;
 }
 
-std::size_t TiledHeights::tilesNotIn(const TiledHeights& other) const
-{
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < m_tiles.size(); ++k)
-        if (k >= other.m_tiles.size() || m_tiles[k] != other.m_tiles[k])
-            ++count;
-    return count;
-}
-
 std::vector<session::TilePatch> patchesBetween(const TiledHeights& from, const TiledHeights& to, std::uint64_t tick,
                                                std::uint64_t generation)
 {

@@ -30,8 +30,8 @@ public:
 
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
     [[nodiscard]] const std::shared_ptr<const Tile>& tile(int tileX, int tileY) const;
-    /// Tiles that this map does not share with another of the same grid.
-    [[nodiscard]] std::size_t tilesNotIn(const TiledHeights& other) const;
+    /// All tiles, row by row.
+    [[nodiscard]] std::span<const std::shared_ptr<const Tile>> tiles() const { return m_tiles; }
 
 private:
     [[nodiscard]] Tile cutOut(std::span<const float> heights, int tileX, int tileY) const;

@@ -2,53 +2,18 @@
 #include "core/recording/Recording.h"
 
 #include <array>
-#include <cmath>
+#include <cassert>
 #include <fstream>
-#include <limits>
-
-#include <zstd.h>
 
 #include "core/base/Bytes.h"
 #include "core/base/WholeFile.h"
+#include "core/recording/Format.h"
 
 namespace core::recording {
 namespace {
 
-using session::ServoEvent;
-
 constexpr std::string_view kMagic{"CUSPREC\n", 8};
-constexpr std::uint32_t kVersion = 3;
-constexpr std::size_t kChunkEvents = 4096;
-constexpr int kPackLevel = 3;
-
-constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
-constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{1} * 1024 * 1024;
-/// Columns that the undo steps of one recording may set back, all together: 44,000 steps at grid 150, half a minute's
-/// work. A small hostile file could otherwise ask for hours.
-constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1024} * 1024 * 1024;
-
-enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 4 };
-
-std::string pack(std::string_view raw)
-{
-    std::string packed(ZSTD_compressBound(raw.size()), '\0');
-    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), kPackLevel);
-    packed.resize(size);  // with the bound given, ZSTD_compress cannot fail but for lack of memory
-    return packed;
-}
-
-std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostBytes)
-{
-    const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-    if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > mostBytes)
-        return std::nullopt;
-    std::string raw(static_cast<std::size_t>(size), '\0');
-    const std::size_t got = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
-    if (ZSTD_isError(got) != 0 || got != raw.size())
-        return std::nullopt;
-    return raw;
-}
 
 void putSection(ByteWriter& out, Section kind, std::string_view payload)
 {
@@ -58,188 +23,11 @@ void putSection(ByteWriter& out, Section kind, std::string_view payload)
     out.putAll(std::span(payload.data(), payload.size()));
 }
 
-std::string settingsBytes(const session::ServoSettings& settings)
+/// Of a chunk that we have packed, or checked when it was read.
+std::vector<ServoEvent> unpackedEvents(std::string_view chunk)
 {
-    ByteWriter out;
-    out.putText(settings.method);
-    out.put(settings.force.stiffnessNPerMm);
-    out.put(settings.force.dampingNSPerM);
-    out.put(settings.force.fastDampingNSPerM);
-    out.put(settings.force.brakeN);
-    out.put(settings.force.friction);
-    out.put(settings.force.lateralGain);
-    out.put(settings.force.verticalGain);
-    out.put(settings.force.clampN);
-    out.put(settings.force.slewNPerS);
-    out.put(settings.force.workAreaMm);
-    out.put(settings.force.vibrationN);
-    out.putText(settings.hardness.name);
-    for (const settings::MaterialHardness& material : settings.hardness.material) {
-        out.put(material.rateMm3PerNs);
-        out.put(material.thresholdN);
-    }
-    out.put(settings.hardness.axialShare);
-    out.putText(settings.handpiece.name);
-    out.put(settings.handpiece.freeRpm);
-    out.put(settings.handpiece.stallTorqueNmm);
-    out.put(static_cast<std::uint8_t>(settings.breakOff.on ? 1 : 0));
-    out.put(settings.breakOff.slenderness);
-    return out.bytes();
-}
-
-std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
-{
-    ByteReader in(bytes);
-    session::ServoSettings settings;
-    settings.method = in.takeText();
-    settings.force.stiffnessNPerMm = in.take<double>();
-    settings.force.dampingNSPerM = in.take<double>();
-    settings.force.fastDampingNSPerM = in.take<double>();
-    settings.force.brakeN = in.take<double>();
-    settings.force.friction = in.take<double>();
-    settings.force.lateralGain = in.take<double>();
-    settings.force.verticalGain = in.take<double>();
-    settings.force.clampN = in.take<double>();
-    settings.force.slewNPerS = in.take<double>();
-    settings.force.workAreaMm = in.take<double>();
-    settings.force.vibrationN = in.take<double>();
-    settings.hardness.name = in.takeText();
-    for (settings::MaterialHardness& material : settings.hardness.material) {
-        material.rateMm3PerNs = in.take<double>();
-        material.thresholdN = in.take<double>();
-    }
-    settings.hardness.axialShare = in.take<double>();
-    settings.handpiece.name = in.takeText();
-    settings.handpiece.freeRpm = in.take<double>();
-    settings.handpiece.stallTorqueNmm = in.take<double>();
-    settings.breakOff.on = in.take<std::uint8_t>() != 0;
-    settings.breakOff.slenderness = in.take<double>();
-    if (!in.ok() || in.left() != 0)
-        return std::nullopt;
-    return settings;
-}
-
-std::string toothBytes(const terrain::ToothAnatomy& tooth)
-{
-    ByteWriter out;
-    out.putText(tooth.name);
-    out.put(static_cast<std::int32_t>(tooth.fdi));
-    out.put(tooth.seed);
-    out.put(static_cast<std::int32_t>(tooth.grid.side));
-    out.put(tooth.grid.cellMm);
-    out.put(tooth.grid.originMm.x);
-    out.put(tooth.grid.originMm.y);
-    out.putAll(std::span(std::as_const(tooth.top)));
-    out.putAll(std::span(std::as_const(tooth.bottom)));
-    out.putAll(std::span(std::as_const(tooth.layers)));
-    out.putAll(std::span(std::as_const(tooth.areaMm2)));
-    return out.bytes();
-}
-
-bool plausible(const terrain::ToothAnatomy& tooth)
-{
-    // Every height is finite and within the sentinels; areas are not negative; nothing else is relied upon.
-    const auto sane = [](float v) { return v >= terrain::kEmptyTop && v <= terrain::kEmptyBottom; };
-    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
-        const terrain::ColumnLayers& c = tooth.layers[k];
-        if (!(sane(tooth.top[k]) && sane(tooth.bottom[k]) && sane(c.cariesRoof) && sane(c.cariesFloor) && sane(c.dej) &&
-              sane(c.pulpRoof) && sane(c.pulpFloor) && tooth.areaMm2[k] >= 0.0F && tooth.areaMm2[k] < 1.0e3F))
-            return false;
-    }
-    return true;
-}
-
-std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes)
-{
-    ByteReader in(bytes);
-    auto tooth = std::make_shared<terrain::ToothAnatomy>();
-    tooth->name = in.takeText();
-    tooth->fdi = in.take<std::int32_t>();
-    tooth->seed = in.take<std::uint64_t>();
-    tooth->grid.side = in.take<std::int32_t>();
-    tooth->grid.cellMm = in.take<double>();
-    tooth->grid.originMm.x = in.take<double>();
-    tooth->grid.originMm.y = in.take<double>();
-    const terrain::Grid& grid = tooth->grid;
-    const bool gridIsSane = grid.side >= terrain::kMinGridSide && grid.side <= terrain::kMaxGridSide &&
-                            grid.cellMm >= 0.005 && grid.cellMm <= 1.0 && std::abs(grid.originMm.x) < 1.0e4 &&
-                            std::abs(grid.originMm.y) < 1.0e4;
-    if (!in.ok() || !gridIsSane || in.left() != grid.count() * (3 * sizeof(float) + sizeof(terrain::ColumnLayers)))
-        return nullptr;
-    tooth->top.resize(grid.count());
-    tooth->bottom.resize(grid.count());
-    tooth->layers.resize(grid.count());
-    tooth->areaMm2.resize(grid.count());
-    in.takeAll(std::span(tooth->top));
-    in.takeAll(std::span(tooth->bottom));
-    in.takeAll(std::span(tooth->layers));
-    in.takeAll(std::span(tooth->areaMm2));
-    return in.ok() && plausible(*tooth) ? tooth : nullptr;
-}
-
-/// Kinds, steps and the four byte planes of each coordinate, one after another: like stands beside like.
-std::string eventBytes(std::span<const ServoEvent> events)
-{
-    ByteWriter out;
-    out.put(static_cast<std::uint32_t>(events.size()));
-    for (const ServoEvent& event : events)
-        out.put(static_cast<std::uint8_t>(event.kind));
-    for (const ServoEvent& event : events)
-        out.put(event.dtUs);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (unsigned shift = 0; shift < 32; shift += 8) {
-            std::uint32_t before = 0;
-            for (const ServoEvent& event : events) {
-                const auto bits = std::bit_cast<std::uint32_t>(event.deviceMm[axis]);
-                out.put(static_cast<std::uint8_t>((bits ^ before) >> shift));
-                before = bits;
-            }
-        }
-    }
-    for (const ServoEvent& event : events)
-        if (event.kind != ServoEvent::Kind::Tick && event.kind != ServoEvent::Kind::NoDevice)
-            out.put(event.value);
-    return out.bytes();
-}
-
-std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
-{
-    ByteReader in(bytes);
-    const auto count = in.take<std::uint32_t>();
-    if (count > kChunkEvents)
-        return std::nullopt;
-    std::vector<ServoEvent> events(count);
-    for (ServoEvent& event : events) {
-        const auto kind = in.take<std::uint8_t>();
-        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Home))
-            return std::nullopt;
-        event.kind = static_cast<ServoEvent::Kind>(kind);
-    }
-    for (ServoEvent& event : events)
-        event.dtUs = in.take<std::uint16_t>();
-    for (int axis = 0; axis < 3; ++axis) {
-        std::vector<std::uint32_t> bits(count, 0);
-        for (unsigned shift = 0; shift < 32; shift += 8)
-            for (std::uint32_t& word : bits)
-                word |= static_cast<std::uint32_t>(in.take<std::uint8_t>()) << shift;
-        std::uint32_t before = 0;
-        for (std::size_t k = 0; k < bits.size(); ++k) {
-            before ^= bits[k];
-            events[k].deviceMm[axis] = std::bit_cast<float>(before);
-        }
-    }
-    for (ServoEvent& event : events) {
-        if (event.kind == ServoEvent::Kind::Tick || event.kind == ServoEvent::Kind::NoDevice)
-            continue;
-        event.value = in.take<std::uint64_t>();
-        if (event.kind == ServoEvent::Kind::Bur && event.value >= drilling::burs().size())
-            return std::nullopt;
-        if (event.kind == ServoEvent::Kind::Spring && (event.value < 1 || event.value > 100))
-            return std::nullopt;
-    }
-    if (!in.ok() || in.left() != 0)
-        return std::nullopt;
-    return events;
+    const auto raw = unpack(chunk, kMaxChunkBytes);
+    return (raw ? eventsFrom(*raw) : std::nullopt).value_or(std::vector<ServoEvent>{});
 }
 
 /// @param place  "in its settings"
@@ -251,16 +39,18 @@ tl::unexpected<Error> damaged(std::string_view place)
 
 }  // namespace
 
-Recording::Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy)
-    : m_settings(std::move(settings)), m_anatomy(std::move(anatomy))
+Recording::Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
+                     std::string lesson)
+    : m_settings(std::move(settings)), m_anatomy(std::move(anatomy)), m_lesson(std::move(lesson))
 {
+    assert(checkLesson(m_lesson));
     m_tail.reserve(kChunkEvents);
 }
 
 void Recording::append(const ServoEvent& event)
 {
     m_tail.push_back(event);
-    if (event.kind == ServoEvent::Kind::Tick || event.kind == ServoEvent::Kind::NoDevice) {
+    if (isTick(event.kind)) {
         ++m_ticks;
         m_duration += std::chrono::microseconds(event.dtUs);
     }
@@ -282,13 +72,28 @@ std::size_t Recording::packedBytes() const
     return sum;
 }
 
+std::uint64_t Recording::events() const
+{
+    return kChunkEvents * m_chunks.size() + m_tail.size();
+}
+
+std::vector<ServoEvent> Recording::eventsSince(std::uint64_t first) const
+{
+    const auto chunk = static_cast<std::size_t>(first / kChunkEvents);
+    const auto inside = static_cast<std::ptrdiff_t>(first % kChunkEvents);
+    if (first >= events())
+        return {};
+    if (chunk == m_chunks.size())
+        return {m_tail.begin() + inside, m_tail.end()};
+    std::vector<ServoEvent> events = unpackedEvents(m_chunks[chunk]);
+    events.erase(events.begin(), events.begin() + inside);
+    return events;
+}
+
 void Recording::forEach(const std::function<void(const ServoEvent&)>& visit) const
 {
     for (const std::string& chunk : m_chunks) {
-        // Packed by us, or checked when it was read.
-        const auto raw = unpack(chunk, kMaxChunkBytes);
-        const auto events = raw ? eventsFrom(*raw) : std::nullopt;
-        for (const ServoEvent& event : events.value_or(std::vector<ServoEvent>{}))
+        for (const ServoEvent& event : unpackedEvents(chunk))
             visit(event);
     }
     for (const ServoEvent& event : m_tail)
@@ -299,8 +104,10 @@ std::string Recording::toBytes() const
 {
     ByteWriter out;
     out.putAll(std::span(kMagic.data(), kMagic.size()));
-    out.put(kVersion);
+    out.put(kFormatVersion);
     putSection(out, Section::Settings, pack(settingsBytes(m_settings)));
+    if (!m_lesson.empty())
+        putSection(out, Section::Lesson, pack(m_lesson));
     putSection(out, Section::Tooth, pack(toothBytes(*m_anatomy)));
     for (const std::string& chunk : m_chunks)
         putSection(out, Section::Events, chunk);
@@ -315,6 +122,16 @@ std::string Recording::toBytes() const
     return out.bytes();
 }
 
+Status checkLesson(std::string_view lesson)
+{
+    if (lesson.size() > kMaxLessonBytes)
+        return unexpected(ErrorCode::FileTooLarge,
+                          "The lesson is longer than a recording may hold (1 MiB); shorten it.");
+    if (!isUtf8(lesson))
+        return unexpected(ErrorCode::BadStructure, "The lesson is not UTF-8 text; save it as such.");
+    return {};
+}
+
 Result<Recording> Recording::fromBytes(std::string_view bytes)
 {
     if (bytes.empty())
@@ -325,19 +142,20 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
     const auto version = in.take<std::uint32_t>();
     if (in.ok() && version == 0)
         return unexpected(ErrorCode::WrongKind, "This is not a Cusp recording; choose a file that Cusp has saved.");
-    if (in.ok() && version > kVersion)
+    if (in.ok() && version > kFormatVersion)
         return unexpected(ErrorCode::NewerVersion, "The recording is of version " + std::to_string(version) +
-                                                       ", this Cusp reads up to version " + std::to_string(kVersion) +
-                                                       "; open it with a newer Cusp.");
-    if (in.ok() && version < kVersion)
+                                                       ", this Cusp reads up to version " +
+                                                       std::to_string(kFormatVersion) + "; open it with a newer Cusp.");
+    if (in.ok() && version < kFormatVersion)
         return unexpected(ErrorCode::WrongKind, "The recording is of version " + std::to_string(version) +
                                                     ", from an older Cusp; this one reads version " +
-                                                    std::to_string(kVersion) +
+                                                    std::to_string(kFormatVersion) +
                                                     " only. Make the attempt again, or keep the Cusp that made it.");
     std::optional<session::ServoSettings> settings;
+    std::string lesson;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;
     std::optional<Recording> recording;
-    std::uint64_t restoredColumns = 0;
+    EventGuard guard;
     while (in.ok()) {
         const auto kind = in.take<std::uint32_t>();
         const auto size = in.take<std::uint64_t>();
@@ -357,12 +175,19 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
                 return tl::unexpected(servo.error());
             break;
         }
+        case Section::Lesson: {
+            auto raw = unpack(payload, kMaxLessonBytes);
+            if (!raw || raw->empty() || !checkLesson(*raw) || !lesson.empty() || recording)
+                return damaged("in its lesson");
+            lesson = std::move(*raw);
+            break;
+        }
         case Section::Tooth: {
             const auto raw = unpack(payload, kMaxToothBytes);
             anatomy = raw ? toothFrom(*raw) : nullptr;
             if (!anatomy || !settings || recording)
                 return damaged("in its tooth");
-            recording.emplace(*settings, anatomy);
+            recording.emplace(*settings, anatomy, std::move(lesson));
             break;
         }
         case Section::Events: {
@@ -371,12 +196,15 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             if (!events || !recording)
                 return damaged("in its events");
             for (const ServoEvent& event : *events) {
-                if (event.kind == ServoEvent::Kind::Restore && event.value > recording->m_ticks)
+                switch (guard.look(event, *recording)) {
+                case EventGuard::Verdict::Sound:
+                    break;
+                case EventGuard::Verdict::IntoTheFuture:
                     return damaged("in an undo step");
-                restoredColumns += event.kind == ServoEvent::Kind::Restore ? anatomy->grid.count() : 0;
-                if (restoredColumns > kMaxRestoredColumns)
+                case EventGuard::Verdict::TooManySteps:
                     return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
                                                                "it was not made by Cusp and is not replayed.");
+                }
                 recording->append(event);
             }
             break;
@@ -396,6 +224,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
                 recording->setWitness(witness);
             return std::move(*recording);
         }
+        case Section::Begun:
         default:
             return damaged("in section " + std::to_string(kind));
         }

@@ -23,6 +23,11 @@ struct Witness
     bool operator==(const Witness&) const = default;
 };
 
+/// The longest text of a lesson that a recording takes along.
+inline constexpr std::size_t kMaxLessonBytes = std::size_t{1} * 1024 * 1024;
+/// Can a recording take this text along? UTF-8, not too long; may be empty.
+[[nodiscard]] Status checkLesson(std::string_view lesson);
+
 /// One attempt: the tooth it began with and everything that happened to the servo since. Replaying it gives the
 /// bit-identical tooth (design section 5).
 ///
@@ -31,7 +36,9 @@ struct Witness
 class Recording
 {
 public:
-    Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy);
+    /// @param lesson  what the attempt is made for, as text that only lessons understands; checked (checkLesson)
+    Recording(session::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
+              std::string lesson = {});
 
     void append(const session::ServoEvent& event);
     /// Notes what the tooth was after a tick; the last one said is stored.
@@ -39,12 +46,18 @@ public:
 
     [[nodiscard]] const session::ServoSettings& settings() const { return m_settings; }
     [[nodiscard]] const std::shared_ptr<const terrain::ToothAnatomy>& anatomy() const { return m_anatomy; }
+    /// Empty: the attempt was made for no lesson.
+    [[nodiscard]] const std::string& lesson() const { return m_lesson; }
     [[nodiscard]] const std::optional<Witness>& witness() const { return m_witness; }
     [[nodiscard]] std::uint64_t ticks() const { return m_ticks; }
     /// Sum of the steps of all ticks.
     [[nodiscard]] std::chrono::microseconds duration() const { return m_duration; }
     [[nodiscard]] std::size_t packedBytes() const;
 
+    [[nodiscard]] std::uint64_t events() const;
+    /// Events from number `first` on, counted from nought: as many as are at hand together, at most 4096. Empty if
+    /// there are none yet.
+    [[nodiscard]] std::vector<session::ServoEvent> eventsSince(std::uint64_t first) const;
     /// All events in order.
     void forEach(const std::function<void(const session::ServoEvent&)>& visit) const;
 
@@ -59,6 +72,7 @@ private:
 
     session::ServoSettings m_settings;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
+    std::string m_lesson;
     std::vector<std::string> m_chunks;  ///< packed
     std::vector<session::ServoEvent> m_tail;
     std::optional<Witness> m_witness;

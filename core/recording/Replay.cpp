@@ -1,82 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/Replay.h"
 
-#include <map>
-
-#include "core/history/TiledHeights.h"
+#include "core/recording/Format.h"
 
 namespace core::recording {
 
-using session::ServoEvent;
+Result<Replayer> Replayer::make(const Recording& recording)
+{
+    auto servo = session::makeServoTick(recording.settings());
+    if (!servo)
+        return tl::unexpected(servo.error());
+    return Replayer(recording, std::move(*servo));
+}
+
+Replayer::Replayer(const Recording& recording, std::unique_ptr<session::ServoTick> servo)
+    : m_settings(recording.settings()), m_anatomy(recording.anatomy()),
+      m_tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(m_anatomy))), m_servo(std::move(servo)),
+      m_newest(m_anatomy->grid, m_anatomy->top)
+{
+    recording.forEach([this](const ServoEvent& event) {
+        if (event.kind == ServoEvent::Kind::Restore)
+            m_moments.emplace(event.value, history::TiledHeights{});
+    });
+    if (const auto start = m_moments.find(0); start != m_moments.end())
+        start->second = m_newest;
+    m_servo->swapTooth(m_tooth.get(), true);
+}
+
+const history::TiledHeights& Replayer::heights()
+{
+    m_newest.update(m_tooth->tooth().top);
+    return m_newest;
+}
+
+bool Replayer::play(const ServoEvent& event)
+{
+    const auto swap = [this](std::vector<float> top, bool anew) {
+        auto restored = std::make_unique<contact::LiveTooth>(terrain::restored(m_anatomy, std::move(top)));
+        m_servo->swapTooth(restored.get(), anew, m_tick);
+        m_tooth = std::move(restored);
+    };
+    switch (event.kind) {
+    case ServoEvent::Kind::Tick:
+    case ServoEvent::Kind::NoDevice:
+        m_servo->step(event.kind == ServoEvent::Kind::Tick ? &event.deviceMm : nullptr,
+                      std::chrono::microseconds(event.dtUs));
+        if (const auto moment = m_moments.find(++m_tick); moment != m_moments.end())
+            moment->second = heights();
+        return true;
+    case ServoEvent::Kind::Drill:
+        m_servo->setDrill(event.value != 0);
+        break;
+    case ServoEvent::Kind::Bur:
+        m_servo->setBur(static_cast<std::size_t>(event.value));
+        break;
+    case ServoEvent::Kind::Home:
+        m_servo->bringHome();
+        break;
+    case ServoEvent::Kind::Spring:
+        m_servo->setSpring(event.value);
+        break;
+    case ServoEvent::Kind::Restore:
+        // A recording was checked when it was read: whatever it goes back to lies behind it.
+        swap(m_moments.at(event.value).flat(), false);
+        break;
+    case ServoEvent::Kind::Resume:
+        if (auto servo = session::makeServoTick(m_settings))  // as the first time
+            m_servo = std::move(*servo);
+        swap(m_tooth->tooth().top, true);
+        break;
+    case ServoEvent::Kind::Aids:
+    case ServoEvent::Kind::Note:
+    case ServoEvent::Kind::Begin:
+        break;
+    }
+    return false;
+}
 
 Result<ReplayOutcome>
 replay(const Recording& recording,
        const std::function<void(const session::ServoState&, const contact::LiveTooth&)>& afterTick)
 {
-    auto servo = session::makeServoTick(recording.settings());
-    if (!servo)
-        return tl::unexpected(servo.error());
-
-    // First pass: which moments will be gone back to.
-    std::map<std::uint64_t, history::TiledHeights> moments;
-    recording.forEach([&](const ServoEvent& event) {
-        if (event.kind == ServoEvent::Kind::Restore)
-            moments.emplace(event.value, history::TiledHeights{});
-    });
-    const std::shared_ptr<const terrain::ToothAnatomy>& anatomy = recording.anatomy();
-    history::TiledHeights newest(anatomy->grid, anatomy->top);
-    if (const auto start = moments.find(0); start != moments.end())
-        start->second = newest;
-
-    auto live = std::make_unique<contact::LiveTooth>(terrain::Tooth(anatomy));
-    (*servo)->swapTooth(live.get(), true);
-    std::uint64_t tick = 0;
+    auto made = Replayer::make(recording);
+    if (!made)
+        return tl::unexpected(made.error());
+    Replayer& servo = *made;
     bool agrees = !recording.witness();
     const auto compareWithWitness = [&] {
-        if (recording.witness() && recording.witness()->tick == tick)
-            agrees = recording.witness()->stateHash == terrain::stateHash(live->tooth());
+        if (recording.witness() && recording.witness()->tick == servo.tick())
+            agrees = recording.witness()->stateHash == terrain::stateHash(servo.tooth().tooth());
     };
     compareWithWitness();
     recording.forEach([&](const ServoEvent& event) {
-        switch (event.kind) {
-        case ServoEvent::Kind::Tick:
-        case ServoEvent::Kind::NoDevice:
-            (*servo)->step(event.kind == ServoEvent::Kind::Tick ? &event.deviceMm : nullptr,
-                           std::chrono::microseconds(event.dtUs));
-            ++tick;
-            if (const auto moment = moments.find(tick); moment != moments.end()) {
-                newest.update(live->tooth().top);
-                moment->second = newest;
-            }
-            compareWithWitness();
-            if (afterTick)
-                afterTick((*servo)->state(), *live);
-            break;
-        case ServoEvent::Kind::Drill:
-            (*servo)->setDrill(event.value != 0);
-            break;
-        case ServoEvent::Kind::Bur:
-            (*servo)->setBur(static_cast<std::size_t>(event.value));
-            break;
-        case ServoEvent::Kind::Home:
-            (*servo)->bringHome();
-            break;
-        case ServoEvent::Kind::Spring:
-            (*servo)->setSpring(event.value);
-            break;
-        case ServoEvent::Kind::Restore: {
-            auto restored =
-                std::make_unique<contact::LiveTooth>(terrain::restored(anatomy, moments.at(event.value).flat()));
-            (*servo)->swapTooth(restored.get(), false);
-            live = std::move(restored);
-            break;
-        }
-        case ServoEvent::Kind::Begin:
-            break;
-        }
+        if (!servo.play(event))
+            return;
+        compareWithWitness();
+        if (afterTick)
+            afterTick(servo.state(), servo.tooth());
     });
-    ReplayOutcome outcome{live->tooth(), (*servo)->state(), terrain::stateHash(live->tooth()), agrees};
-    return outcome;
+    const terrain::Tooth& tooth = servo.tooth().tooth();
+    return ReplayOutcome{tooth, servo.state(), terrain::stateHash(tooth), agrees};
 }
 
 }  // namespace core::recording

@@ -2,10 +2,44 @@
 #pragma once
 
 #include <functional>
+#include <map>
 
+#include "core/history/TiledHeights.h"
 #include "core/recording/Recording.h"
 
 namespace core::recording {
+
+/// The servo of a recording, led through its events one by one. Any one thread.
+class Replayer
+{
+public:
+    /// Only the settings can be wrong.
+    [[nodiscard]] static Result<Replayer> make(const Recording& recording);
+
+    /// What happens next: give it all events of the recording, in order. True after a step of the servo.
+    bool play(const session::ServoEvent& event);
+
+    /// Steps of the servo so far.
+    [[nodiscard]] std::uint64_t tick() const { return m_tick; }
+    /// As of the last step.
+    [[nodiscard]] const session::ServoState& state() const { return m_servo->state(); }
+    /// Columns that the last step lowered.
+    [[nodiscard]] const drilling::CutRect& changed() const { return m_servo->changed(); }
+    [[nodiscard]] const contact::LiveTooth& tooth() const { return *m_tooth; }
+    /// The tooth's top as it is now. Tiles that have not changed since the last call are the same.
+    [[nodiscard]] const history::TiledHeights& heights();
+
+private:
+    Replayer(const Recording& recording, std::unique_ptr<session::ServoTick> servo);
+
+    session::ServoSettings m_settings;
+    std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
+    std::unique_ptr<contact::LiveTooth> m_tooth;
+    std::unique_ptr<session::ServoTick> m_servo;
+    std::uint64_t m_tick = 0;
+    history::TiledHeights m_newest;
+    std::map<std::uint64_t, history::TiledHeights> m_moments;  ///< by tick: those that will be gone back to
+};
 
 struct ReplayOutcome
 {

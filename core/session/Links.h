@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <variant>
 
@@ -53,7 +54,7 @@ struct ServoState
     double burRpm = 0.0;    ///< turns of the bur a minute under its load; 0 with the drill off
     double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside
     bool hasDepth = false;  ///< the tip stands over the tooth, away from its flanks: only there depthMm says something
-    terrain::PerMaterial removedMm3{};  ///< since the tooth was handed over whole
+    terrain::PerMaterial removedMm3{};  ///< since the tooth was taken anew
     terrain::PerMaterial brokenMm3{};   ///< of it, what broke off
     std::uint32_t health = 0;
     /// Where the bur has been of late, a pose a tick, as a ring: what is drawn at some moment is found between two of
@@ -92,14 +93,49 @@ struct Undo
 {};
 struct Redo
 {};
-/// Back to the uncut tooth; an undo step like any other.
+/// Back to the uncut tooth; a step like a stroke, which can be undone.
 struct Reload
 {};
-/// A new tooth; ownership of `tooth` goes to the session with the command.
+/// Names a moment of the tooth that can be gone back to (history::UndoTree). No moment has the number 0.
+enum class MomentId : std::uint64_t {};
+/// To any moment of the history.
+struct GoTo
+{
+    MomentId id{};
+};
+/// A new tooth; ownership of `tooth` and `lesson` goes to the session with the command.
 struct ReplaceTooth
 {
     terrain::Tooth* tooth = nullptr;
-    std::uint64_t generation = 0;  ///< the number that states and patches of this tooth will carry
+    std::uint64_t generation = 0;         ///< the number that states and patches of this tooth will carry
+    const std::string* lesson = nullptr;  ///< what the attempt is made for (recording::checkLesson); null: nothing
+};
+struct Unfinished;
+/// An attempt that the program did not live to see finished, taken up again; ownership goes to the session.
+struct ResumeAttempt
+{
+    Unfinished* attempt = nullptr;
+    std::uint64_t generation = 0;  ///< as of ReplaceTooth
+};
+/// Bits of SetAids.
+enum Aid : std::uint8_t {
+    kSectionAid = 1U << 0U,
+    kDepthGaugeAid = 1U << 1U,
+    kRadiographAid = 1U << 2U,
+    kHeatMapAid = 1U << 3U,
+    kMirrorAid = 1U << 4U,
+    kIdealAid = 1U << 5U,
+    kAllAids = (1U << 6U) - 1U,
+};
+/// The aids that are in use from now on: goes on the recording.
+struct SetAids
+{
+    std::uint8_t aids = 0;
+};
+/// Puts a number on the recording at this moment; what it means is between those who write and read it.
+struct AddNote
+{
+    std::uint64_t code = 0;
 };
 struct SetBur
 {
@@ -112,7 +148,8 @@ struct SetDrill
 /// Lead the hand home over the tooth; nothing where the device has no work area.
 struct BringHome
 {};
-using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome>;
+using SessionCommand =
+    std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome, GoTo, ResumeAttempt, SetAids, AddNote>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.
@@ -121,6 +158,7 @@ struct SessionState
     std::uint64_t toothGeneration = 0;
     int undoSteps = 0;  ///< strokes that can be taken back
     int redoSteps = 0;
+    std::uint64_t historyVersion = 0;   ///< another one whenever SessionLoop::historySoFar() would be another
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
     terrain::PerMaterial removedMm3{};  ///< against the uncut tooth, after undo and all

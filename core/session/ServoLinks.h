@@ -15,16 +15,19 @@ namespace core::session {
 struct SwapTooth
 {
     contact::LiveTooth* tooth = nullptr;
-    std::uint64_t generation = 0;    ///< of the ReplaceTooth it goes back to
-    std::uint64_t serial = 0;        ///< of this hand-over; patches carry it, so that late ones are told apart
-    bool anew = false;               ///< a tooth to begin with, not a step back
-    std::uint64_t restoredTick = 0;  ///< not anew: the tick of this attempt after which the tooth stood like this
+    std::uint64_t generation = 0;  ///< of the ReplaceTooth it goes back to
+    std::uint64_t serial = 0;      ///< of this hand-over; patches carry it, so that late ones are told apart
+    bool anew = false;             ///< a tooth to begin with, not a step back
+    std::uint64_t tick =
+        0;                 ///< of the attempt, after which the tooth stood like this; anew, the servo counts on from it
+    bool resumed = false;  ///< anew, but in the middle of an attempt that was begun before
 };
 /// Session to servo.
 using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, BringHome>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
-/// One thing that happened to the servo, in the order in which it happened: what a recording is made of.
+/// One thing that happened to the servo, or to the student while it worked, in the order in which it happened: what a
+/// recording is made of. Aids and notes come from the session, the rest from the servo.
 struct ServoEvent
 {
     enum class Kind : std::uint8_t {
@@ -33,8 +36,11 @@ struct ServoEvent
         Drill,     ///< value: 0 off, 1 on
         Bur,       ///< value: index into burs()
         Spring,    ///< value: per cent of the stiffness that the force law has from now on
-        Restore,   ///< value: the tick whose tooth was put back
+        Restore,   ///< value: the tick after which the tooth stood that is put back
         Home,      ///< the hand is to be led home from now on
+        Aids,      ///< value: the aids in use from now on, bits of session::Aid. Nothing to the servo
+        Note,      ///< value: what the ui wants remembered of this moment. Nothing to the servo
+        Resume,    ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
         Begin,     ///< a new tooth; value: its generation. Ends the recording before it
     };
     Kind kind = Kind::Tick;

@@ -87,7 +87,7 @@ Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
     return std::make_unique<ServoTick>(std::move(*method), settings);
 }
 
-contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) noexcept
+contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew, std::uint64_t tick) noexcept
 {
     contact::LiveTooth* old = m_tooth;
     m_tooth = tooth;
@@ -98,6 +98,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew) n
     if (anew) {
         const ServoState before = m_state;
         m_state = ServoState{};
+        m_state.tick = tick;
         m_state.burIndex = before.burIndex;
         m_state.drillOn = before.drillOn;
         m_state.deviceMm = before.deviceMm;

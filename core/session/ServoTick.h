@@ -37,8 +37,9 @@ public:
     ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings);
 
     /// Takes another tooth and gives the old one back for its owner to free. Constant time.
-    /// @param anew  a tooth to begin with: bur to the device, force, removed volumes and tick number to zero
-    contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew) noexcept;
+    /// @param anew  a tooth to begin with: bur to the device, force and removed volumes to zero
+    /// @param tick  anew: the number that the next step's follows
+    contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew, std::uint64_t tick = 0) noexcept;
     void setBur(std::size_t index) noexcept;
     void setDrill(bool on) noexcept { m_state.drillOn = on; }
     /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
@@ -53,7 +54,7 @@ public:
     ///                after that, or when there was none before, the device is lost: no force, and nothing moves
     void step(const glm::vec3* device, std::chrono::microseconds dt) noexcept;
 
-    /// As of the last step. `tick` counts steps since the tooth was taken anew; links' fields are not filled here.
+    /// As of the last step. `tick` counts steps of the attempt; links' fields are not filled here.
     [[nodiscard]] const ServoState& state() const noexcept { return m_state; }
     /// Columns that the last step lowered.
     [[nodiscard]] const drilling::CutRect& changed() const noexcept { return m_changed; }

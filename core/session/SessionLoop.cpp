@@ -4,17 +4,31 @@
 #include <algorithm>
 
 namespace core::session {
+namespace {
+
+/// Frees what a command owns that nobody will carry out.
+void discard(const SessionCommand& command)
+{
+    if (const auto* replace = std::get_if<ReplaceTooth>(&command)) {
+        delete replace->tooth;
+        delete replace->lesson;
+    } else if (const auto* resume = std::get_if<ResumeAttempt>(&command)) {
+        delete resume->attempt;
+    }
+}
+
+}  // namespace
 
 SessionLoop::SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory)
-    : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording), m_undo(memory.undoBytes)
+    : m_servo(servo), m_ui(ui), m_settings(std::move(settings)), m_records(memory.recording),
+      m_undoBytes(memory.undoBytes)
 {}
 
 SessionLoop::~SessionLoop()
 {
     freeRetired();
     for (SessionCommand command; m_ui.commands.tryPop(command);)
-        if (const auto* replace = std::get_if<ReplaceTooth>(&command))
-            delete replace->tooth;
+        discard(command);
 }
 
 void SessionLoop::tick(std::chrono::microseconds)
@@ -48,11 +62,19 @@ void SessionLoop::takeEvents()
         if (event.kind == ServoEvent::Kind::Begin) {
             while (!m_upcoming.empty() && m_upcoming.front().generation < event.value)
                 m_upcoming.pop_front();
-            if (m_records && !m_upcoming.empty())
-                m_recording.emplace(m_settings, m_upcoming.front().anatomy);
+            if (m_upcoming.empty())
+                continue;
+            m_attemptTime = m_upcoming.front().recording.duration();
+            if (m_records)
+                m_recording = std::move(m_upcoming.front().recording);
             m_recordedGeneration = event.value;
+            m_upcoming.pop_front();
+            if (m_recordedGeneration == m_generation)
+                for (const ServoEvent& noted : std::exchange(m_noted, {}))
+                    note(noted);
             continue;
         }
+        m_attemptTime += std::chrono::microseconds(event.dtUs);
         if (m_recording)
             m_recording->append(event);
     }
@@ -82,21 +104,24 @@ void SessionLoop::applyGroup()
         m_toUi.push_back(patch);
     }
     m_mirrorTick = m_group.back().tick;
-    m_vouched = {m_mirror, m_mirrorTick};
+    m_vouched = m_mirror;
+    m_vouchedTick = m_mirrorTick;
     m_unfinished = true;
+    m_hasCut = true;
     if (m_group.back().strokeEnded) {
         rememberUnfinished();
         ++m_strokes;
     }
 }
 
-/// The mirror as it is becomes a moment that can be gone back to.
+/// The mirror as it is becomes a moment that can be gone back to. The mutex is held.
 void SessionLoop::rememberUnfinished()
 {
     if (!m_unfinished)
         return;
-    m_undo.push({m_mirror, m_mirrorTick});
+    m_undo.push({m_mirror, m_mirrorTick, std::chrono::duration<double>(m_attemptTime).count(), m_removed.of(m_mirror)});
     m_unfinished = false;
+    ++m_historyVersion;
 }
 
 void SessionLoop::takeCommands()
@@ -106,54 +131,116 @@ void SessionLoop::takeCommands()
         std::visit([this](const auto& known) { apply(known); }, command);
 }
 
-void SessionLoop::apply(const Undo&)
+/// Goes to another moment, if `go` finds one. What has been cut since the last is one of its own.
+void SessionLoop::step(const std::function<bool()>& go)
 {
     if (!m_anatomy)
         return;
-    rememberUnfinished();
-    if (m_undo.undo())
-        handOver(m_undo.current());
+    {
+        const std::lock_guard lock(m_mutex);
+        rememberUnfinished();
+        if (!go())
+            return;
+        ++m_historyVersion;
+    }
+    handOver();
+}
+
+void SessionLoop::apply(const Undo&)
+{
+    step([this] { return m_undo.undo(); });
 }
 
 void SessionLoop::apply(const Redo&)
 {
-    if (!m_anatomy || m_unfinished)
-        return;
-    if (m_undo.redo())
-        handOver(m_undo.current());
+    if (!m_unfinished)
+        step([this] { return m_undo.redo(); });
+}
+
+void SessionLoop::apply(const GoTo& where)
+{
+    step([this, &where] { return m_undo.goTo(where.id); });
 }
 
 void SessionLoop::apply(const Reload&)
 {
-    if (!m_anatomy)
-        return;
-    rememberUnfinished();
-    if (m_undo.current().tick == 0)
-        return;
-    m_undo.push({m_uncut, 0});
-    handOver(m_undo.current());
+    step([this] {
+        if (m_undo.current().tick == 0)
+            return false;
+        m_undo.push({m_uncut, 0, std::chrono::duration<double>(m_attemptTime).count(), {}});
+        return true;
+    });
 }
 
 void SessionLoop::apply(const ReplaceTooth& replace)
 {
     const std::unique_ptr<terrain::Tooth> tooth(replace.tooth);
+    const std::unique_ptr<const std::string> lesson(replace.lesson);
+    const history::TiledHeights uncut(tooth->anatomy->grid, tooth->anatomy->top);
+    history::UndoTree history(m_undoBytes);
+    history.restart({uncut, 0, 0.0, {}});
+    take({recording::Recording(m_settings, tooth->anatomy, lesson ? *lesson : std::string()), uncut, std::move(history),
+          0},
+         replace.generation, false);
+}
+
+void SessionLoop::apply(const ResumeAttempt& resume)
+{
+    const std::unique_ptr<Unfinished> attempt(resume.attempt);
+    take(std::move(*attempt), resume.generation, true);
+}
+
+/// Begins with an attempt, or goes on with it.
+void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed)
+{
+    const std::uint64_t tick = attempt.recording.ticks();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_anatomy = attempt.recording.anatomy();
+        m_generation = generation;
+        m_uncut = std::move(attempt.uncut);
+        m_undo = std::move(attempt.history);
+        m_mirror = m_undo.current().top;
+        m_mirrorTick = tick;
+        m_vouched = m_mirror;
+        m_vouchedTick = resumed ? std::nullopt : std::optional(tick);
+        ++m_historyVersion;
+        m_unfinished = false;
+        m_hasCut = resumed;
+        m_strokes = attempt.strokes;
+        m_wholeMm3 = terrain::volumes(terrain::Tooth(m_anatomy));
+        m_removed = history::RemovedTally(m_anatomy);
+        m_group.clear();
+        // The view has been shown the whole tooth.
+        const auto cut = history::patchesBetween(m_uncut, m_mirror, tick, m_generation);
+        m_toUi.assign(cut.begin(), cut.end());
+        m_noted.clear();
+        m_upcoming.push_back({m_generation, std::move(attempt.recording)});
+    }
+    static_cast<void>(
+        m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, m_mirror.flat())),
+                                           m_generation, ++m_serial, true, tick, resumed}));
+}
+
+void SessionLoop::apply(const SetAids& aids)
+{
     const std::lock_guard lock(m_mutex);
-    m_anatomy = tooth->anatomy;
-    m_generation = replace.generation;
-    m_upcoming.push_back({m_generation, m_anatomy});
-    m_uncut = history::TiledHeights(m_anatomy->grid, m_anatomy->top);
-    m_mirror = m_uncut;
-    m_mirrorTick = 0;
-    m_vouched = {m_uncut, 0};
-    m_undo.restart({m_mirror, 0});
-    m_unfinished = false;
-    m_strokes = 0;
-    m_wholeMm3 = terrain::volumes(*tooth);
-    m_removed = history::RemovedTally(m_anatomy);
-    m_group.clear();
-    m_toUi.clear();
-    static_cast<void>(m_servo.commands.tryPush(
-        SwapTooth{new contact::LiveTooth(terrain::Tooth(m_anatomy)), m_generation, ++m_serial, true, 0}));
+    note({ServoEvent::Kind::Aids, 0, glm::vec3(0.0F), aids.aids});
+}
+
+void SessionLoop::apply(const AddNote& added)
+{
+    const std::lock_guard lock(m_mutex);
+    note({ServoEvent::Kind::Note, 0, glm::vec3(0.0F), added.code});
+}
+
+/// On the recording, as soon as that is the one of the present tooth. The mutex is held.
+void SessionLoop::note(const ServoEvent& event)
+{
+    if (m_recordedGeneration != m_generation)
+        m_noted.push_back(event);
+    else if (m_recording)
+        m_recording->append(event);
 }
 
 void SessionLoop::apply(const SetBur& bur)
@@ -171,18 +258,19 @@ void SessionLoop::apply(const BringHome& home)
     static_cast<void>(m_servo.commands.tryPush(home));
 }
 
-/// Gives the servo the tooth of a moment and shows the view what that changes.
-void SessionLoop::handOver(const history::ToothMoment& moment)
+/// Gives the servo the tooth of the present moment and shows the view what that changes.
+void SessionLoop::handOver()
 {
-    const std::lock_guard lock(m_mutex);
+    const history::ToothMoment& moment = m_undo.current();
     m_group.clear();
     for (const TilePatch& patch : history::patchesBetween(m_mirror, moment.top, moment.tick, m_generation))
         m_toUi.push_back(patch);
-    m_mirror = moment.top;
-    m_mirrorTick = moment.tick;
     static_cast<void>(
         m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, moment.top.flat())),
                                            m_generation, ++m_serial, false, moment.tick}));
+    const std::lock_guard lock(m_mutex);
+    m_mirror = moment.top;
+    m_mirrorTick = moment.tick;
 }
 
 void SessionLoop::forward()
@@ -198,6 +286,7 @@ void SessionLoop::publish()
     out.toothGeneration = m_generation;
     out.undoSteps = m_undo.undoSteps() + (m_unfinished ? 1 : 0);
     out.redoSteps = m_unfinished ? 0 : m_undo.redoSteps();
+    out.historyVersion = m_historyVersion;
     out.strokes = m_strokes;
     out.wholeMm3 = m_wholeMm3;
     if (m_anatomy) {
@@ -216,9 +305,20 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
     std::optional<recording::Recording> copy = m_recording;
     // Patches come in groups, so the mirror may be a few ticks behind the events, never ahead: a moment it can vouch
     // for, unless the recording had to stop before it.
-    if (copy && m_recordedGeneration == m_generation && m_vouched.tick <= copy->ticks())
-        copy->setWitness({m_vouched.tick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.top.flat()))});
+    if (copy && m_recordedGeneration == m_generation && m_vouchedTick && *m_vouchedTick <= copy->ticks())
+        copy->setWitness({*m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;
+}
+
+RecordedPart SessionLoop::recordedSince(std::uint64_t generation, std::uint64_t first) const
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_recording)
+        return {};
+    RecordedPart part{m_recordedGeneration, m_hasCut && m_recordedGeneration == m_generation, {}};
+    if (m_recordedGeneration == generation)
+        part.events = m_recording->eventsSince(first);
+    return part;
 }
 
 std::optional<terrain::Tooth> SessionLoop::toothSoFar() const
@@ -227,6 +327,25 @@ std::optional<terrain::Tooth> SessionLoop::toothSoFar() const
     if (!m_anatomy)
         return std::nullopt;
     return terrain::restored(m_anatomy, m_mirror.flat());
+}
+
+std::vector<history::MomentInfo> SessionLoop::historySoFar() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_undo.list();
+}
+
+std::vector<float> SessionLoop::momentHeights(MomentId id) const
+{
+    history::TiledHeights top;
+    {
+        const std::lock_guard lock(m_mutex);
+        const history::ToothMoment* moment = m_undo.find(id);
+        if (moment == nullptr)
+            return {};
+        top = moment->top;
+    }
+    return top.flat();
 }
 
 }  // namespace core::session

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
-#include "core/history/RemovedTally.h"
-#include "core/history/UndoStack.h"
-#include "core/recording/Recording.h"
 #include "core/rt/Loop.h"
 #include "core/session/ServoLinks.h"
+#include "core/session/Unfinished.h"
 
 namespace core::session {
 
@@ -19,7 +18,15 @@ namespace core::session {
 struct SessionMemory
 {
     bool recording = true;
-    std::size_t undoBytes = history::UndoStack::kDefaultLimitBytes;
+    std::size_t undoBytes = history::UndoTree::kDefaultLimitBytes;
+};
+
+/// What of an attempt a journal is still to write.
+struct RecordedPart
+{
+    std::uint64_t generation = 0;    ///< of the tooth that is being recorded; 0: none yet
+    bool isWorthKeeping = false;     ///< something has come off it
+    std::vector<ServoEvent> events;  ///< the next that are at hand; empty where another generation was asked for
 };
 
 /// The servo's patient partner (about 100 Hz): keeps a mirror of the tooth, the undo history and the recording, builds
@@ -37,14 +44,23 @@ public:
     /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth, and
     /// where no recording is kept.
     [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
+    /// What has been recorded of a tooth from event number `first` on. Any thread.
+    [[nodiscard]] RecordedPart recordedSince(std::uint64_t generation, std::uint64_t first) const;
     /// The tooth as the mirror has it. Any thread; empty before the first tooth.
     [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
+
+    /// The moments that can be gone back to, oldest first. Any thread; empty before the first tooth. Cheap, but ask
+    /// only when SessionState::historyVersion is another than before.
+    [[nodiscard]] std::vector<history::MomentInfo> historySoFar() const;
+    /// The top map at a moment, row by row, mm, for a small picture of it. Any thread; empty if it is not known any
+    /// more.
+    [[nodiscard]] std::vector<float> momentHeights(MomentId id) const;
 
 private:
     struct Upcoming
     {
         std::uint64_t generation = 0;
-        std::shared_ptr<const terrain::ToothAnatomy> anatomy;
+        recording::Recording recording;  ///< what is on it already
     };
 
     void freeRetired();
@@ -56,11 +72,18 @@ private:
     void apply(const Redo&);
     void apply(const Reload&);
     void apply(const ReplaceTooth& replace);
+    void apply(const ResumeAttempt& resume);
+    void apply(const SetAids& aids);
+    void apply(const AddNote& note);
+    void note(const ServoEvent& event);
+    void take(Unfinished attempt, std::uint64_t generation, bool resumed);
     void apply(const SetBur& bur);
     void apply(const SetDrill& drill);
     void apply(const BringHome& home);
+    void apply(const GoTo& where);
+    void step(const std::function<bool()>& go);
     void rememberUnfinished();
-    void handOver(const history::ToothMoment& moment);
+    void handOver();
     void forward();
     void publish();
 
@@ -68,19 +91,25 @@ private:
     UiLinks& m_ui;
     ServoSettings m_settings;
     bool m_records;
+    std::size_t m_undoBytes;
 
-    mutable std::mutex m_mutex;  ///< guards what recordingSoFar() and toothSoFar() read; the servo never comes here
+    mutable std::mutex m_mutex;  ///< guards what other threads ask for; the servo never comes here
     std::optional<recording::Recording> m_recording;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
     std::uint64_t m_recordedGeneration = 0;  ///< the tooth that m_recording is about
     history::TiledHeights m_uncut;
     history::TiledHeights m_mirror;
     std::uint64_t m_mirrorTick = 0;
-    history::ToothMoment m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
+    history::TiledHeights m_vouched;  ///< the newest group of patches made the tooth this; undo does not touch it
+    std::optional<std::uint64_t> m_vouchedTick;  ///< nothing: since the attempt was resumed there was none
+    history::UndoTree m_undo;
 
     std::deque<Upcoming> m_upcoming;  ///< handed to the servo, not yet begun there
-    history::UndoStack m_undo;
+    std::vector<ServoEvent> m_noted;  ///< of an attempt that has not begun there
+    std::uint64_t m_historyVersion = 0;
+    std::chrono::microseconds m_attemptTime{0};
     bool m_unfinished = false;  ///< the mirror differs from m_undo.current()
+    bool m_hasCut = false;      ///< something has come off this tooth, and be it put back
     int m_strokes = 0;
     std::uint64_t m_serial = 0;
     std::uint64_t m_generation = 0;

@@ -35,13 +35,15 @@ std::shared_ptr<const terrain::ToothAnatomy> smallBlock()
     return support::makeBlock(block);
 }
 
-/// A short attempt: a few ticks of cutting, another bur, a lost reading, an undo.
+/// A short attempt: a few ticks of cutting, another bur, a lost reading, an undo, a lesson, an aid, a note.
 Recording shortAttempt()
 {
     support::Rig rig;
-    rig.open(smallBlock());
+    rig.open(smallBlock(), 1, "lesson 1");
     rig.send(session::SetDrill{true});
+    rig.send(session::SetAids{session::kSectionAid});
     rig.lean(0.0, 0.0, 2.0, 120);
+    rig.send(session::AddNote{7});
     rig.device.present = false;
     rig.run(5);
     rig.device.present = true;
@@ -113,13 +115,17 @@ private slots:
     void bytesComeBackEqual();
     void oddEventsComeBackEqual();
     void longAttemptComesBackEqual();
+    void lessonComesBackEqual_data();
+    void lessonComesBackEqual();
+    void refusesImpossibleLessons_data();
+    void refusesImpossibleLessons();
     void cutAnywhereIsAnError();
     void flippedByteIsAnErrorOrHarmless();
     void refusesStrangers_data();
     void refusesStrangers();
     void refusesBombs_data();
     void refusesBombs();
-    void refusesUnknownBur();
+    void refusesUnknownBurAndAid();
     void refusesUndoIntoTheFuture();
     void refusesMoreUndoThanAnyoneMakes();
     void refusesImpossibleTooth_data();
@@ -174,6 +180,9 @@ void TestRecording::oddEventsComeBackEqual()
     made.append({ServoEvent::Kind::Drill, 0, {}, 1});
     made.append({ServoEvent::Kind::Bur, 0, {}, 3});
     made.append({ServoEvent::Kind::Restore, 0, {}, 2});
+    made.append({ServoEvent::Kind::Aids, 0, {}, session::kSectionAid | session::kIdealAid});
+    made.append({ServoEvent::Kind::Note, 0, {}, 0xFEDCBA9876543210});
+    made.append({ServoEvent::Kind::Resume, 0, {}, 0});
     const auto read = Recording::fromBytes(made.toBytes());
     QVERIFY2(read, read ? "" : text(read.error()).constData());
     QVERIFY(sameBits(eventsOf(made), eventsOf(*read)));
@@ -197,6 +206,65 @@ void TestRecording::longAttemptComesBackEqual()
     QVERIFY(read);
     QCOMPARE(read->ticks(), 10000U);
     QVERIFY(sameBits(eventsOf(made), eventsOf(*read)));
+}
+
+void TestRecording::lessonComesBackEqual_data()
+{
+    QTest::addColumn<QByteArray>("lesson");
+    QTest::newRow("none") << QByteArray();
+    QTest::newRow("a letter") << QByteArray("x");
+    QTest::newRow("with a nought in it") << QByteArray("a\0b", 3);
+    QTest::newRow("all lengths of code point")
+        << QByteArray("z\xC3\xA9\xE2\x82\xAC\xF4\x8F\xBF\xBF\xED\x9F\xBF\xF0\x90\x80\x80");
+    QTest::newRow("as long as may be") << QByteArray(int(recording::kMaxLessonBytes), 'l');
+}
+
+void TestRecording::lessonComesBackEqual()
+{
+    QFETCH(QByteArray, lesson);
+    Recording made({}, smallBlock(), lesson.toStdString());
+    made.append({ServoEvent::Kind::Tick, 1000, {1.0F, 2.0F, 3.0F}, 0});
+    const auto read = Recording::fromBytes(made.toBytes());
+    QVERIFY2(read, read ? "" : text(read.error()).constData());
+    QCOMPARE(QByteArray::fromStdString(read->lesson()), lesson);
+    QCOMPARE(QByteArray::fromStdString(read->toBytes()), QByteArray::fromStdString(made.toBytes()));
+}
+
+void TestRecording::refusesImpossibleLessons_data()
+{
+    QTest::addColumn<QByteArray>("lesson");
+    QTest::newRow("too long") << QByteArray(int(recording::kMaxLessonBytes) + 1, 'l');
+    QTest::newRow("empty, but there") << QByteArray();
+    QTest::newRow("Latin 1") << QByteArray("caf\xE9");
+    QTest::newRow("cut short") << QByteArray("\xE2\x82");
+    QTest::newRow("a byte that begins nothing") << QByteArray("\x80");
+    QTest::newRow("overlong") << QByteArray("\xC0\xAF");
+    QTest::newRow("overlong in three") << QByteArray("\xE0\x9F\xBF");
+    QTest::newRow("overlong in four") << QByteArray("\xF0\x8F\xBF\xBF");
+    QTest::newRow("surrogate") << QByteArray("\xED\xA0\x80");
+    QTest::newRow("beyond Unicode") << QByteArray("\xF4\x90\x80\x80");
+    QTest::newRow("far beyond Unicode") << QByteArray("\xF5\x80\x80\x80");
+}
+
+void TestRecording::refusesImpossibleLessons()
+{
+    QFETCH(QByteArray, lesson);
+    if (!lesson.isEmpty())
+        QVERIFY(!recording::checkLesson(lesson.toStdString()));
+    const std::string good = Recording({}, smallBlock(), "good").toBytes();
+    std::string bytes = good.substr(0, kFileHeaderBytes);
+    std::string_view rest = std::string_view(good).substr(kFileHeaderBytes);
+    while (!rest.empty()) {
+        ByteReader in(rest);
+        const auto kind = in.take<std::uint32_t>();
+        const auto size = in.take<std::uint64_t>();
+        bytes += kind == 5 ? section(5, zstd(lesson.toStdString())) : std::string(rest.substr(0, 20 + size));
+        rest.remove_prefix(20 + size);
+    }
+    const auto read = Recording::fromBytes(bytes);
+    QVERIFY(!read);
+    QCOMPARE(text(read.error()), QByteArray("The recording is damaged in its lesson. Use a copy of the file, or make "
+                                            "the attempt again."));
 }
 
 void TestRecording::cutAnywhereIsAnError()
@@ -245,13 +313,13 @@ void TestRecording::refusesStrangers_data()
     QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
     QTest::newRow("no section") << good.left(int(kFileHeaderBytes)) << code(ErrorCode::FileTruncated);
     QByteArray newer = good;
-    newer[8] = 4;
+    newer[8] = 5;
     QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
     QByteArray zero = good;
     zero[8] = 0;
     QTest::newRow("version 0") << zero << code(ErrorCode::WrongKind);
     QByteArray older = good;
-    older[8] = 2;
+    older[8] = 3;
     QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
     QByteArray lie = good;
     lie.replace(int(kFileHeaderBytes) + 4, 8, QByteArray(8, '\xFF'));
@@ -285,7 +353,7 @@ void TestRecording::refusesBombs_data()
     QByteArray lie = QByteArray::fromStdString(zstd(std::string(100, '\0')));
     // Frame header: descriptor with an 8-byte size, 2^62 bytes.
     const QByteArray huge = QByteArray("\x28\xB5\x2F\xFD\xE0", 5) + QByteArray(7, '\0') + QByteArray("\x40", 1) + lie;
-    for (const int kind : {1, 2, 3}) {
+    for (const int kind : {1, 2, 3, 5}) {
         QTest::addRow("section %d unpacks to 256 MiB", kind) << kind << bomb;
         QTest::addRow("section %d says 2^62 bytes", kind) << kind << huge;
         QTest::addRow("section %d is not packed", kind) << kind << QByteArray(1000, 'x');
@@ -315,11 +383,14 @@ void TestRecording::refusesBombs()
     QCOMPARE(read.error().code, ErrorCode::BadStructure);
 }
 
-void TestRecording::refusesUnknownBur()
+void TestRecording::refusesUnknownBurAndAid()
 {
     Recording made({}, smallBlock());
     made.append({ServoEvent::Kind::Bur, 0, {}, 4});
     QVERIFY(!Recording::fromBytes(made.toBytes()));
+    Recording aids({}, smallBlock());
+    aids.append({ServoEvent::Kind::Aids, 0, {}, session::kAllAids + 1});
+    QVERIFY(!Recording::fromBytes(aids.toBytes()));
 }
 
 void TestRecording::refusesUndoIntoTheFuture()

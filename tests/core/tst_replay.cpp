@@ -76,6 +76,8 @@ private slots:
     void missedPeriods();
     void stormOfCommands_data();
     void stormOfCommands();
+    void resumedAgainAndAgain_data();
+    void resumedAgainAndAgain();
     void secondToothHasItsOwnRecording();
     void sameToothAgainHasItsOwnRecording();
     void recordingEndsWhereTicksAreMissing();
@@ -247,6 +249,55 @@ void TestReplay::stormOfCommands()
     rig.lift();
     compareWithLive(rig);
     QCOMPARE(rig.mirrorHash(), rig.liveHash());
+}
+
+void TestReplay::resumedAgainAndAgain_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<int>("side");
+    QTest::newRow("64") << "continuous" << 64;
+    QTest::newRow("150") << "continuous" << 150;
+    QTest::newRow("lattice") << "lattice" << 64;
+    QTest::newRow("penalty") << "penalty" << 64;
+}
+
+/// The program ends wherever it is; another takes the attempt up, with the hand wherever that is.
+void TestReplay::resumedAgainAndAgain()
+{
+    QFETCH(QString, method);
+    QFETCH(int, side);
+    session::ServoSettings settings;
+    settings.method = method.toStdString();
+    Rng rng(static_cast<std::uint64_t>(side));
+    support::RestlessHand hand(31);
+    std::optional<Recording> left;
+    for (int life = 0; life < 6; ++life) {
+        support::Rig rig(settings);
+        if (life % 2 == 1) {  // which has done something else before
+            rig.open(layeredTooth(side));
+            rig.send(session::SetDrill{true});
+            for (int n = 0; n < 300; ++n) {
+                rig.device.tipMm = hand.next();
+                rig.run(1);
+            }
+        }
+        if (left)
+            rig.resume(*left, 2);
+        else
+            rig.open(layeredTooth(side), 2);
+        const std::uint64_t begun = rig.liveHash();
+        rig.send(session::SetDrill{true});
+        for (int n = 0; n < 1200 || rig.liveHash() == begun; ++n) {
+            rig.device.tipMm = hand.next();
+            rig.device.present = rng.below(100) != 0;
+            rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
+            if (rng.below(200) == 0)
+                rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
+                                           : session::SessionCommand{session::Redo{}});
+        }
+        compareWithLive(rig);
+        left = Recording::fromBytes(rig.session->recordingSoFar()->toBytes()).value();
+    }
 }
 
 void TestReplay::secondToothHasItsOwnRecording()

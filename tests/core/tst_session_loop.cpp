@@ -2,6 +2,8 @@
 #include <QTest>
 #include <atomic>
 #include <cmath>
+#include <map>
+#include <set>
 #include <thread>
 
 #include <glm/geometric.hpp>
@@ -43,7 +45,9 @@ class TestSessionLoop : public QObject
 private slots:
     void undoAndRedoGoStrokeByStroke();
     void undoInMidStrokeTakesBackWhatIsCutSoFar();
-    void cuttingAfterUndoForgetsRedo();
+    void cuttingAfterUndoBeginsABranch();
+    void anyMomentIsAJumpAway();
+    void historyTellsWhatWasRemoved();
     void reloadCanBeUndone();
     void patchesOfAnOlderToothAreIgnored();
     void newToothWhileTheOldOneIsCut();
@@ -54,6 +58,11 @@ private slots:
     void viewHearsOfEveryChange();
     void attemptSoFarFromAnotherThread();
     void nothingIsRememberedWhereNobodyAsks();
+    void lessonAidsAndNotesGoOnTheRecording();
+    void anAttemptIsTakenUpAgain();
+    void anAttemptThatEndedWithUndoIsTakenUpAgain();
+    void theMomentsOfAnAttemptComeBack();
+    void theViewIsShownWhatWasCutBefore();
 };
 
 void TestSessionLoop::undoAndRedoGoStrokeByStroke()
@@ -111,13 +120,15 @@ void TestSessionLoop::undoInMidStrokeTakesBackWhatIsCutSoFar()
     QCOMPARE(rig.liveHash(), half);
 }
 
-void TestSessionLoop::cuttingAfterUndoForgetsRedo()
+void TestSessionLoop::cuttingAfterUndoBeginsABranch()
 {
     support::Rig rig;
     rig.open(block());
     rig.send(SetDrill{true});
     stroke(rig, -1.0);
     stroke(rig, 0.0);
+    const std::uint64_t first = rig.liveHash();
+    const MomentId ofFirst = rig.session->historySoFar().back().id;
     rig.send(Undo{});
     rig.run(20);
     QCOMPARE(state(rig).redoSteps, 1);
@@ -127,6 +138,73 @@ void TestSessionLoop::cuttingAfterUndoForgetsRedo()
     rig.send(Redo{});
     rig.run(20);
     QCOMPARE(rig.liveHash(), now);
+    rig.send(GoTo{ofFirst});
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), first);
+    QCOMPARE(rig.mirrorHash(), first);
+    QVERIFY(recording::replay(rig.session->recordingSoFar().value())->agreesWithWitness);
+}
+
+void TestSessionLoop::anyMomentIsAJumpAway()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    Rng rng(4);
+    std::map<MomentId, std::uint64_t> hashes{{rig.session->historySoFar().front().id, rig.liveHash()}};
+    for (int n = 0; n < 60; ++n) {
+        if (n % 3 == 2) {
+            const auto all = rig.session->historySoFar();
+            const MomentId id = all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id;
+            rig.send(GoTo{id});
+            rig.run(20);
+            QCOMPARE(rig.liveHash(), hashes.at(id));
+        } else {
+            stroke(rig, rng.uniform(-3.0, 3.0));
+            hashes[rig.session->historySoFar().back().id] = rig.liveHash();
+        }
+    }
+    rig.send(GoTo{MomentId{12345}});  // nobody knows that one
+    const std::uint64_t before = rig.liveHash();
+    rig.run(20);
+    QCOMPARE(rig.liveHash(), before);
+    const auto all = rig.session->historySoFar();
+    QCOMPARE(all.size(), 41U);
+    for (const history::MomentInfo& moment : all) {
+        const auto tooth = terrain::restored(rig.live().anatomy, rig.session->momentHeights(moment.id));
+        QCOMPARE(terrain::stateHash(tooth), hashes.at(moment.id));
+    }
+    QVERIFY(rig.session->momentHeights(MomentId{12345}).empty());
+    QVERIFY(recording::replay(rig.session->recordingSoFar().value())->agreesWithWitness);
+}
+
+void TestSessionLoop::historyTellsWhatWasRemoved()
+{
+    support::Rig rig;
+    QVERIFY(rig.session->historySoFar().empty());
+    rig.open(block());
+    rig.send(SetDrill{true});
+    const std::uint64_t version = state(rig).historyVersion;
+    rig.run(100);
+    QCOMPARE(state(rig).historyVersion, version);
+    stroke(rig, -1.0);
+    QVERIFY(state(rig).historyVersion != version);
+    const auto after = rig.session->historySoFar();
+    QCOMPARE(after.size(), 2U);
+    QVERIFY(after[0].removed == history::Removed{});
+    QVERIFY(after[1].isCurrent);
+    QCOMPARE(after[1].parent, after[0].id);
+    QCOMPARE(after[1].removed.volumesMm3, state(rig).removedMm3);
+    // The moment is told when the pause after the stroke has made it one.
+    const double ticksS = 0.001 * static_cast<double>(rig.servo->state().tick);
+    QVERIFY2(after[1].seconds > 0.15 && after[1].seconds <= ticksS, qPrintable(QString::number(after[1].seconds)));
+    rig.send(Reload{});
+    rig.run(20);
+    const auto whole = rig.session->historySoFar();
+    QCOMPARE(whole.size(), 3U);
+    QCOMPARE(whole[2].parent, whole[1].id);
+    QVERIFY(whole[2].removed == history::Removed{});
+    QVERIFY(whole[2].seconds >= whole[1].seconds);
 }
 
 void TestSessionLoop::reloadCanBeUndone()
@@ -358,6 +436,215 @@ void TestSessionLoop::nothingIsRememberedWhereNobodyAsks()
     QCOMPARE(other.liveHash(), rig.liveHash());
     QVERIFY(other.session->recordingSoFar());
     QCOMPARE(state(other).undoSteps, 6);
+}
+
+void TestSessionLoop::lessonAidsAndNotesGoOnTheRecording()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.run(30);
+    // Sent together with the next attempt, they belong to it, though its servo has not begun yet.
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 2, new std::string("lesson é")});
+    rig.send(SetAids{kRadiographAid | kMirrorAid});
+    rig.send(AddNote{1});
+    rig.run(30);
+    rig.send(AddNote{~std::uint64_t{0}});
+    rig.run(30);
+    const recording::Recording made = rig.session->recordingSoFar().value();
+    QCOMPARE(QString::fromStdString(made.lesson()), QStringLiteral("lesson é"));
+    std::vector<std::pair<std::uint64_t, ServoEvent>> told;
+    std::uint64_t ticks = 0;
+    made.forEach([&](const ServoEvent& event) {
+        ticks += event.kind == ServoEvent::Kind::Tick ? 1 : 0;
+        if (event.kind == ServoEvent::Kind::Aids || event.kind == ServoEvent::Kind::Note)
+            told.emplace_back(ticks, event);
+    });
+    QCOMPARE(told.size(), 3U);
+    QVERIFY(told[0].second.kind == ServoEvent::Kind::Aids);
+    QCOMPARE(told[0].second.value, std::uint64_t{kRadiographAid | kMirrorAid});
+    QCOMPARE(told[1].second.value, 1U);
+    QCOMPARE(told[2].second.value, ~std::uint64_t{0});
+    QVERIFY2(told[1].first == 0 && told[2].first >= 10 && told[2].first <= 40,
+             qPrintable(QString::number(told[2].first)));
+    // What an older attempt was told stays with that one.
+    rig.send(AddNote{5});
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 3});
+    rig.run(30);
+    rig.session->recordingSoFar()->forEach(
+        [](const ServoEvent& event) { QVERIFY(event.kind != ServoEvent::Kind::Note); });
+    QVERIFY(rig.session->recordingSoFar()->lesson().empty());
+}
+
+void TestSessionLoop::anAttemptIsTakenUpAgain()
+{
+    support::Rig first;
+    first.open(block(), 1, "lesson");
+    first.send(SetDrill{true});
+    first.send(SetBur{2});
+    stroke(first, -1.0);
+    first.lean(0.5, 0.0, 2.0, 77);  // ends in the middle of a stroke
+    first.settle();
+    const recording::Recording left = first.session->recordingSoFar().value();
+    const std::uint64_t leftHash = recording::replay(left)->stateHash;
+
+    // Another program, which has drilled another tooth meanwhile, and stands with its bur in the tooth.
+    support::Rig second;
+    second.open(block());
+    second.send(SetDrill{true});
+    second.lean(0.5, 0.0, 2.0, 40);
+    second.resume(left, 2);
+    QCOMPARE(second.servo->state().tick, left.ticks() + 1);
+    QCOMPARE(second.mirrorHash(), leftHash);
+    QCOMPARE(second.liveHash(), leftHash);
+    QCOMPARE(state(second).toothGeneration, 2U);
+    QVERIFY(std::abs(state(second).recordedS - 0.001 * static_cast<double>(left.ticks() + 1)) < 1.0e-9);
+    second.lean(0.5, 0.0, 2.0, 50);
+    second.lift();
+    stroke(second, 1.5);
+    const std::uint64_t now = second.liveHash();
+    QVERIFY(now != leftHash);
+    // Back to before the program ended, and forth again.
+    second.send(Undo{});
+    second.send(Undo{});
+    second.run(20);
+    second.send(Redo{});
+    second.run(20);
+    second.send(Redo{});
+    second.run(20);
+    QCOMPARE(second.liveHash(), now);
+    stroke(second, 2.5);
+    const recording::Recording made = second.session->recordingSoFar().value();
+    QCOMPARE(made.lesson(), std::string("lesson"));
+    const auto read = recording::Recording::fromBytes(made.toBytes());
+    QVERIFY(read);
+    const auto outcome = recording::replay(*read);
+    QVERIFY(outcome->agreesWithWitness);
+    QCOMPARE(outcome->stateHash, second.liveHash());
+    int resumed = 0;
+    made.forEach([&](const ServoEvent& event) { resumed += event.kind == ServoEvent::Kind::Resume ? 1 : 0; });
+    QCOMPARE(resumed, 1);
+
+    // And once more.
+    support::Rig third;
+    third.resume(*read);
+    QCOMPARE(third.liveHash(), second.liveHash());
+    third.send(SetDrill{true});
+    stroke(third, -2.0);
+    const auto last = recording::replay(third.session->recordingSoFar().value());
+    QVERIFY(last->agreesWithWitness);
+    QCOMPARE(last->stateHash, third.liveHash());
+}
+
+void TestSessionLoop::anAttemptThatEndedWithUndoIsTakenUpAgain()
+{
+    support::Rig first;
+    first.open(block());
+    first.send(SetDrill{true});
+    stroke(first, -1.0);
+    const std::uint64_t once = first.liveHash();
+    stroke(first, 1.0);
+    const std::uint64_t twice = first.liveHash();
+    const recording::Recording before = first.session->recordingSoFar().value();
+    first.send(Undo{});
+    first.run(20);
+    QCOMPARE(first.liveHash(), once);
+    // It ends with the undo, before another tick.
+    recording::Recording left({}, block());
+    const std::uint64_t events = first.session->recordingSoFar()->events();
+    std::uint64_t n = 0;
+    first.session->recordingSoFar()->forEach([&](const ServoEvent& event) {
+        if (n++ < before.events() || (n <= events && event.kind == ServoEvent::Kind::Restore))
+            left.append(event);
+    });
+    QCOMPARE(recording::replay(left)->stateHash, once);
+    support::Rig second;
+    second.resume(left);
+    QCOMPARE(second.liveHash(), once);
+    const recording::Recording made = second.session->recordingSoFar().value();
+    QVERIFY(made.witness().has_value());
+    QCOMPARE(made.witness()->stateHash, twice);
+    QVERIFY(recording::replay(made)->agreesWithWitness);
+    QCOMPARE(recording::replay(made)->stateHash, once);
+    second.send(Redo{});
+    second.run(20);
+    QCOMPARE(second.liveHash(), twice);
+}
+
+void TestSessionLoop::theMomentsOfAnAttemptComeBack()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetDrill{true});
+    Rng rng(8);
+    for (int n = 0; n < 40; ++n) {
+        switch (n % 5) {
+        case 2:
+            rig.send(Undo{});
+            rig.run(20);
+            break;
+        case 3:
+            rig.send(Redo{});
+            rig.run(20);
+            if (n == 33)
+                rig.send(Reload{});
+            rig.run(20);
+            break;
+        case 4:  // taken back in mid-stroke, and brought back
+            rig.lean(rng.uniform(-3.0, 3.0), 1.0, 2.0, 40);
+            rig.send(Undo{});
+            rig.run(20);
+            rig.send(Redo{});
+            rig.lift();
+            break;
+        default:
+            stroke(rig, rng.uniform(-3.0, 3.0));
+        }
+    }
+    const auto heights = [](const history::UndoTree& tree) {
+        std::multiset<std::uint64_t> hashes;
+        for (const history::MomentInfo& moment : tree.list())
+            hashes.insert(terrain::stateHash(terrain::restored(block(), tree.find(moment.id)->top.flat())));
+        return hashes;
+    };
+    std::multiset<std::uint64_t> known;
+    const auto live = rig.session->historySoFar();
+    for (const history::MomentInfo& moment : live)
+        known.insert(terrain::stateHash(terrain::restored(block(), rig.session->momentHeights(moment.id))));
+    const auto again = rebuild(rig.session->recordingSoFar().value()).value();
+    QCOMPARE(again->strokes, state(rig).strokes);
+    QCOMPARE(terrain::stateHash(terrain::restored(block(), again->history.current().top.flat())), rig.liveHash());
+    QVERIFY(heights(again->history) == known);
+    const auto list = again->history.list();
+    QCOMPARE(list.size(), live.size());
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        QCOMPARE(list[k].tick, live[k].tick);
+        QCOMPARE(list[k].parent, live[k].parent);  // numbers are given in the same order
+        QVERIFY(list[k].removed == live[k].removed);
+        QVERIFY(std::abs(list[k].seconds - live[k].seconds) < 0.03);
+    }
+}
+
+void TestSessionLoop::theViewIsShownWhatWasCutBefore()
+{
+    support::Rig first;
+    const auto anatomy = block();
+    first.open(anatomy);
+    first.send(SetDrill{true});
+    stroke(first, -1.0);
+    stroke(first, 1.0);
+    support::Rig second;
+    second.send(ResumeAttempt{rebuild(first.session->recordingSoFar().value()).value().release(), 3});
+    second.session->tick(second.period);
+    history::TiledHeights view(anatomy->grid, anatomy->top);
+    std::size_t patches = 0;
+    for (TilePatch patch; second.uiLinks->patches.tryPop(patch); ++patches) {
+        QCOMPARE(patch.toothGeneration, 3U);
+        view.setTile(patch.tileX, patch.tileY, patch.top);
+    }
+    QCOMPARE(view.flat(), first.live().top);
+    QVERIFY(patches < view.tiles().size());
+    second.send(
+        ResumeAttempt{rebuild(first.session->recordingSoFar().value()).value().release(), 4});  // nobody takes it
 }
 
 QTEST_APPLESS_MAIN(TestSessionLoop)

@@ -99,7 +99,9 @@ void exerciseRecording(std::string_view bytes)
     promise(again && again->ticks() == recording->ticks() && again->witness() == recording->witness());
 
     int restores = 0;
-    recording->forEach([&](const ServoEvent& event) { restores += event.kind == ServoEvent::Kind::Restore ? 1 : 0; });
+    recording->forEach([&](const ServoEvent& event) {
+        restores += event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume ? 1 : 0;
+    });
     if (recording->ticks() > kMostTicks || restores > kMostRestores || recording->anatomy()->grid.side > kLargestGrid)
         return;
     const double clampN = recording->settings().force.clampN;

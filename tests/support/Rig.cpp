@@ -13,6 +13,14 @@ using namespace core::session;
 
 constexpr std::uint64_t kTicksPerSession = 10;
 
+/// The session hands the tooth over, the servo begins with it, the session hears so.
+void begin(Rig& rig)
+{
+    rig.session->tick(rig.period);
+    rig.servo->tick(rig.period);
+    rig.session->tick(rig.period);
+}
+
 }  // namespace
 
 Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat, const SessionMemory& memory)
@@ -28,12 +36,18 @@ void Rig::send(const SessionCommand& command)
         std::abort();  // a test that sends more than the queue holds is wrong
 }
 
-void Rig::open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation)
+void Rig::open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation,
+               const std::string& lesson)
 {
-    send(ReplaceTooth{new core::terrain::Tooth(anatomy), generation});
-    session->tick(period);
-    servo->tick(period);
-    session->tick(period);
+    send(ReplaceTooth{new core::terrain::Tooth(anatomy), generation,
+                      lesson.empty() ? nullptr : new const std::string(lesson)});
+    begin(*this);
+}
+
+void Rig::resume(const core::recording::Recording& recording, std::uint64_t generation)
+{
+    send(ResumeAttempt{rebuild(recording).value().release(), generation});
+    begin(*this);
 }
 
 void Rig::run(int ticks, std::chrono::microseconds dt)

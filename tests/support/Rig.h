@@ -33,7 +33,10 @@ struct Rig
                  const core::session::SessionMemory& memory = {});
 
     /// Hands a new tooth to the session and lets both loops begin with it. Leaves one tick on the recording.
-    void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1);
+    void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
+              const std::string& lesson = {});
+    /// Goes on with an attempt made elsewhere; as open() otherwise.
+    void resume(const core::recording::Recording& recording, std::uint64_t generation = 1);
     void send(const core::session::SessionCommand& command);
     /// Beats the servo, and the session after every tenth beat, as in the program.
     void run(int ticks, std::chrono::microseconds dt = std::chrono::milliseconds(1));

@@ -57,4 +57,15 @@ QJsonObject Circumstances::json() const
             {QStringLiteral("kernels"), kernels}};
 }
 
+double residentMiB()
+{
+    QFile status(QStringLiteral("/proc/self/status"));
+    if (!status.open(QIODevice::ReadOnly))
+        return 0.0;
+    for (const QByteArray& line : status.readAll().split('\n'))
+        if (line.startsWith("VmRSS:"))
+            return line.mid(6).trimmed().split(' ').front().toDouble() / 1024.0;
+    return 0.0;
+}
+
 }  // namespace app::cli::bench

@@ -22,4 +22,7 @@ struct Circumstances
 };
 [[nodiscard]] Circumstances circumstancesNow();
 
+/// Resident memory of this process, MiB; 0 where the system does not say.
+[[nodiscard]] double residentMiB();
+
 }  // namespace app::cli::bench

@@ -5,10 +5,10 @@
 #include <functional>
 #include <numbers>
 
-#include <QFile>
 #include <QJsonObject>
 
 #include "app/cli/Attempt.h"
+#include "app/cli/bench/Circumstances.h"
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
 #include "core/teeth/ToothBuilder.h"
@@ -17,18 +17,6 @@
 
 namespace app::cli::bench {
 namespace {
-
-/// Resident memory of this process, MiB; 0 where the system does not say.
-double residentMiB()
-{
-    QFile status(QStringLiteral("/proc/self/status"));
-    if (!status.open(QIODevice::ReadOnly))
-        return 0.0;
-    for (const QByteArray& line : status.readAll().split('\n'))
-        if (line.startsWith("VmRSS:"))
-            return line.mid(6).trimmed().split(' ').front().toDouble() / 1024.0;
-    return 0.0;
-}
 
 /// Strokes that wander over the whole crown: slow figure of eight in a slowly turning direction.
 core::session::PointerInput wander(double seconds, double radiusMm)

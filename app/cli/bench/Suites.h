@@ -56,4 +56,7 @@ struct Context
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
 [[nodiscard]] core::Result<Figures> stiffnessSuite(const Context& context);
 
+/// Undo history: memory of a thousand moments, jumps between them, and what they do to the servo.
+[[nodiscard]] core::Result<Figures> historySuite(const Context& context);
+
 }  // namespace app::cli::bench

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/recording/Recording.h"
+
+/// The parts of which recordings and journals are made, as bytes. Pure functions; readers check all that a replay
+/// relies on and answer with nothing where it does not hold.
+namespace core::recording {
+
+using session::ServoEvent;
+
+inline constexpr std::uint32_t kFormatVersion = 4;
+inline constexpr std::size_t kChunkEvents = 4096;
+inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
+/// Of settings, lesson and events, unpacked.
+inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{1} * 1024 * 1024;
+
+enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 4, Lesson = 5, Begun = 6 };
+
+/// A step of the servo, with a reading or without.
+[[nodiscard]] inline bool isTick(ServoEvent::Kind kind)
+{
+    return kind == ServoEvent::Kind::Tick || kind == ServoEvent::Kind::NoDevice;
+}
+
+/// By Zstandard.
+[[nodiscard]] std::string pack(std::string_view raw);
+/// Nothing if it is damaged, or says that it unpacks to more than so many bytes.
+[[nodiscard]] std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostBytes);
+
+[[nodiscard]] std::string settingsBytes(const session::ServoSettings& settings);
+/// Their values are not checked: makeServoTick() does.
+[[nodiscard]] std::optional<session::ServoSettings> settingsFrom(std::string_view bytes);
+
+[[nodiscard]] std::string toothBytes(const terrain::ToothAnatomy& tooth);
+/// Null if it is damaged or no tooth can be like that.
+[[nodiscard]] std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes);
+
+/// Kinds, steps and the four byte planes of each coordinate, one after another: like stands beside like.
+[[nodiscard]] std::string eventBytes(std::span<const ServoEvent> events);
+/// At most kChunkEvents of them.
+[[nodiscard]] std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes);
+
+/// Looks at events before they are appended to a recording that is being read: would a replay come to an end?
+class EventGuard
+{
+public:
+    enum class Verdict { Sound, IntoTheFuture, TooManySteps };
+    [[nodiscard]] Verdict look(const ServoEvent& event, const Recording& soFar);
+
+private:
+    std::uint64_t m_restoredColumns = 0;
+};
+
+}  // namespace core::recording

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recording/JournalFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "core/base/Bytes.h"
+#include "core/recording/Format.h"
+
+namespace core::recording {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMagic{"CUSPJRN\n", 8};
+constexpr std::string_view kSuffix = ".cuspjournal";
+constexpr std::string_view kPart = ".part";
+constexpr std::string_view kDiscarded = "discarded";
+constexpr std::chrono::hours kKeptDiscarded{7 * 24};
+constexpr std::size_t kMaxFileBytes = std::size_t{256} * 1024 * 1024;
+
+struct Frame
+{
+    Section kind{};
+    std::uint64_t first = 0;  ///< number of the first event
+    std::string_view payload;
+};
+
+std::string frameBytes(const Frame& frame)
+{
+    ByteWriter out;
+    out.put(static_cast<std::uint32_t>(frame.kind));
+    out.put(static_cast<std::uint32_t>(frame.payload.size()));
+    out.put(frame.first);
+    out.put(fnv1a(frame.payload, fnv1a(out.bytes())));
+    out.putAll(std::span(frame.payload.data(), frame.payload.size()));
+    return out.bytes();
+}
+
+/// Nothing if what is left does not begin with a whole frame; `in` is of no use then.
+std::optional<Frame> takeFrame(ByteReader& in)
+{
+    const std::string_view head = in.takeBytes(sizeof(std::uint32_t) * 2 + sizeof(std::uint64_t));
+    ByteReader fields(head);
+    Frame frame;
+    frame.kind = static_cast<Section>(fields.take<std::uint32_t>());
+    const auto size = fields.take<std::uint32_t>();
+    frame.first = fields.take<std::uint64_t>();
+    const auto checksum = in.take<std::uint64_t>();
+    frame.payload = in.takeBytes(size);
+    if (!in.ok() || fnv1a(frame.payload, fnv1a(head)) != checksum)
+        return std::nullopt;
+    return frame;
+}
+
+std::string headBytes(const Recording& recording, std::int64_t begunUtcMs)
+{
+    ByteWriter out;
+    out.putAll(std::span(kMagic.data(), kMagic.size()));
+    out.put(kFormatVersion);
+    ByteWriter begun;
+    begun.put(begunUtcMs);
+    std::string bytes = out.bytes() + frameBytes({Section::Begun, 0, begun.bytes()}) +
+                        frameBytes({Section::Settings, 0, pack(settingsBytes(recording.settings()))});
+    if (!recording.lesson().empty())
+        bytes += frameBytes({Section::Lesson, 0, pack(recording.lesson())});
+    return bytes + frameBytes({Section::Tooth, 0, pack(toothBytes(*recording.anatomy()))});
+}
+
+tl::unexpected<Error> unwritable(const fs::path& path, int number)
+{
+    return unexpected(ErrorCode::FileUnwritable, "The attempt could not be kept on the disk while it goes on, in '" +
+                                                     path.string() + "': " + std::system_category().message(number) +
+                                                     ".");
+}
+
+tl::unexpected<Error> nothingIn(ErrorCode code, const std::string& what)
+{
+    return unexpected(code, "The unfinished attempt cannot be taken up: " + what + ".");
+}
+
+}  // namespace
+
+JournalLock::~JournalLock()
+{
+    if (m_file >= 0)
+        ::close(m_file);
+}
+
+Result<JournalFile> JournalFile::create(const fs::path& path, const Recording& soFar, std::int64_t begunUtcMs)
+{
+    std::error_code failure;
+    fs::create_directories(path.parent_path(), failure);
+    fs::path part = path;
+    part += kPart;
+    JournalFile journal(part, ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    // Never one that another program is making.
+    if (journal.m_file < 0 || (::flock(journal.m_file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK))
+        return unwritable(path, errno);
+    bool written = ::ftruncate(journal.m_file, 0) == 0 && journal.write(headBytes(soFar, begunUtcMs));
+    for (std::vector<ServoEvent> events; written && !(events = soFar.eventsSince(journal.m_events)).empty();)
+        written = journal.put(events);
+    if (!written || ::fdatasync(journal.m_file) != 0 || ::rename(part.c_str(), path.c_str()) != 0) {
+        const auto why = unwritable(path, errno);
+        journal.remove();
+        return why;
+    }
+    journal.m_path = path;
+    // That it has its name is for the disk to know as well.
+    if (const int folder = ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
+        static_cast<void>(::fsync(folder));
+        ::close(folder);
+    }
+    return journal;
+}
+
+JournalFile::JournalFile(JournalFile&& other) noexcept
+    : m_path(std::move(other.m_path)), m_file(std::exchange(other.m_file, -1)), m_bytes(other.m_bytes),
+      m_events(other.m_events)
+{}
+
+JournalFile& JournalFile::operator=(JournalFile&& other) noexcept
+{
+    std::swap(m_path, other.m_path);
+    std::swap(m_file, other.m_file);
+    std::swap(m_bytes, other.m_bytes);
+    std::swap(m_events, other.m_events);
+    return *this;
+}
+
+JournalFile::~JournalFile()
+{
+    if (m_file >= 0)
+        ::close(m_file);
+}
+
+/// All of it or nothing; errno says why not.
+bool JournalFile::write(std::string_view bytes)
+{
+    std::string_view rest = bytes;
+    while (!rest.empty()) {
+        const ssize_t took =
+            ::pwrite(m_file, rest.data(), rest.size(), static_cast<off_t>(m_bytes + (bytes.size() - rest.size())));
+        if (took < 0 && errno == EINTR)
+            continue;
+        if (took <= 0) {
+            const int number = took < 0 ? errno : ENOSPC;
+            static_cast<void>(::ftruncate(m_file, static_cast<off_t>(m_bytes)));
+            errno = number;
+            return false;
+        }
+        rest.remove_prefix(static_cast<std::size_t>(took));
+    }
+    m_bytes += bytes.size();
+    return true;
+}
+
+/// Without waiting for the disk; errno says why not.
+bool JournalFile::put(std::span<const ServoEvent> events)
+{
+    if (!write(frameBytes({Section::Events, m_events, pack(eventBytes(events))})))
+        return false;
+    m_events += events.size();
+    return true;
+}
+
+Status JournalFile::append(std::span<const ServoEvent> events)
+{
+    if (!put(events) || ::fdatasync(m_file) != 0)
+        return unwritable(m_path, errno);
+    return {};
+}
+
+void JournalFile::remove()
+{
+    if (m_file < 0)
+        return;
+    std::error_code ignored;
+    fs::remove(m_path, ignored);
+    ::close(std::exchange(m_file, -1));
+}
+
+std::vector<fs::path> journalsIn(const fs::path& folder)
+{
+    std::vector<std::pair<fs::file_time_type, fs::path>> found;
+    std::error_code failure;
+    for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
+        std::error_code gone;
+        if (at->path().extension() == kSuffix && at->is_regular_file(gone))
+            found.emplace_back(at->last_write_time(gone), at->path());
+    }
+    std::sort(found.rbegin(), found.rend());
+    std::vector<fs::path> paths;
+    for (auto& [time, path] : found)
+        paths.push_back(std::move(path));
+    return paths;
+}
+
+Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, JournalLock lock)
+{
+    ByteReader in(bytes);
+    if (in.takeBytes(kMagic.size()) != kMagic)
+        return nothingIn(ErrorCode::WrongKind, "its file is not a journal of Cusp");
+    const auto version = in.take<std::uint32_t>();
+    if (in.ok() && version != kFormatVersion)
+        return nothingIn(version > kFormatVersion ? ErrorCode::NewerVersion : ErrorCode::WrongKind,
+                         "it is of version " + std::to_string(version) + ", this Cusp reads version " +
+                             std::to_string(kFormatVersion) + "; use the Cusp that made it");
+    const auto cutOff = [] {
+        return nothingIn(ErrorCode::FileTruncated, "its file is damaged before the first thing that was done");
+    };
+    std::optional<std::int64_t> begun;
+    std::optional<session::ServoSettings> settings;
+    std::string lesson;
+    std::shared_ptr<const terrain::ToothAnatomy> anatomy;
+    while (!anatomy) {
+        const auto frame = takeFrame(in);
+        if (!frame)
+            return cutOff();
+        std::optional<std::string> raw;
+        if (frame->kind != Section::Begun)
+            raw = unpack(frame->payload, frame->kind == Section::Tooth ? kMaxToothBytes : kMaxChunkBytes);
+        if (frame->kind == Section::Begun && !begun && frame->payload.size() == sizeof(std::int64_t)) {
+            begun = ByteReader(frame->payload).take<std::int64_t>();
+        } else if (frame->kind == Section::Settings && raw && begun && !settings) {
+            settings = settingsFrom(*raw);
+            if (!settings || !session::makeServoTick(*settings))
+                return cutOff();
+        } else if (frame->kind == Section::Lesson && raw && settings && lesson.empty() && checkLesson(*raw)) {
+            lesson = std::move(*raw);
+        } else if (frame->kind == Section::Tooth && raw && settings) {
+            anatomy = toothFrom(*raw);
+            if (!anatomy)
+                return cutOff();
+        } else {
+            return cutOff();
+        }
+    }
+    FoundAttempt found{path, Recording(*settings, anatomy, std::move(lesson)), *begun, std::move(lock)};
+    EventGuard guard;
+    while (const auto frame = takeFrame(in)) {
+        const auto raw = frame->kind == Section::Events ? unpack(frame->payload, kMaxChunkBytes) : std::nullopt;
+        const auto events = raw ? eventsFrom(*raw) : std::nullopt;
+        if (!events || frame->first != found.recording.events())
+            break;
+        bool sound = true;
+        for (const ServoEvent& event : *events) {
+            sound = sound && guard.look(event, found.recording) == EventGuard::Verdict::Sound;
+            if (sound)
+                found.recording.append(event);
+        }
+        if (!sound)
+            break;
+    }
+    if (found.recording.ticks() == 0)
+        return cutOff();
+    return found;
+}
+
+Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
+{
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0 && errno == ENOENT)
+        return std::nullopt;
+    if (file < 0)
+        return nothingIn(ErrorCode::FileUnreadable, std::system_category().message(errno));
+    JournalLock lock(file);
+    // Where files cannot be locked at all there is nobody to be kept out.
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return std::nullopt;
+    std::string bytes;
+    std::array<char, 65536> block{};
+    for (ssize_t took = 0; (took = ::read(file, block.data(), block.size())) != 0;) {
+        if (took < 0 && errno == EINTR)
+            continue;
+        if (took < 0)
+            break;  // what could be read may do
+        bytes.append(block.data(), static_cast<std::size_t>(took));
+        if (bytes.size() > kMaxFileBytes)
+            return nothingIn(ErrorCode::FileTooLarge, "its file is larger than any journal");
+    }
+    auto found = attemptFrom(bytes, path, std::move(lock));
+    if (!found)
+        return unexpected(found.error().code, found.error().detail + " (" + path.string() + ")");
+    return std::optional<FoundAttempt>(std::move(*found));
+}
+
+void discardJournal(const fs::path& path)
+{
+    const fs::path folder = path.parent_path() / kDiscarded;
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    fs::rename(path, folder / path.filename(), failure);
+    if (failure) {
+        fs::remove(path, failure);
+        return;
+    }
+    // From now on its days are counted.
+    fs::last_write_time(folder / path.filename(), fs::file_time_type::clock::now(), failure);
+}
+
+void tidyJournals(const fs::path& folder)
+{
+    const auto forEachFile = [](const fs::path& where, const auto& visit) {
+        std::error_code failure;
+        for (fs::directory_iterator at(where, failure), end; !failure && at != end; at.increment(failure))
+            visit(at->path());
+    };
+    std::error_code ignored;
+    forEachFile(folder / kDiscarded, [&](const fs::path& path) {
+        const auto age = fs::file_time_type::clock::now() - fs::last_write_time(path, ignored);
+        if (path.extension() == kSuffix && age > kKeptDiscarded)
+            fs::remove(path, ignored);
+    });
+    forEachFile(folder, [&](const fs::path& path) {
+        if (path.extension() != kPart)
+            return;
+        const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        const JournalLock lock(file);
+        if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0)
+            fs::remove(path, ignored);
+    });
+}
+
+}  // namespace core::recording

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/JournalLoop.h"
+
+#include <algorithm>
+#include <string>
+
+#include <unistd.h>
+
+namespace core::session {
+namespace {
+
+constexpr std::chrono::seconds kRestAfterFailure{5};
+
+}  // namespace
+
+JournalLoop::JournalLoop(const SessionLoop& session, std::filesystem::path folder)
+    : m_session(session), m_folder(std::move(folder))
+{}
+
+void JournalLoop::tick(std::chrono::microseconds dt)
+{
+    m_rest -= std::min(m_rest, dt);
+    if (m_rest > std::chrono::microseconds(0))
+        return;
+    const Status done = bringUpToDate();
+    if (!done) {
+        m_rest = kRestAfterFailure;
+        const std::lock_guard lock(m_mutex);
+        if (!m_failing)
+            m_failure = done.error();
+    }
+    m_failing = !done;
+}
+
+void JournalLoop::end()
+{
+    m_rest = {};
+    tick(kPeriod);
+}
+
+Status JournalLoop::bringUpToDate()
+{
+    for (;;) {
+        const RecordedPart part = m_session.recordedSince(m_generation, m_file ? m_file->events() : 0);
+        if (part.generation != m_generation) {
+            begin(part.generation);
+            continue;
+        }
+        if (m_file) {
+            if (part.events.empty())
+                return {};
+            if (const Status written = m_file->append(part.events); !written)
+                return written;
+        } else {
+            if (!part.isWorthKeeping)
+                return {};
+            const auto soFar = m_session.recordingSoFar();
+            if (!soFar)
+                return {};
+            auto made = recording::JournalFile::create(m_path, *soFar, m_begunUtcMs);
+            if (!made)
+                return tl::unexpected(made.error());
+            m_file = std::move(*made);
+            m_older.reset();
+        }
+        m_onDisk.store(m_file->events(), std::memory_order_release);
+    }
+}
+
+/// Another attempt. Who takes another tooth has been asked about the one on the table.
+void JournalLoop::begin(std::uint64_t generation)
+{
+    if (m_file)
+        m_file->remove();
+    m_file.reset();
+    m_older.reset();
+    m_onDisk.store(0, std::memory_order_release);
+    m_generation = generation;
+    const std::lock_guard lock(m_mutex);
+    if (m_found && m_found->generation == generation) {
+        m_begunUtcMs = m_found->begunUtcMs;
+        m_path = m_found->path;
+        m_older = std::move(m_found->lock);
+    } else {
+        const auto now = std::chrono::system_clock::now().time_since_epoch();
+        m_begunUtcMs = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+        m_path = m_folder / (std::to_string(m_begunUtcMs) + "-" + std::to_string(getpid()) + ".cuspjournal");
+    }
+    if (m_found && m_found->generation <= generation)
+        m_found.reset();
+}
+
+void JournalLoop::takeUp(std::uint64_t generation, recording::FoundAttempt found)
+{
+    const std::lock_guard lock(m_mutex);
+    m_found = {generation, std::move(found.path), found.begunUtcMs, std::move(found.lock)};
+}
+
+void JournalLoop::putAway()
+{
+    if (m_file)
+        m_file->remove();
+    m_file.reset();
+}
+
+std::optional<Error> JournalLoop::failure()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_failure, std::nullopt);
+}
+
+}  // namespace core::session

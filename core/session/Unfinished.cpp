@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/Unfinished.h"
+
+#include <map>
+#include <set>
+
+#include "core/recording/Format.h"
+#include "core/recording/Replay.h"
+#include "core/session/StrokeWatch.h"
+
+namespace core::session {
+namespace {
+
+/// Grows the tree of moments while a recording is replayed.
+class Gardener
+{
+public:
+    Gardener(const recording::Recording& recording, recording::Replayer& servo)
+        : m_servo(servo), m_removed(recording.anatomy())
+    {
+        recording.forEach([this](const ServoEvent& event) {
+            if (event.kind == ServoEvent::Kind::Restore)
+                m_goneBackTo.insert(event.value);
+        });
+        m_tree.restart({servo.heights(), 0, 0.0, {}});
+        m_unfinished = m_tree.current();
+    }
+
+    void play(const ServoEvent& event)
+    {
+        m_time += std::chrono::microseconds(event.dtUs);
+        if (event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume)
+            endStroke();
+        if (m_servo.play(event)) {
+            const bool cut = !m_servo.changed().isEmpty();
+            m_hasCut = m_hasCut || cut;
+            // A moment in mid-stroke that was gone back to later: it was made one by the undo that took it back.
+            if (m_hasCut && m_goneBackTo.contains(m_servo.tick()))
+                m_unfinished = now();
+            if (m_stroke.endsWith(cut)) {
+                m_unfinished = now();
+                endStroke();
+                ++m_strokes;
+            }
+        }
+        if (event.kind == ServoEvent::Kind::Restore)
+            goTo(event.value);
+    }
+
+    [[nodiscard]] int strokes() const { return m_strokes; }
+    [[nodiscard]] history::UndoTree finish()
+    {
+        endStroke();
+        return std::move(m_tree);
+    }
+
+private:
+    [[nodiscard]] history::ToothMoment now()
+    {
+        const history::TiledHeights& top = m_servo.heights();
+        return {top, m_servo.tick(), std::chrono::duration<double>(m_time).count(), m_removed.of(top)};
+    }
+
+    void endStroke()
+    {
+        m_stroke.restart();
+        if (!m_hasCut)
+            return;
+        m_hasCut = false;
+        if (m_unfinished.tick <= m_strokeBegan)
+            m_unfinished = now();
+        m_strokeBegan = m_servo.tick();
+        m_tree.push(m_unfinished);
+        m_ids[m_unfinished.tick] = m_tree.currentId();
+    }
+
+    void goTo(std::uint64_t tick)
+    {
+        m_strokeBegan = m_servo.tick();
+        const auto is = [&](bool went) { return went && m_tree.current().tick == tick; };
+        const MomentId before = m_tree.currentId();
+        if (is(m_tree.undo()))
+            return;
+        m_tree.goTo(before);
+        if (is(m_tree.redo()))
+            return;
+        m_tree.goTo(before);
+        const auto known = m_ids.find(tick);
+        if (tick != 0 && known != m_ids.end() && (m_tree.goTo(known->second) || m_tree.currentId() == known->second))
+            return;
+        history::ToothMoment moment = now();
+        moment.tick = tick;
+        m_tree.push(std::move(moment));
+    }
+
+    recording::Replayer& m_servo;
+    history::UndoTree m_tree;
+    history::RemovedTally m_removed;
+    StrokeWatch m_stroke;
+    std::set<std::uint64_t> m_goneBackTo;
+    std::map<std::uint64_t, MomentId> m_ids;  ///< by tick
+    history::ToothMoment m_unfinished;        ///< what the stroke under way, or just over, becomes
+    std::uint64_t m_strokeBegan = 0;          ///< what is older than this belongs to another
+    std::chrono::microseconds m_time{0};
+    bool m_hasCut = false;
+    int m_strokes = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
+{
+    auto servo = recording::Replayer::make(recording);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    history::TiledHeights uncut = servo->heights();
+    Gardener gardener(recording, *servo);
+    // What the tooth was after the last tick: not the same as what it came to, if an undo was the last thing done.
+    bool wentElsewhere = false;
+    const auto witness = [&] { return recording::Witness{servo->tick(), terrain::stateHash(servo->tooth().tooth())}; };
+    std::optional<recording::Witness> last;
+    recording.forEach([&](const ServoEvent& event) {
+        const bool goes = event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume;
+        if (goes && !wentElsewhere)
+            last = witness();
+        wentElsewhere = goes || (wentElsewhere && !recording::isTick(event.kind));
+        gardener.play(event);
+    });
+    recording.setWitness(wentElsewhere ? *last : witness());
+    const int strokes = gardener.strokes();
+    return std::make_unique<Unfinished>(Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes});
+}
+
+}  // namespace core::session

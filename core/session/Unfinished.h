@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/history/UndoTree.h"
+#include "core/recording/Recording.h"
+
+namespace core::session {
+
+/// An attempt as it was left, with all that a session needs to go on with it.
+struct Unfinished
+{
+    recording::Recording recording;  ///< with what the tooth was after its last tick as witness
+    history::TiledHeights uncut;
+    history::UndoTree history;  ///< its present moment is what the tooth came to
+    int strokes = 0;
+};
+
+/// Replays a recording to its end and finds its moments again. Strokes and undo steps are told from what the recording
+/// holds, so that after a jump (GoTo) or a reload a moment may stand on another branch than it did; none is missing.
+/// Any thread; takes as long as a replay. Only the settings can be wrong.
+[[nodiscard]] Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording);
+
+}  // namespace core::session

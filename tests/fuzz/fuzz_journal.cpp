@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstddef>
+#include <cstdint>
+
+#include "tests/fuzz/ExerciseJournal.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    fuzz::exerciseJournal(bytes);
+    fuzz::exerciseJournal(fuzz::journalWithChecksums(bytes));
+    return 0;
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt in a program that is killed at any moment, found again, and taken up by the next program. This program is
+// its own victim: with --victim it works until it is killed, and says how far it is.
+#include <QCoreApplication>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <thread>
+
+#include <unistd.h>
+
+#include "core/recording/Replay.h"
+#include "core/session/JournalLoop.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace core;
+using namespace core::session;
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr int kUsualKills = 50;
+constexpr int kMostLives = 8;  ///< of one attempt
+constexpr std::int64_t kMayBeLostUs = 100'000;
+
+/// The restless hand as a device.
+class RestlessDevice final : public haptics::HapticDevice
+{
+public:
+    explicit RestlessDevice(std::uint64_t seed) : m_hand(seed, 2.0) {}
+    haptics::DeviceSample exchange(const glm::dvec3&) noexcept override { return {m_hand.next(), true}; }
+
+private:
+    support::RestlessHand m_hand;
+};
+
+/// As app::LoopThread beats a loop.
+template <class Beat>
+void keepBeating(std::chrono::microseconds period, const Beat& beat)
+{
+    auto due = Clock::now();
+    std::chrono::microseconds step = period;
+    for (;;) {
+        beat(step);
+        due += period;
+        step = period;
+        if (const auto now = Clock::now(); now > due) {
+            const auto missed = (now - due) / period;
+            due += missed * period;
+            step += missed * period;
+        }
+        std::this_thread::sleep_until(due);
+    }
+}
+
+/// A line in one piece, so that a kill does not split it.
+void say(const char* line)
+{
+    static_cast<void>(!::write(STDOUT_FILENO, line, std::strlen(line)));
+}
+
+/// Works on the attempt found in a folder, or a new one, until it is killed. It says lines of
+///     at MICROSECONDS CUT_MICROSECONDS EVENTS_ON_DISK    how far the servo is; since when something was cut, or -1
+///     was TICK HASH                                      what the tooth was after a tick
+[[noreturn]] void work(const char* folder, std::uint64_t seed)
+{
+    const auto servoLinks = std::make_unique<ServoLinks>();
+    const auto uiLinks = std::make_unique<UiLinks>();
+    RestlessDevice device(seed);
+    SessionLoop session(*servoLinks, *uiLinks, {});
+    haptics::ServoLoop servo(device, makeServoTick({}).value(), *servoLinks, uiLinks->servo, 1ms);
+    JournalLoop journal(session, folder);
+    const auto send = [&](const SessionCommand& command) { static_cast<void>(uiLinks->commands.tryPush(command)); };
+
+    std::atomic<std::int64_t> atUs{0};
+    std::atomic<std::int64_t> cutUs{-1};
+    const auto files = recording::journalsIn(folder);
+    if (auto found = files.empty() ? std::nullopt : recording::findAttempt(files.front()).value()) {
+        atUs = found->recording.duration().count();
+        cutUs = 0;
+        auto attempt = rebuild(found->recording).value();
+        journal.takeUp(1, std::move(*found));
+        send(ResumeAttempt{attempt.release(), 1});
+    } else {
+        support::Block block;
+        block.side = 64;
+        block.cellMm = 0.12;
+        send(ReplaceTooth{new terrain::Tooth(support::makeBlock(block)), 1, new std::string("lesson")});
+    }
+    send(SetDrill{true});
+
+    const std::thread journalThread([&] { keepBeating(JournalLoop::kPeriod, [&](auto dt) { journal.tick(dt); }); });
+    const std::thread sessionThread([&] { keepBeating(10ms, [&](auto dt) { session.tick(dt); }); });
+    const std::thread servoThread([&] {
+        keepBeating(1ms, [&](std::chrono::microseconds dt) {
+            const bool begun = servo.tooth() != nullptr;
+            servo.tick(dt);
+            if (!begun)
+                return;
+            atUs += std::min(dt, haptics::ServoLoop::kLongestStep).count();
+            const terrain::PerMaterial& removed = servo.state().removedMm3;
+            if (cutUs < 0 && removed[0] + removed[1] + removed[2] + removed[3] > 0.0)
+                cutUs = atUs.load();
+        });
+    });
+    Rng rng(seed);
+    char line[128];
+    for (int n = 0;; ++n) {
+        std::snprintf(line, sizeof line, "at %lld %lld %llu\n", static_cast<long long>(atUs.load()),
+                      static_cast<long long>(cutUs.load()), static_cast<unsigned long long>(journal.eventsOnDisk()));
+        say(line);
+        if (n % 20 == 19) {
+            if (const auto soFar = session.recordingSoFar(); soFar && soFar->witness()) {
+                std::snprintf(line, sizeof line, "was %llu %llu\n",
+                              static_cast<unsigned long long>(soFar->witness()->tick),
+                              static_cast<unsigned long long>(soFar->witness()->stateHash));
+                say(line);
+            }
+        }
+        switch (rng.below(40)) {
+        case 0:
+            send(Undo{});
+            break;
+        case 1:
+            send(Redo{});
+            break;
+        case 2:
+            send(SetBur{static_cast<std::uint8_t>(rng.below(4))});
+            break;
+        case 3:
+            send(AddNote{static_cast<std::uint64_t>(n)});
+            break;
+        default:
+            break;
+        }
+        for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
+            // nobody watches
+        }
+        std::this_thread::sleep_for(3ms);
+    }
+}
+
+/// What a victim said before it died.
+struct Said
+{
+    std::int64_t atUs = 0;
+    std::int64_t cutUs = -1;
+    std::uint64_t onDisk = 0;
+    std::map<std::uint64_t, std::uint64_t> hashes;  ///< by tick
+};
+
+Said parsed(const QByteArray& output)
+{
+    Said said;
+    const QList<QByteArray> lines = output.left(output.lastIndexOf('\n') + 1).split('\n');
+    for (const QByteArray& line : lines) {
+        const QList<QByteArray> words = line.split(' ');
+        if (words[0] == "at") {
+            said.atUs = words[1].toLongLong();
+            said.cutUs = words[2].toLongLong();
+            said.onDisk = words[3].toULongLong();
+        } else if (words[0] == "was") {
+            said.hashes[words[1].toULongLong()] = words[2].toULongLong();
+        }
+    }
+    return said;
+}
+
+}  // namespace
+
+class TestKills : public QObject
+{
+    Q_OBJECT
+private slots:
+    void nothingOnTheDiskIsEverLost();
+};
+
+/// CUSP_KILLS=1000 kills so many, and then no loss may be above 100 ms; which a machine busy with other things can take
+/// for itself.
+void TestKills::nothingOnTheDiskIsEverLost()
+{
+    const int wanted = qEnvironmentVariableIntValue("CUSP_KILLS");
+    const int kills = wanted > 0 ? wanted : kUsualKills;
+    Rng rng(static_cast<std::uint64_t>(kills));
+    auto folder = std::make_unique<QTemporaryDir>();
+    std::uint64_t before = 0;  ///< events of the attempt when the last program ended
+    std::map<std::uint64_t, std::uint64_t> hashes;
+    int lives = 0;
+    int found = 0;
+    int resumed = 0;
+    int compared = 0;
+    std::vector<double> lostMs;
+    for (int kill = 0; kill < kills; ++kill) {
+        if (++lives > kMostLives) {
+            folder = std::make_unique<QTemporaryDir>();
+            before = 0;
+            hashes.clear();
+            lives = 1;
+        }
+        QProcess victim;
+        victim.start(QCoreApplication::applicationFilePath(), {"--victim", folder->path(), QString::number(kill)});
+        QVERIFY(victim.waitForStarted());
+        // Some die before they have begun.
+        if (rng.below(8) != 0)
+            victim.waitForReadyRead();
+        QTest::qSleep(rng.below(600));
+        victim.kill();
+        QVERIFY(victim.waitForFinished());
+        QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
+        const QByteArray complaints = victim.readAllStandardError();
+        QVERIFY2(complaints.isEmpty(), complaints.constData());
+        const Said said = parsed(victim.readAllStandardOutput());
+        hashes.insert(said.hashes.begin(), said.hashes.end());
+        resumed += before > 0 && said.atUs > 0 ? 1 : 0;
+
+        const std::filesystem::path path = folder->path().toStdString();
+        recording::tidyJournals(path);
+        const auto files = recording::journalsIn(path);
+        QVERIFY(files.size() <= 1);
+        if (files.empty()) {
+            QCOMPARE(before, 0U);
+            QCOMPARE(said.onDisk, 0U);
+            hashes.clear();
+            if (said.cutUs >= 0)
+                lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - said.cutUs));
+            continue;
+        }
+        auto attempt = recording::findAttempt(files.front());
+        QVERIFY2(attempt, attempt ? "" : attempt.error().detail.c_str());
+        QVERIFY(attempt->has_value());  // the dead lock nobody out
+        const recording::Recording& left = (*attempt)->recording;
+        QVERIFY(left.events() >= before);
+        QVERIFY(left.events() >= said.onDisk);
+        before = left.events();
+        ++found;
+        lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - left.duration().count()));
+        // What came back is what was done, to the bit. What did not is done again, differently.
+        hashes.erase(hashes.upper_bound(left.ticks()), hashes.end());
+        std::uint64_t tick = 0;
+        const auto outcome = recording::replay(left, [&](const ServoState&, const contact::LiveTooth& tooth) {
+            const auto known = hashes.find(++tick);
+            if (known == hashes.end())
+                return;
+            QCOMPARE(terrain::stateHash(tooth.tooth()), known->second);
+            ++compared;
+        });
+        QVERIFY(outcome);
+        QCOMPARE(left.lesson(), std::string("lesson"));
+    }
+    std::sort(lostMs.begin(), lostMs.end());
+    QVERIFY(found > kills / 2);
+    QVERIFY(resumed > kills / 3);
+    QVERIFY(compared > kills / 2);
+    const double longest = lostMs.back();
+    qInfo("%d kills, %d attempts found, %d resumed, %d states compared; lost: half %.1f ms, 99 of 100 %.1f ms, most "
+          "%.1f ms",
+          kills, found, resumed, compared, lostMs[lostMs.size() / 2], lostMs[lostMs.size() * 99 / 100], longest);
+    if (wanted > 0)
+        QVERIFY2(longest * 1000.0 <= static_cast<double>(kMayBeLostUs), qPrintable(QString::number(longest)));
+}
+
+int main(int argc, char* argv[])
+{
+    if (argc == 4 && std::strcmp(argv[1], "--victim") == 0)
+        work(argv[2], std::strtoull(argv[3], nullptr, 10));
+    QCoreApplication application(argc, argv);
+    TestKills test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_kills.moc"
