@@ -36,10 +36,10 @@ double reachOf(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, do
 
 constexpr double kLeastHeightMm = 0.3;  ///< a lower one is no wall
 constexpr double kFootMm = 0.5;         ///< the foot of a wall is looked for so far around a place on it
-constexpr double kBandTop = 0.05;       ///< of the way from the cavosurface down to the foot
-constexpr double kBandFoot = 0.65;
+constexpr double kBandTop = 0.02;       ///< of the way from the cavosurface down to the foot
+constexpr double kBandFoot = 0.75;
 constexpr double kHalfStretchMm = 0.35;
-constexpr double kInwardsMm = 1.0;
+constexpr double kInwardsMm = 0.6;
 constexpr double kOutwardsMm = 0.15;
 /// Cosine of the largest angle between a stretch and what rises at a place of it.
 constexpr double kSameWay = 0.7;
@@ -246,6 +246,55 @@ std::optional<Stretch::Fit> Stretch::fit()
     return Fit{tangent, dotOf(m_out, m_out)};
 }
 
+/// The way in which the outline looks around a segment, and whether it goes on the same way there: a corner belongs to
+/// no wall.
+struct Facing
+{
+    glm::dvec2 outwards{};
+    bool isStraight = false;
+};
+
+Facing facingOf(const Outline& outline, const Outline::Segment& segment)
+{
+    constexpr double kAroundMm = 0.3;
+    // Of the mean of unit vectors: a circle of 0.45 mm has 0.93, as has a right angle 0.27 mm from its corner.
+    constexpr double kStraight = 0.93;
+    glm::dvec2 sum(0.0);
+    double length = 0.0;
+    outline.forEachWithin(segment.middleMm(), kAroundMm, [&](const Outline::Segment& other) {
+        if (glm::dot(other.outwards, segment.outwards) < 0.0)
+            return;  // the other side of a narrow place
+        sum += other.outwards * other.lengthMm();
+        length += other.lengthMm();
+    });
+    const double mean = std::sqrt(glm::dot(sum, sum));
+    if (!(mean > 0.0))
+        return {segment.outwards, false};
+    return {sum / mean, mean >= kStraight * length};
+}
+
+/// The places on the slope of the wall at `middle` of the outline.
+void gather(const Grid& grid, const Slopes& slopes, glm::dvec2 middle, glm::dvec2 outwards, Stretch& stretch)
+{
+    const double farthestMm = std::sqrt(kInwardsMm * kInwardsMm + kHalfStretchMm * kHalfStretchMm);
+    const int reach = static_cast<int>(farthestMm / grid.cellMm) + 1;
+    const glm::dvec2 along(-outwards.y, outwards.x);
+    const glm::ivec2 at(grid.latticeOf(middle) + 0.5);
+    stretch.clear();
+    for (int j = std::max(0, at.y - reach); j <= std::min(grid.side - 1, at.y + reach); ++j) {
+        for (int i = std::max(0, at.x - reach); i <= std::min(grid.side - 1, at.x + reach); ++i) {
+            const Place* place = slopes.at(i, j);
+            if (place == nullptr || glm::dot(place->uphill, outwards) < kSameWay)
+                continue;
+            const glm::dvec2 way = place->atMm - middle;
+            const double out = glm::dot(way, outwards);
+            const double aside = glm::dot(way, along);
+            if (out <= kOutwardsMm && out >= -kInwardsMm && std::abs(aside) <= kHalfStretchMm)
+                stretch.add(out, aside, *place);
+        }
+    }
+}
+
 Side sideOf(glm::dvec2 outwards)
 {
     if (std::abs(outwards.x) > std::abs(outwards.y))
@@ -354,16 +403,22 @@ void measureWalls(const CutSurface& cut, Form& form)
     {
         double weightedDeg = 0.0;
         double weight = 0.0;
-        Placed steepest{-90.0, 0};
+        Placed most{-90.0, 0};
+        void add(double degrees, const Outline::Segment& segment)
+        {
+            weightedDeg += degrees * segment.lengthMm();
+            weight += segment.lengthMm();
+            if (degrees > most.value)
+                most = {degrees, segment.node};
+        }
     };
-    std::array<Sum, 4> sums;
+    std::array<Sum, 4> straight;
+    std::array<Sum, 4> corners;
     double rest2 = 0.0;
     std::size_t restCount = 0;
 
     const Grid& grid = cut.anatomy.grid;
     const Slopes slopes(cut);
-    const int reach =
-        static_cast<int>(std::sqrt(kInwardsMm * kInwardsMm + kHalfStretchMm * kHalfStretchMm) / grid.cellMm) + 1;
     // On a fine grid neighbouring segments have nearly the same stretch.
     const auto stride = static_cast<std::size_t>(std::max(1.0, 0.07 / grid.cellMm));
     Stretch stretch;
@@ -372,40 +427,24 @@ void measureWalls(const CutSurface& cut, Form& form)
         const Outline::Segment& segment = segments[s];
         if (!wasSolid(cut.anatomy, segment.node) || slopes.wallMm(segment.node) < kLeastHeightMm)
             continue;
-        const glm::dvec2 middle = segment.middleMm();
-        const glm::dvec2 along(-segment.outwards.y, segment.outwards.x);
-        const glm::ivec2 at(grid.latticeOf(middle) + 0.5);
-        stretch.clear();
-        for (int j = std::max(0, at.y - reach); j <= std::min(grid.side - 1, at.y + reach); ++j) {
-            for (int i = std::max(0, at.x - reach); i <= std::min(grid.side - 1, at.x + reach); ++i) {
-                const Place* place = slopes.at(i, j);
-                if (place == nullptr || glm::dot(place->uphill, segment.outwards) < kSameWay)
-                    continue;
-                const glm::dvec2 way = place->atMm - middle;
-                const double out = glm::dot(way, segment.outwards);
-                const double aside = glm::dot(way, along);
-                if (out > kOutwardsMm || out < -kInwardsMm || std::abs(aside) > kHalfStretchMm)
-                    continue;
-                stretch.add(out, aside, *place);
-            }
-        }
+        const Facing facing = facingOf(cut.outline, segment);
+        gather(grid, slopes, segment.middleMm(), facing.outwards, stretch);
         double tangent = stretch.tangentByArea(grid.cellMm);
-        const std::size_t count = stretch.count();
         if (const auto fit = stretch.fit()) {
             tangent = fit->tangent;
-            rest2 += fit->rest2;
-            restCount += count;
+            if (facing.isStraight) {
+                rest2 += fit->rest2;
+                restCount += stretch.count();
+            }
         }
-        const double degrees = atanDeg(tangent);
-        Sum& sum = sums.at(static_cast<std::size_t>(sideOf(segment.outwards)));
-        sum.weightedDeg += degrees * segment.lengthMm();
-        sum.weight += segment.lengthMm();
-        if (degrees > sum.steepest.value)
-            sum.steepest = {degrees, segment.node};
+        const auto side = static_cast<std::size_t>(sideOf(facing.outwards));
+        (facing.isStraight ? straight : corners).at(side).add(atanDeg(tangent), segment);
     }
-    for (std::size_t side = 0; side < sums.size(); ++side)
-        if (const Sum& sum = sums.at(side); sum.weight > 0.0)
-            form.wallDeg.at(side) = Placed{sum.weightedDeg / sum.weight, sum.steepest.node};
+    for (std::size_t side = 0; side < straight.size(); ++side) {
+        const Sum& sum = straight.at(side).weight > 0.0 ? straight.at(side) : corners.at(side);
+        if (sum.weight > 0.0)
+            form.wallDeg.at(side) = Placed{sum.weightedDeg / sum.weight, sum.most.node};
+    }
     if (restCount > 0)
         form.wallRoughnessMm = std::sqrt(rest2 / static_cast<double>(restCount));
 }

@@ -128,21 +128,18 @@ void Outline::trace(int i, int j)
 
 double Outline::distanceMm(glm::dvec2 pointMm) const
 {
-    const auto apart2 = [&](const Bin& bin) {
-        const glm::dvec2 way = glm::max(glm::dvec2(0.0), glm::max(bin.lowMm - pointMm, pointMm - bin.highMm));
-        return glm::dot(way, way);
-    };
     const auto nearIn = [&](const Bin& bin, double best) {
         for (std::size_t s = bin.begin; s < bin.end; ++s)
             best = std::min(best, distance2(pointMm, m_segments[s]));
         return best;
     };
     // The nearest bin first: what it holds rules out nearly all others.
-    const auto first = std::min_element(m_bins.begin(), m_bins.end(),
-                                        [&](const Bin& a, const Bin& b) { return apart2(a) < apart2(b); });
+    const auto first = std::min_element(m_bins.begin(), m_bins.end(), [&](const Bin& a, const Bin& b) {
+        return apart2(a, pointMm) < apart2(b, pointMm);
+    });
     double best = nearIn(*first, std::numeric_limits<double>::infinity());
     for (const Bin& bin : m_bins)
-        if (apart2(bin) < best)
+        if (apart2(bin, pointMm) < best)
             best = nearIn(bin, best);
     return std::sqrt(best);
 }

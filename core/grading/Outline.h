@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "core/terrain/Tooth.h"
@@ -36,6 +38,21 @@ public:
     /// Distance to the nearest point of the outline. There must be one.
     [[nodiscard]] double distanceMm(glm::dvec2 pointMm) const;
 
+    /// Calls visit(segment) for those whose middle is within a distance of a point.
+    template <class Visit>
+    void forEachWithin(glm::dvec2 pointMm, double distanceMm, const Visit& visit) const
+    {
+        for (const Bin& bin : m_bins) {
+            if (apart2(bin, pointMm) > distanceMm * distanceMm)
+                continue;
+            for (std::size_t s = bin.begin; s < bin.end; ++s) {
+                const glm::dvec2 way = m_segments[s].middleMm() - pointMm;
+                if (glm::dot(way, way) <= distanceMm * distanceMm)
+                    visit(m_segments[s]);
+            }
+        }
+    }
+
     /// How far inside the outline a place is, in mm of depth: 0 on it, kOutlineDepthMm at most.
     [[nodiscard]] double insideMm(glm::dvec2 pointMm) const;
     [[nodiscard]] double insideMm(int i, int j) const { return m_depth[m_grid.index(i, j)] - m_level; }
@@ -53,6 +70,12 @@ private:
         std::size_t begin;
         std::size_t end;
     };
+    [[nodiscard]] static double apart2(const Bin& bin, glm::dvec2 pointMm)
+    {
+        const glm::dvec2 way = glm::max(glm::dvec2(0.0), glm::max(bin.lowMm - pointMm, pointMm - bin.highMm));
+        return glm::dot(way, way);
+    }
+
     terrain::Grid m_grid;
     double m_level;
     std::vector<double> m_depth;  ///< [side * side]
