@@ -15,12 +15,14 @@
 #include "core/grading/Outline.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/teeth/ToothTable.h"
+#include "core/terrain/NodeRect.h"
 
 namespace core::grading {
 namespace {
 
 using terrain::ColumnLayers;
 using terrain::Grid;
+using terrain::NodeRect;
 using terrain::Tooth;
 using terrain::ToothAnatomy;
 
@@ -72,6 +74,35 @@ double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, doub
     return valuesAndWeights.empty() ? 0.0 : valuesAndWeights.back().first;
 }
 
+/// Counts nodes of a kind in any rectangle at once, from sums over the rectangles that begin at the first node.
+class Census
+{
+public:
+    template <class Is>
+    Census(const Grid& grid, const Is& is)
+        : m_stride(static_cast<std::size_t>(grid.side) + 1), m_before(m_stride * m_stride, 0)
+    {
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                m_before[at(i + 1, j + 1)] = (is(grid.index(i, j)) ? 1 : 0) + m_before[at(i, j + 1)] +
+                                             m_before[at(i + 1, j)] - m_before[at(i, j)];
+    }
+    /// In a rectangle that lies inside the grid.
+    [[nodiscard]] int in(const NodeRect& rect) const
+    {
+        return m_before[at(rect.endI, rect.endJ)] - m_before[at(rect.beginI, rect.endJ)] -
+               m_before[at(rect.endI, rect.beginJ)] + m_before[at(rect.beginI, rect.beginJ)];
+    }
+
+private:
+    [[nodiscard]] std::size_t at(int i, int j) const
+    {
+        return static_cast<std::size_t>(j) * m_stride + static_cast<std::size_t>(i);
+    }
+    std::size_t m_stride;
+    std::vector<int> m_before;
+};
+
 void measureVolumes(const Ends& ends, Deviation& result)
 {
     double common = 0.0;
@@ -111,33 +142,19 @@ std::vector<std::size_t> floorOf(const Ends& ends, const std::vector<Part>& part
 {
     const Grid& grid = ends.anatomy.grid;
     const auto isFloor = [&](std::size_t k) { return parts[k] == Part::Floor && wasSolid(ends.anatomy, k); };
-    // Sums over the rectangle from the first node tell how many of a square are no floor.
-    const auto side = static_cast<std::size_t>(grid.side) + 1;
-    std::vector<int> others(side * side, 0);
+    const Census others(grid, [&](std::size_t k) { return !isFloor(k); });
+    const int margin = static_cast<int>(std::ceil(kFloorMarginMm / grid.cellMm - 1.0e-6));
     std::vector<std::size_t> all;
+    std::vector<std::size_t> inside;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
-            const std::size_t k = grid.index(i, j);
-            const std::size_t at = (static_cast<std::size_t>(j) + 1) * side + static_cast<std::size_t>(i) + 1;
-            others[at] = (isFloor(k) ? 0 : 1) + others[at - 1] + others[at - side] - others[at - side - 1];
-            if (isFloor(k))
-                all.push_back(k);
+            if (!isFloor(grid.index(i, j)))
+                continue;
+            all.push_back(grid.index(i, j));
+            if (grid.contains(i - margin, j - margin) && grid.contains(i + margin, j + margin) &&
+                others.in({i - margin, j - margin, i + margin + 1, j + margin + 1}) == 0)
+                inside.push_back(grid.index(i, j));
         }
-    }
-    const int margin = static_cast<int>(std::ceil(kFloorMarginMm / grid.cellMm - 1.0e-6));
-    std::vector<std::size_t> inside;
-    for (const std::size_t k : all) {
-        const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
-        const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));
-        if (!grid.contains(i - margin, j - margin) || !grid.contains(i + margin, j + margin))
-            continue;
-        const auto sum = [&](int di, int dj) {
-            return others[static_cast<std::size_t>(j + dj) * side + static_cast<std::size_t>(i + di)];
-        };
-        const int low = -margin;
-        const int high = margin + 1;
-        if (sum(high, high) - sum(low, high) - sum(high, low) + sum(low, low) == 0)
-            inside.push_back(k);
     }
     return inside.empty() ? all : inside;
 }
@@ -283,7 +300,10 @@ constexpr int kSlopeReach = 2;  ///< nodes to either side from which the slope o
 class Rods
 {
 public:
-    explicit Rods(const Tooth& tooth) : m_tooth(tooth), m_anatomy(*tooth.anatomy), m_grid(m_anatomy.grid) {}
+    explicit Rods(const Tooth& tooth)
+        : m_tooth(tooth), m_anatomy(*tooth.anatomy), m_grid(m_anatomy.grid),
+          m_harm(m_grid, [&](std::size_t k) { return isCut(tooth, k) || decayIn(tooth, k).any(); })
+    {}
 
     /// Whether column k has enamel on dentin.
     [[nodiscard]] bool hasJunction(std::size_t k) const
@@ -304,8 +324,7 @@ public:
             return std::max(0.0, top - std::max(junction, static_cast<double>(decay.roof)));
         const glm::dvec2 slope = junctionSlope(i, j);
         const double steepness2 = glm::dot(slope, slope);
-        const double reachMm = std::sqrt(steepness2) / (1.0 + steepness2) * (top - junction);
-        if (!(top > junction) || reachMm < 0.5 * m_grid.cellMm)
+        if (!(top > junction) || !mayComeToHarm(i, j, slope * ((top - junction) / (1.0 + steepness2) / m_grid.cellMm)))
             return 0.0;
         const int slices = static_cast<int>((top - junction) / kSliceMm) + 1;
         const double sliceMm = (top - junction) / slices;
@@ -319,6 +338,17 @@ public:
     }
 
 private:
+    /// Whether anything was cut or decayed where the longest rod of a column goes.
+    /// @param way  as far as it goes aside, in cells
+    [[nodiscard]] bool mayComeToHarm(int i, int j, glm::dvec2 way) const
+    {
+        const auto beyond = [](double cells) { return static_cast<int>(cells + (cells < 0.0 ? -1.0 : 1.0)); };
+        const int ni = i + beyond(way.x);
+        const int nj = j + beyond(way.y);
+        const NodeRect rect{std::min(i, ni), std::min(j, nj), std::max(i, ni) + 1, std::max(j, nj) + 1};
+        return m_harm.in(terrain::grown(rect, 0, m_grid)) > 0;
+    }
+
     [[nodiscard]] glm::dvec2 junctionSlope(int i, int j) const
     {
         const auto along = [&](int di, int dj) {
@@ -375,6 +405,7 @@ private:
     const Tooth& m_tooth;
     const ToothAnatomy& m_anatomy;
     const Grid& m_grid;
+    Census m_harm;
 };
 
 std::optional<UnsupportedEnamel> unsupportedEnamelOf(const Tooth& tooth)
