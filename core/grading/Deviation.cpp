@@ -58,6 +58,12 @@ struct Ends
     }
 };
 
+glm::dvec2 placeOf(const Grid& grid, std::size_t k)
+{
+    const auto side = static_cast<std::size_t>(grid.side);
+    return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
+}
+
 /// The smallest value such that this share of all the weight has no greater one.
 double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, double share)
 {
@@ -194,10 +200,6 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     for (const std::size_t k : floor)
         if (ends.top(k) - ends.nowAt(k) > kOutlineDepthMm)
             cut.push_back(k);
-    const auto placeOf = [&](std::size_t k) {
-        const auto side = static_cast<std::size_t>(grid.side);
-        return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
-    };
     const auto errorAt = [&](std::size_t k) { return ends.nowAt(k) - ends.idealAt(k); };
 
     double area = 0.0;
@@ -205,7 +207,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     double mean = 0.0;
     for (const std::size_t k : cut) {
         area += ends.area(k);
-        middle += placeOf(k) * ends.area(k);
+        middle += placeOf(grid, k) * ends.area(k);
         mean += errorAt(k) * ends.area(k);
     }
     if (!(area > 0.0))
@@ -217,7 +219,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     double yy = 0.0;
     glm::dvec2 moment(0.0);
     for (const std::size_t k : cut) {
-        const glm::dvec2 way = placeOf(k) - middle;
+        const glm::dvec2 way = placeOf(grid, k) - middle;
         xx += way.x * way.x * ends.area(k);
         xy += way.x * way.y * ends.area(k);
         yy += way.y * way.y * ends.area(k);
@@ -234,7 +236,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
     std::vector<double> rest(grid.count(), std::numeric_limits<double>::quiet_NaN());
     double sum2 = 0.0;
     for (const std::size_t k : cut) {
-        rest[k] = errorAt(k) - mean - glm::dot(slope, placeOf(k) - middle);
+        rest[k] = errorAt(k) - mean - glm::dot(slope, placeOf(grid, k) - middle);
         sum2 += rest[k] * rest[k] * ends.area(k);
     }
     form.flatnessMm = std::sqrt(sum2 / area);
@@ -294,6 +296,7 @@ std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Out
 // ------------------------------------------------------------------------------------------------ unsupported enamel
 
 constexpr double kSliceMm = 0.05;
+constexpr double kStepsPerCell = 4.0;
 constexpr int kSlopeReach = 2;  ///< nodes to either side from which the slope of the junction is taken
 
 /// Follows enamel rods down to the enamel-dentin junction.
@@ -375,7 +378,7 @@ private:
     {
         const double foot = (z - junction) / (1.0 + glm::dot(slope, slope));  // how far it goes down
         const glm::dvec2 way = slope * (foot / m_grid.cellMm);                // and aside, in cells
-        const int steps = static_cast<int>(std::max(std::abs(way.x), std::abs(way.y))) + 1;
+        const int steps = static_cast<int>(kStepsPerCell * std::max(std::abs(way.x), std::abs(way.y))) + 1;
         for (int step = 1; step <= steps; ++step) {
             const double share = static_cast<double>(step) / steps;
             const glm::ivec2 node(at + way * share + 0.5);
@@ -462,7 +465,7 @@ std::vector<Nearest> nearestTargets(const Ends& ends, double withinMm)
     return nearest;
 }
 
-Zones zonesOf(const Ends& ends, const Leeway& leeway)
+Zones zonesOf(const Ends& ends, const Outline& ideal, const Leeway& leeway)
 {
     const Grid& grid = ends.anatomy.grid;
     const std::vector<Nearest> nearest = nearestTargets(ends, leeway.sidesMm);
@@ -500,8 +503,11 @@ Zones zonesOf(const Ends& ends, const Leeway& leeway)
         double share = 0.0;  // of the column's cell that is leeway
         double floor = under;
         if (nearest[k].cells2 < std::numeric_limits<int>::max()) {
-            const double apart = std::sqrt(static_cast<double>(nearest[k].cells2));
-            share = std::clamp(leeway.sidesMm / grid.cellMm - apart + 1.0, 0.0, 1.0);
+            // A target shallower than an outline is known to half a cell.
+            const double apartMm = ideal.segments().empty()
+                                       ? grid.cellMm * (std::sqrt(static_cast<double>(nearest[k].cells2)) - 0.5)
+                                       : ideal.distanceMm(placeOf(grid, k));
+            share = std::clamp((leeway.sidesMm - apartMm) / grid.cellMm + 0.5, 0.0, 1.0);
             floor = std::clamp(ends.idealAt(nearest[k].target) - leeway.bottomMm, under, ends.top(k));
         }
         zones.leewaySidesMm3 += share * (ends.top(k) - floor) * area;
@@ -583,7 +589,7 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
 
     result.unsupported = unsupportedEnamelOf(tooth);
     if (leeway)
-        result.zones = zonesOf(ends, *leeway);
+        result.zones = zonesOf(ends, idealOutline, *leeway);
     return result;
 }
 
