@@ -250,7 +250,7 @@ Measures measure(const Tooth& tooth)
             result.perforatedMm2 += area;
     }
     if (result.lesionMm3 > 0.0) {
-        result.cariesLeftPercent = 100.0 * result.cariesLeftMm3 / result.lesionMm3;
+        result.cariesLeftPercent = 100.0 * (result.cariesLeftMm3 / result.lesionMm3);
         result.largestIslandMm3 = largestIsland(tooth);
     }
     result.hasRemainingOverPulp = anyCut && anyPulp;
