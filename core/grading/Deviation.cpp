@@ -1,11 +1,596 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grading/Deviation.h"
 
-namespace core::grading {
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
-Result<Deviation> measureDeviation(const terrain::Tooth&, const Preparation&, const std::optional<Leeway>&)
+#include <glm/geometric.hpp>
+
+#include "core/grading/Columns.h"
+#include "core/grading/CutForm.h"
+#include "core/grading/Outline.h"
+#include "core/teeth/ToothBuilder.h"
+#include "core/teeth/ToothTable.h"
+#include "core/terrain/NodeRect.h"
+
+namespace core::grading {
+namespace {
+
+using terrain::ColumnLayers;
+using terrain::Grid;
+using terrain::NodeRect;
+using terrain::Tooth;
+using terrain::ToothAnatomy;
+
+constexpr double kPercentile = 0.95;
+
+/// Where columns ended before, end now and ought to end, top >= now and top >= ideal, all at or above the tooth's under
+/// surface.
+struct Ends
 {
-    return Deviation{};
+    const ToothAnatomy& anatomy;
+    std::vector<float> now;
+    std::vector<float> ideal;
+
+    Ends(const Tooth& tooth, const Preparation& preparation)
+        : anatomy(*tooth.anatomy), now(anatomy.top), ideal(anatomy.top)
+    {
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            if (!wasSolid(anatomy, k))
+                continue;
+            now[k] = std::min(anatomy.top[k], endOf(tooth, k));
+            ideal[k] = std::clamp((*preparation.top)[k], anatomy.bottom[k], anatomy.top[k]);
+        }
+    }
+    [[nodiscard]] double top(std::size_t k) const { return static_cast<double>(anatomy.top[k]); }
+    [[nodiscard]] double nowAt(std::size_t k) const { return static_cast<double>(now[k]); }
+    [[nodiscard]] double idealAt(std::size_t k) const { return static_cast<double>(ideal[k]); }
+    [[nodiscard]] double area(std::size_t k) const { return static_cast<double>(anatomy.areaMm2[k]); }
+    [[nodiscard]] bool isTarget(std::size_t k) const { return ideal[k] < anatomy.top[k]; }
+    /// Length of a column that is gone between two heights.
+    [[nodiscard]] double goneBetween(std::size_t k, double low, double high) const
+    {
+        return std::max(0.0, high - std::max(low, nowAt(k)));
+    }
+};
+
+glm::dvec2 placeOf(const Grid& grid, std::size_t k)
+{
+    const auto side = static_cast<std::size_t>(grid.side);
+    return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
+}
+
+/// The smallest value such that this share of all the weight has no greater one.
+double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, double share)
+{
+    std::sort(valuesAndWeights.begin(), valuesAndWeights.end());
+    double all = 0.0;
+    for (const auto& [value, weight] : valuesAndWeights)
+        all += weight;
+    double below = 0.0;
+    for (const auto& [value, weight] : valuesAndWeights) {
+        below += weight;
+        if (below >= share * all)
+            return value;
+    }
+    return valuesAndWeights.empty() ? 0.0 : valuesAndWeights.back().first;
+}
+
+/// Counts nodes of a kind in any rectangle at once, from sums over the rectangles that begin at the first node.
+class Census
+{
+public:
+    template <class Is>
+    Census(const Grid& grid, const Is& is)
+        : m_stride(static_cast<std::size_t>(grid.side) + 1), m_before(m_stride * m_stride, 0)
+    {
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                m_before[at(i + 1, j + 1)] = (is(grid.index(i, j)) ? 1 : 0) + m_before[at(i, j + 1)] +
+                                             m_before[at(i + 1, j)] - m_before[at(i, j)];
+    }
+    /// In a rectangle that lies inside the grid.
+    [[nodiscard]] int in(const NodeRect& rect) const
+    {
+        return m_before[at(rect.endI, rect.endJ)] - m_before[at(rect.beginI, rect.endJ)] -
+               m_before[at(rect.endI, rect.beginJ)] + m_before[at(rect.beginI, rect.beginJ)];
+    }
+
+private:
+    [[nodiscard]] std::size_t at(int i, int j) const
+    {
+        return static_cast<std::size_t>(j) * m_stride + static_cast<std::size_t>(i);
+    }
+    std::size_t m_stride;
+    std::vector<int> m_before;
+};
+
+void measureVolumes(const Ends& ends, Deviation& result)
+{
+    double common = 0.0;
+    double mostOver = 0.0;
+    double mostUnder = 0.0;
+    for (std::size_t k = 0; k < ends.now.size(); ++k) {
+        if (!wasSolid(ends.anatomy, k))
+            continue;
+        const double area = ends.area(k);
+        result.idealMm3 += (ends.top(k) - ends.idealAt(k)) * area;
+        result.removedMm3 += (ends.top(k) - ends.nowAt(k)) * area;
+        common += (ends.top(k) - std::max(ends.idealAt(k), ends.nowAt(k))) * area;
+        const double over = ends.idealAt(k) - ends.nowAt(k);
+        if (over > 0.0)
+            (ends.isTarget(k) ? result.overcutBelowMm3 : result.overcutBesideMm3) += over * area;
+        else
+            result.undercutMm3 -= over * area;
+        if (over > mostOver) {
+            mostOver = over;
+            result.overcutNode = k;
+        }
+        if (-over > mostUnder) {
+            mostUnder = -over;
+            result.undercutNode = k;
+        }
+    }
+    if (result.idealMm3 + result.removedMm3 > 0.0) {
+        result.dice = 2.0 * common / (result.idealMm3 + result.removedMm3);
+        result.iou = common / (result.idealMm3 + result.removedMm3 - common);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------- floor
+
+/// The columns that speak for the floor, in index order.
+std::vector<std::size_t> floorOf(const Ends& ends, const std::vector<Part>& parts)
+{
+    const Grid& grid = ends.anatomy.grid;
+    const auto isFloor = [&](std::size_t k) { return parts[k] == Part::Floor && wasSolid(ends.anatomy, k); };
+    const Census others(grid, [&](std::size_t k) { return !isFloor(k); });
+    const int margin = static_cast<int>(std::ceil(kFloorMarginMm / grid.cellMm - 1.0e-6));
+    std::vector<std::size_t> all;
+    std::vector<std::size_t> inside;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            if (!isFloor(grid.index(i, j)))
+                continue;
+            all.push_back(grid.index(i, j));
+            if (grid.contains(i - margin, j - margin) && grid.contains(i + margin, j + margin) &&
+                others.in({i - margin, j - margin, i + margin + 1, j + margin + 1}) == 0)
+                inside.push_back(grid.index(i, j));
+        }
+    }
+    return inside.empty() ? all : inside;
+}
+
+std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::size_t>& floor)
+{
+    DepthError error;
+    double area = 0.0;
+    std::vector<std::pair<double, double>> sizes;
+    sizes.reserve(floor.size());
+    error.tooDeepMm.node = error.tooShallowMm.node = floor.empty() ? 0 : floor.front();
+    for (const std::size_t k : floor) {
+        const double here = ends.nowAt(k) - ends.idealAt(k);
+        area += ends.area(k);
+        error.meanMm += std::abs(here) * ends.area(k);
+        error.signedMm += here * ends.area(k);
+        sizes.emplace_back(std::abs(here), ends.area(k));
+        if (-here > error.tooDeepMm.value)
+            error.tooDeepMm = {-here, k};
+        if (here > error.tooShallowMm.value)
+            error.tooShallowMm = {here, k};
+    }
+    if (!(area > 0.0))
+        return {};
+    error.meanMm /= area;
+    error.signedMm /= area;
+    error.p95Mm = percentile(sizes, kPercentile);
+    error.worstNode = error.tooShallowMm.value > error.tooDeepMm.value ? error.tooShallowMm.node : error.tooDeepMm.node;
+    return error;
+}
+
+std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::size_t>& floor)
+{
+    const Grid& grid = ends.anatomy.grid;
+    // In an untouched place there is no floor yet.
+    std::vector<std::size_t> cut;
+    for (const std::size_t k : floor)
+        if (ends.top(k) - ends.nowAt(k) > kOutlineDepthMm)
+            cut.push_back(k);
+    const auto errorAt = [&](std::size_t k) { return ends.nowAt(k) - ends.idealAt(k); };
+
+    double area = 0.0;
+    glm::dvec2 middle(0.0);
+    double mean = 0.0;
+    for (const std::size_t k : cut) {
+        area += ends.area(k);
+        middle += placeOf(grid, k) * ends.area(k);
+        mean += errorAt(k) * ends.area(k);
+    }
+    if (!(area > 0.0))
+        return {};
+    middle /= area;
+    mean /= area;
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    glm::dvec2 moment(0.0);
+    for (const std::size_t k : cut) {
+        const glm::dvec2 way = placeOf(grid, k) - middle;
+        xx += way.x * way.x * ends.area(k);
+        xy += way.x * way.y * ends.area(k);
+        yy += way.y * way.y * ends.area(k);
+        moment += way * ((errorAt(k) - mean) * ends.area(k));
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 1.0e-9 * (xx + yy) * (xx + yy)))
+        return {};
+    const glm::dvec2 slope = glm::dvec2(yy * moment.x - xy * moment.y, xx * moment.y - xy * moment.x) / determinant;
+
+    FloorForm form;
+    form.slopeDeg = atanDeg(std::sqrt(glm::dot(slope, slope)));
+    form.stepMm.node = cut.front();
+    std::vector<double> rest(grid.count(), std::numeric_limits<double>::quiet_NaN());
+    double sum2 = 0.0;
+    for (const std::size_t k : cut) {
+        rest[k] = errorAt(k) - mean - glm::dot(slope, placeOf(grid, k) - middle);
+        sum2 += rest[k] * rest[k] * ends.area(k);
+    }
+    form.flatnessMm = std::sqrt(sum2 / area);
+    const int run = std::max(1, static_cast<int>(kStepRunMm / grid.cellMm + 0.5));
+    for (const std::size_t k : cut) {
+        const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
+        const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));
+        for (const auto& [ni, nj] : {std::pair(i + run, j), std::pair(i, j + run)}) {
+            if (!grid.contains(ni, nj))
+                continue;
+            // No number where there is no floor: then this is no step.
+            const double step = std::abs(rest[grid.index(ni, nj)] - rest[k]);
+            if (step > form.stepMm.value)
+                form.stepMm = {step, k};
+        }
+    }
+    return form;
+}
+
+// -------------------------------------------------------------------------------------------------------- outline
+
+std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Outline& ideal)
+{
+    if (cut.segments().empty() || ideal.segments().empty())
+        return {};
+    OutlineDeviation result;
+    result.overMm.node = result.underMm.node = cut.segments().front().node;
+    double length = 0.0;
+    std::vector<std::pair<double, double>> sizes;
+    sizes.reserve(cut.segments().size() + ideal.segments().size());
+    const auto compare = [&](const Outline& one, const Outline& other, bool isOverOutside) {
+        for (const Outline::Segment& segment : one.segments()) {
+            const glm::dvec2 middle = segment.middleMm();
+            const double apart = other.distanceMm(middle);
+            const bool isOutside = !(other.insideMm(middle) > 0.0);
+            const bool isOver = isOutside == isOverOutside;
+            const double weight = segment.lengthMm();
+            length += weight;
+            result.meanMm += apart * weight;
+            result.signedMm += (isOver ? apart : -apart) * weight;
+            sizes.emplace_back(apart, weight);
+            Placed& most = isOver ? result.overMm : result.underMm;
+            if (apart > most.value)
+                most = {apart, segment.node};
+        }
+    };
+    compare(cut, ideal, true);
+    compare(ideal, cut, false);
+    if (!(length > 0.0))
+        return {};
+    result.meanMm /= length;
+    result.signedMm /= length;
+    result.p95Mm = percentile(sizes, kPercentile);
+    return result;
+}
+
+// ------------------------------------------------------------------------------------------------ unsupported enamel
+
+constexpr double kSliceMm = 0.05;
+constexpr double kStepsPerCell = 4.0;
+constexpr int kSlopeReach = 2;  ///< nodes to either side from which the slope of the junction is taken
+
+/// Follows enamel rods down to the enamel-dentin junction.
+class Rods
+{
+public:
+    explicit Rods(const Tooth& tooth)
+        : m_tooth(tooth), m_anatomy(*tooth.anatomy), m_grid(m_anatomy.grid),
+          m_harm(m_grid, [&](std::size_t k) { return isCut(tooth, k) || decayIn(tooth, k).any(); })
+    {}
+
+    /// Whether column k has enamel on dentin.
+    [[nodiscard]] bool hasJunction(std::size_t k) const
+    {
+        return wasSolid(m_anatomy, k) && m_anatomy.layers[k].dej > m_anatomy.bottom[k] &&
+               m_anatomy.layers[k].dej < m_anatomy.top[k];
+    }
+
+    /// Height of the enamel in column (i, j) that stands on nothing.
+    [[nodiscard]] double unsupportedMm(int i, int j) const
+    {
+        const std::size_t k = m_grid.index(i, j);
+        if (!m_tooth.isSolid(k) || !hasJunction(k))
+            return 0.0;
+        const auto junction = static_cast<double>(m_anatomy.layers[k].dej);
+        const auto top = static_cast<double>(m_tooth.top[k]);
+        if (const Decay decay = decayIn(m_tooth, k); decay.any())
+            return std::max(0.0, top - std::max(junction, static_cast<double>(decay.roof)));
+        const glm::dvec2 slope = junctionSlope(i, j);
+        const double steepness2 = glm::dot(slope, slope);
+        if (!(top > junction) || !mayComeToHarm(i, j, slope * ((top - junction) / (1.0 + steepness2) / m_grid.cellMm)))
+            return 0.0;
+        const int slices = static_cast<int>((top - junction) / kSliceMm) + 1;
+        const double sliceMm = (top - junction) / slices;
+        double height = 0.0;
+        for (int slice = 0; slice < slices; ++slice) {
+            const double z = junction + sliceMm * (slice + 0.5);
+            if (!stands({static_cast<double>(i), static_cast<double>(j)}, z, slope, junction))
+                height += sliceMm;
+        }
+        return height;
+    }
+
+private:
+    /// Whether anything was cut or decayed where the longest rod of a column goes.
+    /// @param way  as far as it goes aside, in cells
+    [[nodiscard]] bool mayComeToHarm(int i, int j, glm::dvec2 way) const
+    {
+        const auto beyond = [](double cells) { return static_cast<int>(cells + (cells < 0.0 ? -1.0 : 1.0)); };
+        const int ni = i + beyond(way.x);
+        const int nj = j + beyond(way.y);
+        const NodeRect rect{std::min(i, ni), std::min(j, nj), std::max(i, ni) + 1, std::max(j, nj) + 1};
+        return m_harm.in(terrain::grown(rect, 0, m_grid)) > 0;
+    }
+
+    [[nodiscard]] glm::dvec2 junctionSlope(int i, int j) const
+    {
+        const auto along = [&](int di, int dj) {
+            const auto at = [&](int n) {
+                const int ni = i + n * di;
+                const int nj = j + n * dj;
+                return m_grid.contains(ni, nj) && hasJunction(m_grid.index(ni, nj)) ? n : 0;
+            };
+            const int ahead = at(kSlopeReach);
+            const int behind = at(-kSlopeReach);
+            if (ahead == behind)
+                return 0.0;
+            const auto dej = [&](int n) {
+                return static_cast<double>(m_anatomy.layers[m_grid.index(i + n * di, j + n * dj)].dej);
+            };
+            return (dej(ahead) - dej(behind)) / ((ahead - behind) * m_grid.cellMm);
+        };
+        return {along(1, 0), along(0, 1)};
+    }
+
+    /// Whether the rod through a place, lattice coordinates and height, is whole down to its foot and stands on
+    /// dentin.
+    [[nodiscard]] bool stands(glm::dvec2 at, double z, glm::dvec2 slope, double junction) const
+    {
+        const double foot = (z - junction) / (1.0 + glm::dot(slope, slope));  // how far it goes down
+        const glm::dvec2 way = slope * (foot / m_grid.cellMm);                // and aside, in cells
+        const int steps = static_cast<int>(kStepsPerCell * std::max(std::abs(way.x), std::abs(way.y))) + 1;
+        for (int step = 1; step <= steps; ++step) {
+            const double share = static_cast<double>(step) / steps;
+            const glm::ivec2 node(at + way * share + 0.5);
+            if (!m_grid.contains(node.x, node.y))
+                return true;
+            const std::size_t k = m_grid.index(node.x, node.y);
+            if (!wasSolid(m_anatomy, k))
+                return true;  // on the flank of the tooth the junction comes to the surface
+            // Above the uncut surface, in a fissure, nothing was cut away.
+            const double height = z - foot * share;
+            if (static_cast<double>(endOf(m_tooth, k)) < height && height <= static_cast<double>(m_anatomy.top[k]))
+                return false;
+            if (step == steps && isDecayUnder(k))
+                return false;
+        }
+        return true;
+    }
+
+    /// Whether decay is left at the junction of a column.
+    [[nodiscard]] bool isDecayUnder(std::size_t k) const
+    {
+        const Decay decay = decayIn(m_tooth, k);
+        const float junction = m_anatomy.layers[k].dej;
+        return decay.any() && decay.floor < junction && decay.roof >= junction;
+    }
+
+    const Tooth& m_tooth;
+    const ToothAnatomy& m_anatomy;
+    const Grid& m_grid;
+    Census m_harm;
+};
+
+std::optional<UnsupportedEnamel> unsupportedEnamelOf(const Tooth& tooth)
+{
+    const Grid& grid = tooth.grid();
+    const Rods rods(tooth);
+    UnsupportedEnamel result;
+    bool any = false;
+    double most = 0.0;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            any = any || rods.hasJunction(k);
+            const double height = rods.unsupportedMm(i, j);
+            result.mm3.value += height * static_cast<double>(tooth.anatomy->areaMm2[k]);
+            if (height > most) {
+                most = height;
+                result.mm3.node = k;
+            }
+        }
+    }
+    return any ? std::optional(result) : std::nullopt;
+}
+
+// ---------------------------------------------------------------------------------------------------------- zones
+
+/// The target column nearest to a column beside the target, and how far apart the two are.
+struct Nearest
+{
+    int cells2 = std::numeric_limits<int>::max();
+    std::size_t target = 0;
+};
+
+std::vector<Nearest> nearestTargets(const Ends& ends, double withinMm)
+{
+    const Grid& grid = ends.anatomy.grid;
+    const auto isTarget = [&](int i, int j) { return grid.contains(i, j) && ends.isTarget(grid.index(i, j)); };
+    std::vector<Nearest> nearest(grid.count());
+    const int reach = static_cast<int>(std::min(withinMm / grid.cellMm, 1.0 * grid.side)) + 2;
+    for (int j = 0; j < grid.side; ++j) {
+        for (int i = 0; i < grid.side; ++i) {
+            const bool isEdge = !(isTarget(i - 1, j) && isTarget(i + 1, j) && isTarget(i, j - 1) && isTarget(i, j + 1));
+            if (!isTarget(i, j) || !isEdge)
+                continue;
+            for (int nj = std::max(0, j - reach); nj <= std::min(grid.side - 1, j + reach); ++nj) {
+                for (int ni = std::max(0, i - reach); ni <= std::min(grid.side - 1, i + reach); ++ni) {
+                    const int cells2 = (ni - i) * (ni - i) + (nj - j) * (nj - j);
+                    if (Nearest& known = nearest[grid.index(ni, nj)]; cells2 < known.cells2)
+                        known = {cells2, grid.index(i, j)};
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+Zones zonesOf(const Ends& ends, const Outline& ideal, const Leeway& leeway)
+{
+    const Grid& grid = ends.anatomy.grid;
+    const std::vector<Nearest> nearest = nearestTargets(ends, leeway.sidesMm);
+    Zones zones;
+    double mostLeft = 0.0;
+    double deepestBottom = 0.0;
+    double deepestSide = 0.0;
+    const auto touched = [](Placed& container, double& deepest, std::size_t k, double lengthMm, double areaMm2) {
+        container.value += lengthMm * areaMm2;
+        if (lengthMm * areaMm2 > 0.0 && lengthMm > deepest) {
+            deepest = lengthMm;
+            container.node = k;
+        }
+    };
+    for (std::size_t k = 0; k < ends.now.size(); ++k) {
+        if (!wasSolid(ends.anatomy, k))
+            continue;
+        const double area = ends.area(k);
+        const auto under = static_cast<double>(ends.anatomy.bottom[k]);
+        if (ends.isTarget(k)) {
+            const double floor = std::max(under, ends.idealAt(k) - leeway.bottomMm);
+            const double gone = ends.goneBetween(k, ends.idealAt(k), ends.top(k));
+            const double left = ends.top(k) - ends.idealAt(k) - gone;
+            zones.targetMm3 += (ends.top(k) - ends.idealAt(k)) * area;
+            zones.targetRemovedMm3 += gone * area;
+            zones.leewayBottomMm3 += (ends.idealAt(k) - floor) * area;
+            zones.leewayBottomRemovedMm3 += ends.goneBetween(k, floor, ends.idealAt(k)) * area;
+            touched(zones.containerBottomMm3, deepestBottom, k, ends.goneBetween(k, under, floor), area);
+            if (left > mostLeft) {
+                mostLeft = left;
+                zones.targetLeftNode = k;
+            }
+            continue;
+        }
+        double share = 0.0;  // of the column's cell that is leeway
+        double floor = under;
+        if (nearest[k].cells2 < std::numeric_limits<int>::max()) {
+            // A target shallower than an outline is known to half a cell.
+            const double apartMm = ideal.segments().empty()
+                                       ? grid.cellMm * (std::sqrt(static_cast<double>(nearest[k].cells2)) - 0.5)
+                                       : ideal.distanceMm(placeOf(grid, k));
+            share = std::clamp((leeway.sidesMm - apartMm) / grid.cellMm + 0.5, 0.0, 1.0);
+            floor = std::clamp(ends.idealAt(nearest[k].target) - leeway.bottomMm, under, ends.top(k));
+        }
+        zones.leewaySidesMm3 += share * (ends.top(k) - floor) * area;
+        zones.leewaySidesRemovedMm3 += share * ends.goneBetween(k, floor, ends.top(k)) * area;
+        touched(zones.containerBottomMm3, deepestBottom, k, ends.goneBetween(k, under, floor), share * area);
+        touched(zones.containerSidesMm3, deepestSide, k, ends.goneBetween(k, under, ends.top(k)), (1.0 - share) * area);
+    }
+    return zones;
+}
+
+// ---------------------------------------------------------------------------------------------------------- input
+
+Status check(const Tooth& tooth, const Preparation& ideal, const std::optional<Leeway>& leeway)
+{
+    const std::size_t count = tooth.grid().count();
+    if (!ideal.top || ideal.top->size() != count || ideal.parts.size() != count)
+        return unexpected(ErrorCode::BadStructure, "The ideal preparation is not for this tooth's grid of " +
+                                                       std::to_string(tooth.grid().side) + " x " +
+                                                       std::to_string(tooth.grid().side) + " columns.");
+    for (std::size_t k = 0; k < count; ++k) {
+        if (std::isnan((*ideal.top)[k]))
+            return unexpected(ErrorCode::BadNumber,
+                              "The ideal preparation's height of column " + std::to_string(k) + " is not a number.");
+        if (std::isnan(tooth.top[k]) || std::isnan(tooth.bottom[k]))
+            return unexpected(ErrorCode::BadNumber,
+                              "The tooth's height of column " + std::to_string(k) + " is not a number.");
+    }
+    if (ideal.isthmus) {
+        const Preparation::Isthmus& isthmus = *ideal.isthmus;
+        const double across2 = glm::dot(isthmus.across, isthmus.across);
+        // Not written with < and >, so that what is no number is refused too.
+        const bool isSound = std::isfinite(isthmus.atMm.x) && std::isfinite(isthmus.atMm.y) &&
+                             std::abs(across2 - 1.0) <= 1.0e-6 && isthmus.lengthMm >= 0.0 && isthmus.lengthMm <= 100.0;
+        if (!isSound)
+            return unexpected(ErrorCode::OutOfRange,
+                              "The ideal preparation's isthmus needs a place, a unit vector across it and a length "
+                              "from 0 to 100 mm.");
+    }
+    if (leeway &&
+        !(leeway->sidesMm >= 0.0 && leeway->bottomMm >= 0.0 && leeway->sidesMm <= 100.0 && leeway->bottomMm <= 100.0))
+        return unexpected(ErrorCode::OutOfRange, "A leeway lies between 0 and 100 mm.");
+    return {};
+}
+
+}  // namespace
+
+Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal, const std::optional<Leeway>& leeway)
+{
+    if (const Status sound = check(tooth, ideal, leeway); !sound)
+        return tl::unexpected(sound.error());
+    const ToothAnatomy& anatomy = *tooth.anatomy;
+    const Ends ends(tooth, ideal);
+    Deviation result;
+    measureVolumes(ends, result);
+
+    const std::vector<std::size_t> floor = floorOf(ends, ideal.parts);
+    result.depth = depthErrorOf(ends, floor);
+    result.floor = floorFormOf(ends, floor);
+
+    const Outline cutOutline(anatomy, ends.now);
+    const Outline idealOutline(anatomy, ends.ideal);
+    result.outline = outlineDeviationOf(cutOutline, idealOutline);
+
+    const bool knowsSides = teeth::isGenerated(anatomy) && teeth::findToothSizes(anatomy.fdi).has_value();
+    if (knowsSides)
+        result.buccalSign = teeth::buccalSign(anatomy.fdi) > 0.0 ? 1 : -1;
+    const auto measureForm = [&](const std::vector<float>& end, const Outline& outline, Form& form) {
+        const CutSurface surface{anatomy, end, outline};
+        if (ideal.isthmus)
+            form.isthmusMm = isthmusOf(surface, *ideal.isthmus, idealOutline);
+        if (knowsSides) {
+            form.ridgeMesialMm = ridgeOf(surface, -1);
+            form.ridgeDistalMm = ridgeOf(surface, 1);
+        }
+        measureWalls(surface, form);
+    };
+    measureForm(ends.now, cutOutline, result.form);
+    measureForm(ends.ideal, idealOutline, result.idealForm);
+
+    result.unsupported = unsupportedEnamelOf(tooth);
+    if (leeway)
+        result.zones = zonesOf(ends, idealOutline, *leeway);
+    return result;
 }
 
 }  // namespace core::grading

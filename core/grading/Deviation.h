@@ -87,7 +87,7 @@ struct Form
     /// Degrees from upright, positive where the wall opens towards the occlusal, of the walls that stand on each side
     /// of the cut, by Side (teeth.md section 7: wall angles); the node is one on it.
     ///
-    /// Between 5 and 65 % of the depth, so that neither a bevel nor the fillet of a round-ended bur counts. A column on
+    /// Between 2 and 75 % of the depth, so that neither a bevel nor the fillet of a round-ended bur counts. A column on
     /// the slope of a wall is an exact point of it: how the columns of a short stretch of wall recede with their depth
     /// gives the angle (least squares, with the direction and the bend of the stretch free). Where the stretches say
     /// nothing, since a steep wall stands along the lattice, the angle is that of the area which the slope covers seen

@@ -59,7 +59,7 @@ Node nodeOf(const std::optional<Placed>& placed)
 
 Value percent(double part, double whole)
 {
-    return whole > 0.0 ? Value(100.0 * part / whole) : std::nullopt;
+    return whole > 0.0 ? Value(100.0 * (part / whole)) : std::nullopt;
 }
 
 std::optional<Placed> inForm(const Measured& m, std::optional<Placed> Form::*part)
@@ -429,11 +429,11 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
          return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerBottomMm3.node; });
      }},
 
-    {"time_total_s", "s", "Time of the attempt.", kMetrics,
+    {"time_total_s", "s", "Time of the attempt, from its first tick to its last.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.totalS; }); }, nullptr},
     {"time_to_first_cut_s", "s", "Time until material first came away.", kHapTel,
      [](const Measured& m) -> Value { return m.process ? m.process->firstCutS : std::nullopt; }, nullptr},
-    {"time_cutting_s", "s", "Time in strokes.", kHapTel,
+    {"time_cutting_s", "s", "Time that was spent in strokes.", kHapTel,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.cuttingS; }); }, nullptr},
     {"longest_pause_s", "s", "Longest time without cutting between two strokes.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.longestPauseS; }); }, nullptr},

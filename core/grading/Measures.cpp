@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/grading/Columns.h"
+
 namespace core::grading {
 namespace {
 
@@ -29,44 +31,12 @@ double soundOf(const PerMaterial& lengths)
     return of(lengths, Material::Enamel) + of(lengths, Material::Dentin);
 }
 
-bool wasSolid(const ToothAnatomy& anatomy, std::size_t k)
-{
-    return anatomy.top[k] > anatomy.bottom[k];
-}
-
-/// Where a column ends now: its top, or the tooth's under surface where it was cut through.
-float endOf(const Tooth& tooth, std::size_t k)
-{
-    return tooth.isSolid(k) ? tooth.top[k] : tooth.anatomy->bottom[k];
-}
-
-bool isCut(const Tooth& tooth, std::size_t k)
-{
-    return wasSolid(*tooth.anatomy, k) && endOf(tooth, k) < tooth.anatomy->top[k];
-}
-
 /// Down to here a column has to be cut to clear its decay; its top where it has none.
 float neededDownTo(const ToothAnatomy& anatomy, std::size_t k)
 {
     const ColumnLayers& column = anatomy.layers[k];
     const bool decayed = of(terrain::lengthsBetween(column, anatomy.bottom[k], anatomy.top[k]), Material::Caries) > 0.0;
     return decayed ? std::max(anatomy.bottom[k], column.cariesFloor) : anatomy.top[k];
-}
-
-/// The decay left in a column, floor < roof, or nothing.
-struct Decay
-{
-    float floor = 0.0F;
-    float roof = 0.0F;
-    [[nodiscard]] bool any() const { return roof > floor; }
-};
-
-Decay decayIn(const Tooth& tooth, std::size_t k)
-{
-    if (!tooth.isSolid(k))
-        return {};
-    const ColumnLayers& column = tooth.anatomy->layers[k];
-    return {std::max(column.cariesFloor, tooth.bottom[k]), std::min(column.cariesRoof, tooth.top[k])};
 }
 
 double largestIsland(const Tooth& tooth)
@@ -137,9 +107,15 @@ std::vector<Tile> tilesWith(const terrain::Grid& grid, double sign, HeightOf hei
     return tiles;
 }
 
+struct Nearest
+{
+    double mm = kFarMm;
+    std::optional<std::size_t> node;  ///< the cut column
+};
+
 /// Shortest distance from any cut surface to any pulp, at most kFarMm. Pairs of tiles that cannot hold a shorter one
 /// than is known are left out, the rest is compared column by column.
-double remainingOverPulp(const Tooth& tooth)
+Nearest remainingOverPulp(const Tooth& tooth)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
     const terrain::Grid& grid = tooth.grid();
@@ -160,7 +136,7 @@ double remainingOverPulp(const Tooth& tooth)
         const int dj = std::max(0, std::abs(pulp.j - cut.j) - (kTileSide - 1));
         return apart(di, dj, std::max(0.0, cut.heightMm - pulp.heightMm));
     };
-    double nearest = kFarMm;
+    Nearest nearest;
     const auto compare = [&](const Tile& pulp, const Tile& cut) {
         for (int j = pulp.j; j < std::min(grid.side, pulp.j + kTileSide); ++j) {
             for (int i = pulp.i; i < std::min(grid.side, pulp.i + kTileSide); ++i) {
@@ -170,8 +146,10 @@ double remainingOverPulp(const Tooth& tooth)
                 for (int nj = cut.j; nj < std::min(grid.side, cut.j + kTileSide); ++nj) {
                     for (int ni = cut.i; ni < std::min(grid.side, cut.i + kTileSide); ++ni) {
                         const double end = cutEnd(grid.index(ni, nj));
-                        if (!std::isnan(end))
-                            nearest = std::min(nearest, apart(ni - i, nj - j, std::max(0.0, end - roof)));
+                        if (std::isnan(end))
+                            continue;
+                        if (const double mm = apart(ni - i, nj - j, std::max(0.0, end - roof)); mm < nearest.mm)
+                            nearest = {mm, grid.index(ni, nj)};
                     }
                 }
             }
@@ -192,11 +170,11 @@ double remainingOverPulp(const Tooth& tooth)
         }
     }
     if (bestPulp == nullptr)
-        return kFarMm;
+        return nearest;
     compare(*bestPulp, *bestCut);
     for (const Tile& pulp : pulps)
         for (const Tile& cut : cuts)
-            if (least(pulp, cut) < nearest)
+            if (least(pulp, cut) < nearest.mm)
                 compare(pulp, cut);
     return nearest;
 }
@@ -221,6 +199,9 @@ Measures measure(const Tooth& tooth)
     result.removedMm3 = terrain::removedVolumes(tooth);
     bool anyCut = false;
     bool anyPulp = false;
+    double mostOvercutMm3 = 0.0;
+    double mostCariesMm3 = 0.0;
+    double deepestInPulpMm = -1.0;
     const std::vector<std::uint8_t> holes = terrain::perforations(tooth);
     for (std::size_t k = 0; k < anatomy.top.size(); ++k) {
         if (!wasSolid(anatomy, k))
@@ -234,27 +215,50 @@ Measures measure(const Tooth& tooth)
         const double lesion = of(terrain::lengthsBetween(column, bottom, top), Material::Caries);
         result.lesionMm3 += lesion * area;
         result.accessMm3 += soundOf(terrain::lengthsBetween(column, neededDownTo(anatomy, k), top)) * area;
-        if (tooth.isSolid(k))
-            result.cariesLeftMm3 +=
+        if (tooth.isSolid(k)) {
+            const double left =
                 of(terrain::lengthsBetween(column, tooth.bottom[k], tooth.top[k]), Material::Caries) * area;
+            result.cariesLeftMm3 += left;
+            if (left > mostCariesMm3) {
+                mostCariesMm3 = left;
+                result.cariesLeftNode = k;
+            }
+        }
         anyPulp = anyPulp || hasPulp(anatomy, k);
         if (!(now < top))
             continue;
         anyCut = true;
-        result.deepestCutMm = std::max(result.deepestCutMm, static_cast<double>(top) - static_cast<double>(now));
-        result.overcutMm3 += overcutOf(anatomy, k, now);
-        if (hasPulp(anatomy, k) && now <= column.pulpRoof)
+        if (const double depth = static_cast<double>(top) - static_cast<double>(now); depth > result.deepestCutMm) {
+            result.deepestCutMm = depth;
+            result.deepestCutNode = k;
+        }
+        const double overcut = overcutOf(anatomy, k, now);
+        result.overcutMm3 += overcut;
+        if (overcut > mostOvercutMm3) {
+            mostOvercutMm3 = overcut;
+            result.overcutNode = k;
+        }
+        if (hasPulp(anatomy, k) && now <= column.pulpRoof) {
             result.pulpExposedMm2 += area;
+            if (const double in = static_cast<double>(column.pulpRoof) - static_cast<double>(now);
+                in > deepestInPulpMm) {
+                deepestInPulpMm = in;
+                result.pulpNode = k;
+            }
+        }
         if (!holes.empty() && holes[k] != 0)
             result.perforatedMm2 += area;
     }
     if (result.lesionMm3 > 0.0) {
-        result.cariesLeftPercent = 100.0 * result.cariesLeftMm3 / result.lesionMm3;
+        result.cariesLeftPercent = 100.0 * (result.cariesLeftMm3 / result.lesionMm3);
         result.largestIslandMm3 = largestIsland(tooth);
     }
     result.hasRemainingOverPulp = anyCut && anyPulp;
-    if (result.hasRemainingOverPulp)
-        result.remainingOverPulpMm = result.pulpExposedMm2 > 0.0 ? 0.0 : remainingOverPulp(tooth);
+    if (result.hasRemainingOverPulp && !result.pulpNode) {
+        const Nearest nearest = remainingOverPulp(tooth);
+        result.remainingOverPulpMm = nearest.mm;
+        result.pulpNode = nearest.node;
+    }
     return result;
 }
 

@@ -69,7 +69,7 @@ public:
     /// The state after a tick of `dt`. Ticks without a device count as time and as nothing else.
     void take(const session::ServoState& state, std::chrono::microseconds dt) noexcept;
     /// The tooth was put back to an earlier state.
-    void undone() noexcept { ++m_undos; }
+    void undone() noexcept;
 
     /// As of the last tick; an unfinished stroke counts as far as it goes.
     [[nodiscard]] Process process() const noexcept;
@@ -78,15 +78,22 @@ private:
     using Micros = std::int64_t;
 
     /// Way of a point, without the trembling of a count.
-    struct Way
+    class Way
     {
-        glm::dvec3 fromMm{0.0};
-        bool begun = false;
-        double take(const glm::dvec3& placeMm) noexcept;
+    public:
+        void begin(const glm::dvec3& placeMm) noexcept;
+        /// What the point has gone since the last time that it went anywhere.
+        double goTo(const glm::dvec3& placeMm) noexcept;
+
+    private:
+        glm::dvec3 m_fromMm{0.0};
+        bool m_begun = false;
     };
     void takeStroke(const session::ServoState& state, Micros dt) noexcept;
-    void takeForce(const session::ServoState& state, Micros dt) noexcept;
+    void takeContact(const session::ServoState& state, Micros dt) noexcept;
     void takeJerk(const session::ServoState& state, Micros dt) noexcept;
+    void endStroke() noexcept;
+    [[nodiscard]] Process::Force force() const noexcept;
 
     static constexpr std::size_t kBins = 1000;
     static constexpr double kBinN = 0.02;
@@ -102,9 +109,10 @@ private:
 
     Way m_way;
     double m_pathMm = 0.0;
+    Way m_strokeWay;
+    double m_strokeMm = 0.0;    ///< of the stroke that goes on, up to its last cut
+    double m_sinceCutMm = 0.0;  ///< and after it
     double m_cuttingPathMm = 0.0;
-    double m_strokePathMm = 0.0;  ///< of the stroke that goes on, up to its last cut
-    double m_sinceCutMm = 0.0;    ///< of the way after it
 
     Micros m_offFor = 0;    ///< without contact
     bool m_hasCut = false;  ///< in this contact

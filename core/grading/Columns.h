@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/terrain/Tooth.h"
+
+/// Columns of a tooth as grading sees them.
+namespace core::grading {
+
+[[nodiscard]] inline bool wasSolid(const terrain::ToothAnatomy& anatomy, std::size_t k)
+{
+    return anatomy.top[k] > anatomy.bottom[k];
+}
+
+/// Where a column ends now: its top, or the tooth's under surface where it was cut through.
+[[nodiscard]] inline float endOf(const terrain::Tooth& tooth, std::size_t k)
+{
+    return tooth.isSolid(k) ? tooth.top[k] : tooth.anatomy->bottom[k];
+}
+
+[[nodiscard]] inline bool isCut(const terrain::Tooth& tooth, std::size_t k)
+{
+    return wasSolid(*tooth.anatomy, k) && endOf(tooth, k) < tooth.anatomy->top[k];
+}
+
+/// The decay left in a column, floor < roof, or nothing.
+struct Decay
+{
+    float floor = 0.0F;
+    float roof = 0.0F;
+    [[nodiscard]] bool any() const { return roof > floor; }
+};
+
+[[nodiscard]] inline Decay decayIn(const terrain::Tooth& tooth, std::size_t k)
+{
+    if (!tooth.isSolid(k))
+        return {};
+    const terrain::ColumnLayers& column = tooth.anatomy->layers[k];
+    return {std::max(column.cariesFloor, tooth.bottom[k]), std::min(column.cariesRoof, tooth.top[k])};
+}
+
+}  // namespace core::grading

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grading/CutForm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/grading/Columns.h"
+#include "core/terrain/NodeRect.h"
+
+namespace core::grading {
+namespace {
+
+using terrain::Grid;
+using terrain::NodeRect;
+using terrain::ToothAnatomy;
+
+constexpr double kAsideMm = 1.5;  ///< the cut of an isthmus is looked for so far beside the isthmus
+
+/// How far the cut goes on from a place inside it.
+double reachOf(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm, double mostMm)
+{
+    double inside = outline.insideMm(fromMm);
+    for (double at = stepMm; at < mostMm; at += stepMm) {
+        const double here = outline.insideMm(fromMm + towards * at);
+        if (!(here > 0.0))
+            return at - stepMm + stepMm * inside / (inside - here);
+        inside = here;
+    }
+    return mostMm;
+}
+
+// ---------------------------------------------------------------------------------------------------------- walls
+
+constexpr double kLeastHeightMm = 0.3;  ///< a lower one is no wall
+constexpr double kFootMm = 0.5;         ///< the foot of a wall is looked for so far around a place on it
+constexpr double kBandTop = 0.02;       ///< of the way from the cavosurface down to the foot
+constexpr double kBandFoot = 0.75;
+constexpr double kHalfStretchMm = 0.35;
+constexpr double kInwardsMm = 0.6;
+constexpr double kOutwardsMm = 0.15;
+/// Cosine of the largest angle between a stretch and what rises at a place of it.
+constexpr double kSameWay = 0.7;
+constexpr std::size_t kLeastPlaces = 6;
+/// A stretch tells the angle if its heights vary by so much of the wall's height that nothing else explains.
+constexpr double kLeastSpread = 0.07;
+
+/// A column on the slope of a wall.
+struct Place
+{
+    std::size_t node = 0;
+    glm::dvec2 atMm{};
+    double zMm = 0.0;
+    double wallMm = 0.0;  ///< height of the wall there
+    glm::dvec2 uphill{};  ///< unit vector
+};
+
+/// Columns on the slopes of walls, looked up by where they are.
+class Slopes
+{
+public:
+    explicit Slopes(const CutSurface& cut);
+    [[nodiscard]] double wallMm(std::size_t k) const
+    {
+        return static_cast<double>(m_cut.anatomy.top[k]) - static_cast<double>(m_foot[k]);
+    }
+    [[nodiscard]] const Place* at(int i, int j) const
+    {
+        const int number = m_number[m_cut.anatomy.grid.index(i, j)];
+        return number < 0 ? nullptr : &m_places[static_cast<std::size_t>(number)];
+    }
+
+private:
+    [[nodiscard]] NodeRect cutArea() const;
+    void findFeet(const NodeRect& area);
+    [[nodiscard]] glm::dvec2 uphillAt(int i, int j) const;
+
+    const CutSurface& m_cut;
+    std::vector<float> m_foot;  ///< lowest end within kFootMm along x and y, [side * side]
+    std::vector<int> m_number;  ///< into m_places, -1: none
+    std::vector<Place> m_places;
+};
+
+NodeRect Slopes::cutArea() const
+{
+    NodeRect area;
+    const Grid& grid = m_cut.anatomy.grid;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i)
+            if (const std::size_t k = grid.index(i, j);
+                wasSolid(m_cut.anatomy, k) && m_cut.end[k] < m_cut.anatomy.top[k])
+                area = terrain::united(area, {i, j, i + 1, j + 1});
+    return area;
+}
+
+void Slopes::findFeet(const NodeRect& area)
+{
+    const Grid& grid = m_cut.anatomy.grid;
+    const int reach = std::max(1, static_cast<int>(kFootMm / grid.cellMm + 0.5));
+    std::vector<float> inRow = m_foot;
+    const NodeRect rows = terrain::grown(area, reach, grid);
+    for (int j = rows.beginJ; j < rows.endJ; ++j)
+        for (int i = area.beginI; i < area.endI; ++i) {
+            float lowest = m_foot[grid.index(i, j)];
+            for (int n = std::max(0, i - reach); n <= std::min(grid.side - 1, i + reach); ++n)
+                if (wasSolid(m_cut.anatomy, grid.index(n, j)))
+                    lowest = std::min(lowest, m_cut.end[grid.index(n, j)]);
+            inRow[grid.index(i, j)] = lowest;
+        }
+    for (int j = area.beginJ; j < area.endJ; ++j)
+        for (int i = area.beginI; i < area.endI; ++i) {
+            float& lowest = m_foot[grid.index(i, j)];
+            for (int n = std::max(0, j - reach); n <= std::min(grid.side - 1, j + reach); ++n)
+                lowest = std::min(lowest, inRow[grid.index(i, n)]);
+        }
+}
+
+/// Which way the cut surface rises around a node (Sobel); zero where it is level.
+glm::dvec2 Slopes::uphillAt(int i, int j) const
+{
+    const Grid& grid = m_cut.anatomy.grid;
+    const std::size_t middle = grid.index(i, j);
+    const auto height = [&](int di, int dj) {
+        const bool isThere = grid.contains(i + di, j + dj) && wasSolid(m_cut.anatomy, grid.index(i + di, j + dj));
+        return static_cast<double>(m_cut.end[isThere ? grid.index(i + di, j + dj) : middle]);
+    };
+    glm::dvec2 rise(0.0);
+    for (const int n : {-1, 0, 1}) {
+        const double weight = n == 0 ? 2.0 : 1.0;
+        rise += weight * glm::dvec2(height(1, n) - height(-1, n), height(n, 1) - height(n, -1));
+    }
+    const double length = std::sqrt(glm::dot(rise, rise));
+    return length > 0.0 ? rise / length : glm::dvec2(0.0);
+}
+
+Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_number(cut.anatomy.grid.count(), -1)
+{
+    const Grid& grid = cut.anatomy.grid;
+    // The ground just outside a cut has a foot as well: there begins its wall.
+    const NodeRect area = terrain::grown(cutArea(), 2, grid);
+    if (area.isEmpty())
+        return;
+    findFeet(area);
+    for (int j = area.beginJ; j < area.endJ; ++j) {
+        for (int i = area.beginI; i < area.endI; ++i) {
+            const std::size_t k = grid.index(i, j);
+            if (!wasSolid(cut.anatomy, k) || wallMm(k) < kLeastHeightMm)
+                continue;
+            const double down = (static_cast<double>(cut.anatomy.top[k]) - static_cast<double>(cut.end[k])) / wallMm(k);
+            if (!(down > kBandTop && down < kBandFoot))
+                continue;
+            m_number[k] = static_cast<int>(m_places.size());
+            m_places.push_back({k, grid.nodeMm(i, j), static_cast<double>(cut.end[k]), wallMm(k), uphillAt(i, j)});
+        }
+    }
+}
+
+/// A short stretch of wall: how far out its places lie, along it and how high.
+class Stretch
+{
+public:
+    void clear()
+    {
+        m_out.clear();
+        m_along.clear();
+        m_height.clear();
+        m_wallMm = 0.0;
+    }
+    void add(double outMm, double alongMm, const Place& place)
+    {
+        m_out.push_back(outMm);
+        m_along.push_back(alongMm);
+        m_height.push_back(place.zMm);
+        m_wallMm += place.wallMm;
+    }
+
+    struct Fit
+    {
+        double tangent = 0.0;
+        double rest2 = 0.0;  ///< sum of squared distances left, mm2
+    };
+    /// out = a + b along + c along^2 + tangent height, by least squares; nothing where the heights say nothing.
+    [[nodiscard]] std::optional<Fit> fit();
+    [[nodiscard]] std::size_t count() const { return m_out.size(); }
+    /// Of the area that the slope covers seen from above over the area seen from the side.
+    [[nodiscard]] double tangentByArea(double cellMm) const
+    {
+        if (m_out.empty())
+            return 0.0;
+        const double meanWall = m_wallMm / static_cast<double>(count());
+        return static_cast<double>(count()) * cellMm * cellMm /
+               (2.0 * kHalfStretchMm * (kBandFoot - kBandTop) * meanWall);
+    }
+
+private:
+    std::vector<double> m_out;
+    std::vector<double> m_along;
+    std::vector<double> m_height;
+    double m_wallMm = 0.0;
+};
+
+double dotOf(const std::vector<double>& a, const std::vector<double>& b)
+{
+    double sum = 0.0;
+    for (std::size_t n = 0; n < a.size(); ++n)
+        sum += a[n] * b[n];
+    return sum;
+}
+
+/// Takes out of `from` what is along `what`.
+void takeOut(std::vector<double>& from, const std::vector<double>& what)
+{
+    const double length2 = dotOf(what, what);
+    if (!(length2 > 0.0))
+        return;
+    const double share = dotOf(from, what) / length2;
+    for (std::size_t n = 0; n < from.size(); ++n)
+        from[n] -= share * what[n];
+}
+
+std::optional<Stretch::Fit> Stretch::fit()
+{
+    if (count() < kLeastPlaces)
+        return {};
+    // Gram-Schmidt: what the direction and the bend of the stretch explain goes first.
+    std::vector<double> base(count(), 1.0);
+    std::vector<double> line = m_along;
+    std::vector<double> bend = m_along;
+    for (double& value : bend)
+        value *= value;
+    takeOut(line, base);
+    takeOut(bend, base);
+    takeOut(bend, line);
+    for (const std::vector<double>* known : {&base, &line, &bend}) {
+        takeOut(m_out, *known);
+        takeOut(m_height, *known);
+    }
+    const double meanWall = m_wallMm / static_cast<double>(count());
+    const double spread2 = dotOf(m_height, m_height);
+    if (spread2 < static_cast<double>(count()) * kLeastSpread * kLeastSpread * meanWall * meanWall)
+        return {};
+    const double tangent = dotOf(m_out, m_height) / spread2;
+    takeOut(m_out, m_height);
+    return Fit{tangent, dotOf(m_out, m_out)};
+}
+
+/// The way in which the outline looks around a segment, and whether it goes on the same way there: a corner belongs to
+/// no wall.
+struct Facing
+{
+    glm::dvec2 outwards{};
+    bool isStraight = false;
+};
+
+Facing facingOf(const Outline& outline, const Outline::Segment& segment)
+{
+    constexpr double kAroundMm = 0.3;
+    // Of the mean of unit vectors: a circle of 0.45 mm has 0.93, as has a right angle 0.27 mm from its corner.
+    constexpr double kStraight = 0.93;
+    glm::dvec2 sum(0.0);
+    double length = 0.0;
+    outline.forEachWithin(segment.middleMm(), kAroundMm, [&](const Outline::Segment& other) {
+        if (glm::dot(other.outwards, segment.outwards) < 0.0)
+            return;  // the other side of a narrow place
+        sum += other.outwards * other.lengthMm();
+        length += other.lengthMm();
+    });
+    const double mean = std::sqrt(glm::dot(sum, sum));
+    if (!(mean > 0.0))
+        return {segment.outwards, false};
+    return {sum / mean, mean >= kStraight * length};
+}
+
+/// The places on the slope of the wall at `middle` of the outline.
+void gather(const Grid& grid, const Slopes& slopes, glm::dvec2 middle, glm::dvec2 outwards, Stretch& stretch)
+{
+    const double farthestMm = std::sqrt(kInwardsMm * kInwardsMm + kHalfStretchMm * kHalfStretchMm);
+    const int reach = static_cast<int>(farthestMm / grid.cellMm) + 1;
+    const glm::dvec2 along(-outwards.y, outwards.x);
+    const glm::ivec2 at(grid.latticeOf(middle) + 0.5);
+    stretch.clear();
+    for (int j = std::max(0, at.y - reach); j <= std::min(grid.side - 1, at.y + reach); ++j) {
+        for (int i = std::max(0, at.x - reach); i <= std::min(grid.side - 1, at.x + reach); ++i) {
+            const Place* place = slopes.at(i, j);
+            if (place == nullptr || glm::dot(place->uphill, outwards) < kSameWay)
+                continue;
+            const glm::dvec2 way = place->atMm - middle;
+            const double out = glm::dot(way, outwards);
+            const double aside = glm::dot(way, along);
+            if (out <= kOutwardsMm && out >= -kInwardsMm && std::abs(aside) <= kHalfStretchMm)
+                stretch.add(out, aside, *place);
+        }
+    }
+}
+
+Side sideOf(glm::dvec2 outwards)
+{
+    if (std::abs(outwards.x) > std::abs(outwards.y))
+        return outwards.x > 0.0 ? Side::PlusX : Side::MinusX;
+    return outwards.y > 0.0 ? Side::PlusY : Side::MinusY;
+}
+
+}  // namespace
+
+double atanDeg(double tangent)
+{
+    constexpr double kDegreesPerRadian = 57.29577951308232;
+    const double size = std::abs(tangent);
+    // tan(x / 2) from tan x, twice: 11.25 degrees at most are left for the series.
+    double t = size > 1.0 ? 1.0 / size : size;
+    for (int half = 0; half < 2; ++half)
+        t /= 1.0 + std::sqrt(1.0 + t * t);
+    double series = 0.0;
+    for (int n = 15; n >= 1; n -= 2)
+        series = 1.0 / n - t * t * series;
+    const double degrees = 4.0 * kDegreesPerRadian * t * series;
+    return std::copysign(size > 1.0 ? 90.0 - degrees : degrees, tangent);
+}
+
+std::optional<Placed> isthmusOf(const CutSurface& cut, const Preparation::Isthmus& isthmus, const Outline& ideal)
+{
+    if (cut.outline.segments().empty())
+        return {};
+    const Grid& grid = cut.anatomy.grid;
+    const double stepMm = 0.5 * grid.cellMm;
+    const double mostMm = grid.cellMm * grid.side;
+    const glm::dvec2 along(-isthmus.across.y, isthmus.across.x);
+    const int lines = static_cast<int>(isthmus.lengthMm / stepMm);
+    std::optional<Placed> narrowest;
+    for (int line = -lines; line <= lines; ++line) {
+        const glm::dvec2 middle = isthmus.atMm + along * (stepMm * line);
+        if (!(ideal.insideMm(middle) > 0.0))
+            continue;
+        // The place of this line inside the cut that is nearest to its middle.
+        std::optional<double> start;
+        for (double aside = 0.0; aside < kAsideMm && !start; aside += stepMm)
+            for (const double at : {aside, -aside})
+                if (!start && cut.outline.insideMm(middle + isthmus.across * at) > 0.0)
+                    start = at;
+        double width = 0.0;
+        glm::dvec2 place = middle;
+        if (start) {
+            place = middle + isthmus.across * *start;
+            const double right = reachOf(cut.outline, place, isthmus.across, stepMm, mostMm);
+            const double left = reachOf(cut.outline, place, -isthmus.across, stepMm, mostMm);
+            width = left + right;
+            place += isthmus.across * (0.5 * (right - left));
+        }
+        if (!narrowest || width < narrowest->value)
+            narrowest = Placed{width, cut.outline.nodeAt(place)};
+    }
+    return narrowest;
+}
+
+std::optional<Placed> ridgeOf(const CutSurface& cut, int sign)
+{
+    const ToothAnatomy& anatomy = cut.anatomy;
+    const Grid& grid = anatomy.grid;
+    const auto column = [&](int n) { return sign < 0 ? n : grid.side - 1 - n; };  // the n-th from the outside
+    const auto firstSolid = [&](int j) {
+        int n = 0;
+        while (n < grid.side && !wasSolid(anatomy, grid.index(column(n), j)))
+            ++n;
+        return n;
+    };
+    int beginJ = 0;
+    int endJ = grid.side;
+    while (beginJ < endJ && firstSolid(beginJ) == grid.side)
+        ++beginJ;
+    while (endJ > beginJ && firstSolid(endJ - 1) == grid.side)
+        --endJ;
+    const int quarter = (endJ - beginJ) / 4;
+
+    std::optional<Placed> least;
+    for (int j = beginJ + quarter; j < endJ - quarter; ++j) {
+        const int rim = firstSolid(j);
+        int n = rim;
+        while (n < grid.side && !(cut.outline.insideMm(column(n), j) > 0.0))
+            ++n;
+        if (rim == grid.side || n == grid.side)
+            continue;
+        // Both in cells from the outermost node: where the silhouette of this row ends, and where the cut begins.
+        const double rimWidth = static_cast<double>(anatomy.areaMm2[grid.index(column(rim), j)]);
+        const double outside = rim + 0.5 - std::clamp(rimWidth / (grid.cellMm * grid.cellMm), 0.0, 1.5);
+        double edge = n;
+        if (n > 0) {
+            const double before = cut.outline.insideMm(column(n - 1), j);
+            const double here = cut.outline.insideMm(column(n), j);
+            edge = n - here / (here - before);
+        }
+        const double ridge = grid.cellMm * std::max(0.0, edge - outside);
+        if (!least || ridge < least->value)
+            least = Placed{ridge, grid.index(column(n), j)};
+    }
+    return least;
+}
+
+void measureWalls(const CutSurface& cut, Form& form)
+{
+    struct Sum
+    {
+        double weightedDeg = 0.0;
+        double weight = 0.0;
+        Placed most{-90.0, 0};
+        void add(double degrees, const Outline::Segment& segment)
+        {
+            weightedDeg += degrees * segment.lengthMm();
+            weight += segment.lengthMm();
+            if (degrees > most.value)
+                most = {degrees, segment.node};
+        }
+    };
+    std::array<Sum, 4> straight;
+    std::array<Sum, 4> corners;
+    double rest2 = 0.0;
+    std::size_t restCount = 0;
+
+    const Grid& grid = cut.anatomy.grid;
+    const Slopes slopes(cut);
+    // On a fine grid neighbouring segments have nearly the same stretch.
+    const auto stride = static_cast<std::size_t>(std::max(1.0, 0.07 / grid.cellMm));
+    Stretch stretch;
+    const std::span<const Outline::Segment> segments = cut.outline.segments();
+    for (std::size_t s = 0; s < segments.size(); s += stride) {
+        const Outline::Segment& segment = segments[s];
+        if (!wasSolid(cut.anatomy, segment.node) || slopes.wallMm(segment.node) < kLeastHeightMm)
+            continue;
+        const Facing facing = facingOf(cut.outline, segment);
+        gather(grid, slopes, segment.middleMm(), facing.outwards, stretch);
+        double tangent = stretch.tangentByArea(grid.cellMm);
+        if (const auto fit = stretch.fit()) {
+            tangent = fit->tangent;
+            if (facing.isStraight) {
+                rest2 += fit->rest2;
+                restCount += stretch.count();
+            }
+        }
+        const auto side = static_cast<std::size_t>(sideOf(facing.outwards));
+        (facing.isStraight ? straight : corners).at(side).add(atanDeg(tangent), segment);
+    }
+    for (std::size_t side = 0; side < straight.size(); ++side) {
+        const Sum& sum = straight.at(side).weight > 0.0 ? straight.at(side) : corners.at(side);
+        if (sum.weight > 0.0)
+            form.wallDeg.at(side) = Placed{sum.weightedDeg / sum.weight, sum.most.node};
+    }
+    if (restCount > 0)
+        form.wallRoughnessMm = std::sqrt(rest2 / static_cast<double>(restCount));
+}
+
+}  // namespace core::grading

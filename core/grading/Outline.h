@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/terrain/Tooth.h"
+
+namespace core::grading {
+
+/// Where the surface of a tooth has been lowered by kOutlineDepthMm, seen from above, finer than the grid.
+///
+/// The depth of a column, as far as twice kOutlineDepthMm, is averaged over its neighbours (1 2 1 along x and along y)
+/// and taken as linear between nodes. An upright wall so lies midway between the last column cut and the first that is
+/// not, and one that stands askew to the lattice is a line and no staircase.
+class Outline
+{
+public:
+    /// @param end  heights at which the columns end, [side * side]; what was empty to begin with does not count
+    Outline(const terrain::ToothAnatomy& anatomy, std::span<const float> end);
+
+    struct Segment
+    {
+        glm::dvec2 fromMm;
+        glm::dvec2 toMm;
+        glm::dvec2 outwards;  ///< unit vector, to where nothing was cut
+        std::size_t node;     ///< nearest
+        [[nodiscard]] glm::dvec2 middleMm() const { return 0.5 * (fromMm + toMm); }
+        [[nodiscard]] double lengthMm() const;
+    };
+    [[nodiscard]] std::span<const Segment> segments() const { return m_segments; }
+
+    /// Distance to the nearest point of the outline. There must be one.
+    [[nodiscard]] double distanceMm(glm::dvec2 pointMm) const;
+
+    /// Calls visit(segment) for those whose middle is within a distance of a point.
+    template <class Visit>
+    void forEachWithin(glm::dvec2 pointMm, double distanceMm, const Visit& visit) const
+    {
+        for (const Bin& bin : m_bins) {
+            if (apart2(bin, pointMm) > distanceMm * distanceMm)
+                continue;
+            for (std::size_t s = bin.begin; s < bin.end; ++s) {
+                const glm::dvec2 way = m_segments[s].middleMm() - pointMm;
+                if (glm::dot(way, way) <= distanceMm * distanceMm)
+                    visit(m_segments[s]);
+            }
+        }
+    }
+
+    /// How far inside the outline a place is, in mm of depth: 0 on it, kOutlineDepthMm at most.
+    [[nodiscard]] double insideMm(glm::dvec2 pointMm) const;
+    [[nodiscard]] double insideMm(int i, int j) const { return m_depth[m_grid.index(i, j)] - m_level; }
+    /// The node nearest to a place, the last one at the border of the grid.
+    [[nodiscard]] std::size_t nodeAt(glm::dvec2 pointMm) const;
+
+private:
+    void trace(int i, int j);
+
+    /// Segments of the cells of one square of the grid.
+    struct Bin
+    {
+        glm::dvec2 lowMm;
+        glm::dvec2 highMm;
+        std::size_t begin;
+        std::size_t end;
+    };
+    [[nodiscard]] static double apart2(const Bin& bin, glm::dvec2 pointMm)
+    {
+        const glm::dvec2 way = glm::max(glm::dvec2(0.0), glm::max(bin.lowMm - pointMm, pointMm - bin.highMm));
+        return glm::dot(way, way);
+    }
+
+    terrain::Grid m_grid;
+    double m_level;
+    std::vector<double> m_depth;  ///< [side * side]
+    std::vector<Segment> m_segments;
+    std::vector<Bin> m_bins;  ///< those that hold any
+};
+
+}  // namespace core::grading
