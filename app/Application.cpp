@@ -288,8 +288,11 @@ void Application::begin(const lessons::Assignment& assignment, const QStringList
     m_demoHand = {};
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, notes, unitInDoubt);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
-    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration}))
-        static_cast<void>(tooth.release());  // the session owns it now
+    auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
+    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get()})) {
+        static_cast<void>(tooth.release());  // the session owns both now
+        static_cast<void>(lesson.release());
+    }
 }
 
 void Application::letDemoHandDecide()

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/drilling/Bur.h"
 #include "lessons/LessonReader.h"
 
 namespace lessons {
@@ -82,6 +83,51 @@ core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::Tooth
     assignment.rubric = read.lesson->rubric;
     assignment.lesson = std::move(read.lesson);
     return assignment;
+}
+
+core::session::Examination examinationOf(const Assignment& assignment)
+{
+    core::session::Examination examination;
+    examination.ideal = assignment.shownIdeal();
+    if (!assignment.lesson)
+        return examination;
+    const Rules& rules = assignment.lesson->rules;
+    core::grading::Rules& watched = examination.rules;
+    watched.pulpExposed = rules.pulpExposed;
+    watched.perforated = rules.perforated;
+    watched.depthLimitMm = rules.depthLimitMm;
+    watched.ridgeLimitMm = rules.ridgeLimitMm;
+    watched.besideLimitMm = rules.besideMm;
+    watched.forceLimitN = rules.forceLimitN;
+    watched.airLimitS = rules.airLimitS;
+    if (!assignment.lesson->burs.empty())
+        watched.allowedBurs = 0;
+    for (const std::string& bur : assignment.lesson->burs)
+        if (const auto index = core::drilling::findBur(bur))
+            watched.allowedBurs |= std::uint32_t{1} << *index;
+    return examination;
+}
+
+core::Result<Remarked>
+markAgain(const core::recording::Recording& recording,
+          const std::function<void(const core::session::ServoEvent&, const core::recording::Replayer&)>& afterEvent)
+{
+    const auto assignment = assignmentOf(recording.anatomy(), recording.lesson());
+    if (!assignment)
+        return tl::unexpected(assignment.error());
+    core::session::Examiner examiner(examinationOf(*assignment), recording.anatomy());
+    auto outcome = core::recording::replay(
+        recording, [&](const core::session::ServoEvent& event, const core::recording::Replayer& servo) {
+            examiner.take(event, servo);
+            if (afterEvent)
+                afterEvent(event, servo);
+        });
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    auto marked = mark(*assignment, outcome->tooth, examiner.process());
+    if (!marked)
+        return tl::unexpected(marked.error());
+    return Remarked{std::move(*outcome), std::move(*marked), examiner.infractions()};
 }
 
 core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,

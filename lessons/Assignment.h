@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
+#include "core/session/Examiner.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Lesson.h"
 
@@ -51,10 +53,28 @@ struct Mark
     ScoreSheet sheet;
 };
 
+/// What an examiner of this assignment watches.
+[[nodiscard]] core::session::Examination examinationOf(const Assignment& assignment);
+
 /// Measures a tooth of the assignment's anatomy and marks it. A few milliseconds at 150 x 150. Any thread that owns the
 /// tooth.
 /// @param process  how the attempt went, where that is known
 [[nodiscard]] core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
                                       const std::optional<core::grading::Process>& process);
+
+/// What replaying a recording came to.
+struct Remarked
+{
+    core::recording::ReplayOutcome outcome;
+    Mark mark;
+    std::vector<core::grading::Infraction> infractions;
+};
+
+/// Replays a recording, marks it for the lesson it was made for, and says what went wrong when: what was said while it
+/// was made, to the bit.
+/// @param afterEvent  as in core::recording::replay
+[[nodiscard]] core::Result<Remarked> markAgain(
+    const core::recording::Recording& recording,
+    const std::function<void(const core::session::ServoEvent&, const core::recording::Replayer&)>& afterEvent = {});
 
 }  // namespace lessons

@@ -112,6 +112,43 @@ QJsonObject toJson(const core::grading::Measured& measured)
     return object;
 }
 
+namespace {
+
+QString nameOf(core::grading::Breach breach)
+{
+    static constexpr std::array kNames{"pulp_exposed", "perforated",     "too_deep",   "ridge_cut",
+                                       "wrong_place",  "too_much_force", "bur_in_air", "wrong_bur"};
+    return QLatin1String(kNames[static_cast<std::size_t>(breach)]);
+}
+
+}  // namespace
+
+QJsonArray toJson(const std::vector<core::grading::Infraction>& infractions)
+{
+    QJsonArray list;
+    for (const core::grading::Infraction& infraction : infractions)
+        list.append(QJsonObject{{"what", nameOf(infraction.breach)},
+                                {"tick", static_cast<qint64>(infraction.tick)},
+                                {"at_s", infraction.seconds},
+                                {"x_mm", infraction.placeMm.x},
+                                {"y_mm", infraction.placeMm.y},
+                                {"z_mm", infraction.placeMm.z},
+                                {"value", infraction.value},
+                                {"limit", infraction.limit}});
+    return list;
+}
+
+QString toText(const std::vector<core::grading::Infraction>& infractions)
+{
+    QString text;
+    for (const core::grading::Infraction& infraction : infractions)
+        text += QStringLiteral("%1 %2 at %3 s\n")
+                    .arg(text.isEmpty() ? QStringLiteral("infractions   ") : QString(14, QLatin1Char(' ')))
+                    .arg(nameOf(infraction.breach), -15)
+                    .arg(infraction.seconds, 0, 'f', 2);
+    return text;
+}
+
 QJsonObject toJsonObject(const lessons::ScoreSheet& sheet)
 {
     return QJsonDocument::fromJson(lessons::toJson(sheet)).object();

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QCommandLineParser>
+#include <QJsonArray>
 #include <QJsonObject>
 
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
+#include "core/grading/Referee.h"
 #include "core/session/ServoTick.h"
 #include "haptics/simulated/TickTimes.h"
 #include "lessons/ScoreSheet.h"
@@ -22,6 +24,8 @@ namespace app::cli {
 [[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);
 /// Every measure by its id, null where it was not measured, and what no height map can tell.
 [[nodiscard]] QJsonObject toJson(const core::grading::Measured& measured);
+/// Each with what, when and where.
+[[nodiscard]] QJsonArray toJson(const std::vector<core::grading::Infraction>& infractions);
 [[nodiscard]] QJsonObject toJsonObject(const lessons::ScoreSheet& sheet);
 /// p50, p99, p999 and max of tick times in microseconds.
 [[nodiscard]] QJsonObject toJson(const haptics::TickTimes& times);
@@ -30,5 +34,7 @@ namespace app::cli {
 
 /// The score as a person reads it, one line a criterion.
 [[nodiscard]] QString toText(const lessons::ScoreSheet& sheet);
+/// One line each; empty for none.
+[[nodiscard]] QString toText(const std::vector<core::grading::Infraction>& infractions);
 
 }  // namespace app::cli

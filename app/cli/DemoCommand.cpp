@@ -91,12 +91,10 @@ int demoCommand(const QStringList& arguments)
     if (const core::Status written = core::recording::writeRecording(recording.toStdString(), *outcome->recording);
         !written)
         return failed(written.error());
-    const auto assignment = lessons::practiceOn(tooth->anatomy);
-    if (!assignment)
-        return failed(assignment.error());
-    const auto marked = lessons::mark(*assignment, outcome->tooth, {});
-    if (!marked)
-        return failed(marked.error());
+    const auto remarked = lessons::markAgain(*outcome->recording);
+    if (!remarked)
+        return failed(remarked.error());
+    const lessons::Mark* const marked = &remarked->mark;
     const QJsonObject score{{QStringLiteral("score"), toJsonObject(marked->sheet)},
                             {QStringLiteral("measures"), toJson(marked->measured)},
                             {QStringLiteral("state_hash"), hashText(core::terrain::stateHash(outcome->tooth))}};

@@ -31,28 +31,25 @@ int replayCommand(const QStringList& arguments)
     timer.start();
     const auto tickTimes = std::make_unique<haptics::TickTimes>();
     double before = haptics::threadCpuUs();
-    const auto outcome =
-        core::recording::replay(*recording, [&](const core::session::ServoState&, const core::contact::LiveTooth&) {
+    const auto remarked =
+        lessons::markAgain(*recording, [&](const core::session::ServoEvent& event, const core::recording::Replayer&) {
+            if (!core::recording::isStep(event))
+                return;
             const double now = haptics::threadCpuUs();
             tickTimes->add(now - before);
             before = now;
         });
-    if (!outcome)
-        return failed(outcome.error());
+    if (!remarked)
+        return failed(remarked.error());
+    const core::recording::ReplayOutcome& outcome = remarked->outcome;
     const double tookS = static_cast<double>(timer.nsecsElapsed()) * 1.0e-9;
-    if (!outcome->agreesWithWitness)
+    if (!outcome.agreesWithWitness)
         return failed(
             {core::ErrorCode::BadStructure,
              "The replay came to another tooth than the one recorded: the recording was altered, or this Cusp "
              "computes differently from the one that made it. Do not trust its score."});
-
-    const auto assignment = lessons::practiceOn(recording->anatomy());
-    if (!assignment)
-        return failed(assignment.error());
-    const auto marked = lessons::mark(*assignment, outcome->tooth, {});
-    if (!marked)
-        return failed(marked.error());
-    const core::grading::Measures& measures = marked->measured.measures;
+    const core::grading::Measures& measures = remarked->mark.measured.measures;
+    const lessons::ScoreSheet& sheet = remarked->mark.sheet;
     const double lastsS = std::chrono::duration<double>(recording->duration()).count();
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
@@ -60,11 +57,12 @@ int replayCommand(const QStringList& arguments)
                    {QStringLiteral("duration_s"), lastsS},
                    {QStringLiteral("replay_s"), tookS},
                    {QStringLiteral("tick_us"), toJson(*tickTimes)},
-                   {QStringLiteral("state_hash"), hashText(outcome->stateHash)},
+                   {QStringLiteral("state_hash"), hashText(outcome.stateHash)},
                    {QStringLiteral("verified"), recording->witness().has_value()},
                    {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
-                   {QStringLiteral("measures"), toJson(marked->measured)},
-                   {QStringLiteral("score"), toJsonObject(marked->sheet)}});
+                   {QStringLiteral("measures"), toJson(remarked->mark.measured)},
+                   {QStringLiteral("score"), toJsonObject(sheet)},
+                   {QStringLiteral("infractions"), toJson(remarked->infractions)}});
         return kDone;
     }
     printText(
@@ -80,8 +78,8 @@ int replayCommand(const QStringList& arguments)
             .arg(measures.removedMm3[1], 0, 'f', 4)
             .arg(measures.removedMm3[2], 0, 'f', 4)
             .arg(measures.removedMm3[3], 0, 'f', 4)
-            .arg(hashText(outcome->stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString()) +
-        toText(marked->sheet));
+            .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString()) +
+        toText(sheet) + toText(remarked->infractions));
     return kDone;
 }
 

@@ -77,9 +77,8 @@ bool Replayer::play(const ServoEvent& event)
     return false;
 }
 
-Result<ReplayOutcome>
-replay(const Recording& recording,
-       const std::function<void(const session::ServoState&, const contact::LiveTooth&)>& afterTick)
+Result<ReplayOutcome> replay(const Recording& recording,
+                             const std::function<void(const ServoEvent&, const Replayer&)>& afterEvent)
 {
     auto made = Replayer::make(recording);
     if (!made)
@@ -92,11 +91,10 @@ replay(const Recording& recording,
     };
     compareWithWitness();
     recording.forEach([&](const ServoEvent& event) {
-        if (!servo.play(event))
-            return;
-        compareWithWitness();
-        if (afterTick)
-            afterTick(servo.state(), servo.tooth());
+        if (servo.play(event))
+            compareWithWitness();
+        if (afterEvent)
+            afterEvent(event, servo);
     });
     const terrain::Tooth& tooth = servo.tooth().tooth();
     return ReplayOutcome{tooth, servo.state(), terrain::stateHash(tooth), agrees};

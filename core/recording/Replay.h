@@ -52,9 +52,15 @@ struct ReplayOutcome
 };
 
 /// Runs a recording through the very ticks that made it.
-/// @param afterTick  called after every tick, with the state and the live tooth; may be empty
+/// @param afterEvent  called after every event, with the servo as it is then; may be empty
 [[nodiscard]] Result<ReplayOutcome>
 replay(const Recording& recording,
-       const std::function<void(const session::ServoState&, const contact::LiveTooth&)>& afterTick = {});
+       const std::function<void(const session::ServoEvent&, const Replayer&)>& afterEvent = {});
+
+/// Whether an event is a step of the servo.
+[[nodiscard]] inline bool isStep(const session::ServoEvent& event)
+{
+    return event.kind == session::ServoEvent::Kind::Tick || event.kind == session::ServoEvent::Kind::NoDevice;
+}
 
 }  // namespace core::recording

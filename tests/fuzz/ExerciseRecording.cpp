@@ -106,7 +106,8 @@ void exerciseRecording(std::string_view bytes)
         return;
     const double clampN = recording->settings().force.clampN;
     const auto outcome =
-        replay(*recording, [&](const core::session::ServoState& state, const core::contact::LiveTooth&) {
+        replay(*recording, [&](const core::session::ServoEvent&, const core::recording::Replayer& servo) {
+            const core::session::ServoState& state = servo.state();
             const double force = std::sqrt(glm::dot(state.forceN, state.forceN));
             promise(force <= clampN * (1.0 + 1.0e-9));  // false for NaN
         });

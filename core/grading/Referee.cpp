@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grading/Referee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/teeth/Lattice.h"
+
+namespace core::grading {
+namespace {
+
+using terrain::Grid;
+using terrain::ToothAnatomy;
+
+constexpr float kScratchMm = 0.1F;
+/// Looking for holes floods the whole tooth, so it is done this often at most.
+constexpr std::uint64_t kTicksBetweenHoles = 50;
+
+bool isSolid(const ToothAnatomy& anatomy, std::size_t k)
+{
+    return anatomy.top[k] > anatomy.bottom[k];
+}
+
+/// How far each column lies outside what the ideal cuts; 0 inside.
+std::vector<float> besideOf(const ToothAnatomy& anatomy, const std::vector<float>& ideal)
+{
+    std::vector<std::uint8_t> kept(anatomy.top.size());
+    for (std::size_t k = 0; k < kept.size(); ++k)
+        kept[k] = ideal[k] < anatomy.top[k] ? 0 : 1;
+    return teeth::distanceInside(anatomy.grid, kept);
+}
+
+/// Along x from each column to the nearer end of its row, over the middle half of the rows; beyond those far away.
+std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
+{
+    const Grid& grid = anatomy.grid;
+    std::vector<float> ridge(grid.count(), std::numeric_limits<float>::infinity());
+    int first = grid.side;
+    int last = -1;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i)
+            if (isSolid(anatomy, grid.index(i, j))) {
+                first = std::min(first, j);
+                last = std::max(last, j);
+            }
+    const int quarter = (last - first) / 4;
+    for (int j = first + quarter; j <= last - quarter; ++j) {
+        int low = grid.side;
+        int high = -1;
+        for (int i = 0; i < grid.side; ++i)
+            if (isSolid(anatomy, grid.index(i, j))) {
+                low = std::min(low, i);
+                high = std::max(high, i);
+            }
+        for (int i = low; i <= high; ++i)
+            ridge[grid.index(i, j)] =
+                static_cast<float>(grid.cellMm * (static_cast<double>(std::min(i - low, high - i)) + 0.5));
+    }
+    return ridge;
+}
+
+}  // namespace
+
+Referee::Referee(const Rules& rules, std::shared_ptr<const ToothAnatomy> anatomy, IdealTop ideal)
+    : m_rules(rules), m_anatomy(std::move(anatomy))
+{
+    if (m_rules.besideLimitMm && ideal != nullptr)
+        m_besideMm = besideOf(*m_anatomy, *ideal);
+    if (m_rules.ridgeLimitMm)
+        m_ridgeMm = ridgeOf(*m_anatomy);
+}
+
+void Referee::find(Breach breach, double value, double limit)
+{
+    if (std::exchange(standing(breach), true))
+        return;
+    Infraction infraction = m_now;
+    infraction.breach = breach;
+    infraction.value = value;
+    infraction.limit = limit;
+    m_found.push_back(infraction);
+}
+
+std::vector<Infraction> Referee::look(const session::ServoState& state, const drilling::CutRect& changed,
+                                      const terrain::Tooth& tooth, std::chrono::microseconds dt)
+{
+    m_found.clear();
+    m_time += dt;
+    m_now.tick = state.tick;
+    m_now.seconds = std::chrono::duration<double>(m_time).count();
+    m_now.placeMm = state.anchorMm;
+
+    const double forceN = std::sqrt(glm::dot(state.forceN, state.forceN));
+    m_pressed = m_rules.forceLimitN && state.touching && forceN > *m_rules.forceLimitN ? m_pressed + dt
+                                                                                       : std::chrono::microseconds{0};
+    if (m_pressed > kForcePatience)
+        find(Breach::TooMuchForce, forceN, *m_rules.forceLimitN);
+    else if (m_pressed.count() == 0)
+        standing(Breach::TooMuchForce) = false;
+
+    m_inAir = state.drillOn && !state.touching ? m_inAir + dt : std::chrono::microseconds{0};
+    const double airS = std::chrono::duration<double>(m_inAir).count();
+    if (m_rules.airLimitS && airS > *m_rules.airLimitS)
+        find(Breach::BurInAir, airS, *m_rules.airLimitS);
+    else if (m_inAir.count() == 0)
+        standing(Breach::BurInAir) = false;
+
+    const bool isAllowed = state.burIndex >= 32 || ((m_rules.allowedBurs >> state.burIndex) & 1U) != 0;
+    if (isAllowed)
+        standing(Breach::WrongBur) = false;
+    else if (state.cutting)
+        find(Breach::WrongBur, 0.0, 0.0);
+
+    if (!changed.isEmpty())
+        lookAtColumns(changed, tooth);
+    if (m_mayBeHole && state.tick >= m_holesAskedAt + kTicksBetweenHoles) {
+        m_holesAskedAt = state.tick;
+        m_mayBeHole = false;
+        if (!terrain::perforations(tooth).empty())
+            find(Breach::Perforated, 0.0, 0.0);
+    }
+    return std::exchange(m_found, {});
+}
+
+void Referee::lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth)
+{
+    const Grid& grid = tooth.grid();
+    for (int j = rect.j0; j <= rect.j1; ++j) {
+        for (int i = rect.i0; i <= rect.i1; ++i) {
+            const std::size_t k = grid.index(i, j);
+            if (!isSolid(*m_anatomy, k))
+                continue;
+            const float end = tooth.isSolid(k) ? tooth.top[k] : m_anatomy->bottom[k];
+            if (m_rules.perforated && !tooth.isSolid(k) && !standing(Breach::Perforated))
+                m_mayBeHole = true;
+            if (m_rules.pulpExposed && terrain::hasPulp(*m_anatomy, k) && end <= m_anatomy->layers[k].pulpRoof)
+                find(Breach::PulpExposed, 0.0, 0.0);
+            const float depth = m_anatomy->top[k] - end;
+            if (!(depth > kScratchMm))
+                continue;
+            if (m_rules.depthLimitMm && static_cast<double>(depth) > *m_rules.depthLimitMm)
+                find(Breach::TooDeep, static_cast<double>(depth), *m_rules.depthLimitMm);
+            if (!m_ridgeMm.empty() && static_cast<double>(m_ridgeMm[k]) < *m_rules.ridgeLimitMm)
+                find(Breach::RidgeCut, static_cast<double>(m_ridgeMm[k]), *m_rules.ridgeLimitMm);
+            if (!m_besideMm.empty() && static_cast<double>(m_besideMm[k]) > *m_rules.besideLimitMm)
+                find(Breach::WrongPlace, static_cast<double>(m_besideMm[k]), *m_rules.besideLimitMm);
+        }
+    }
+}
+
+void Referee::restored(const terrain::Tooth& tooth)
+{
+    for (const Breach mended :
+         {Breach::PulpExposed, Breach::Perforated, Breach::TooDeep, Breach::RidgeCut, Breach::WrongPlace})
+        standing(mended) = false;
+    // What the earlier state had broken already is not told again.
+    m_found.clear();
+    lookAtColumns({0, 0, tooth.grid().side - 1, tooth.grid().side - 1}, tooth);
+    if (m_mayBeHole && !terrain::perforations(tooth).empty())
+        standing(Breach::Perforated) = true;
+    m_mayBeHole = false;
+    m_found.clear();
+}
+
+}  // namespace core::grading

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/Examiner.h"
+
+#include <utility>
+
+namespace core::session {
+
+Examiner::Examiner(const Examination& examination, std::shared_ptr<const terrain::ToothAnatomy> anatomy)
+    : m_meter(std::make_unique<grading::ProcessMeter>(examination.rules.forceLimitN.value_or(kUsualForceLimitN))),
+      m_referee(examination.rules, std::move(anatomy), examination.ideal)
+{}
+
+void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed)
+{
+    const terrain::Tooth& tooth = replayed.tooth().tooth();
+    if (event.kind == ServoEvent::Kind::Restore) {
+        m_meter->undone();
+        m_referee.restored(tooth);
+    }
+    if (!recording::isStep(event))
+        return;
+    const std::chrono::microseconds dt(event.dtUs);
+    m_meter->take(replayed.state(), dt);
+    for (const grading::Infraction& infraction : m_referee.look(replayed.state(), replayed.changed(), tooth, dt))
+        m_infractions.push_back(infraction);
+}
+
+}  // namespace core::session

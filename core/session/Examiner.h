@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/grading/Process.h"
+#include "core/grading/Referee.h"
+#include "core/recording/Replay.h"
+
+namespace core::session {
+
+/// Time over so much force is counted where a lesson sets no limit, N: the largest that six prosthodontists and six
+/// students used on crowns was 4.9 (teeth.md section 5), their means below 1.8.
+inline constexpr double kUsualForceLimitN = 3.0;
+
+/// What an examiner looks at.
+struct Examination
+{
+    grading::Rules rules;
+    grading::IdealTop ideal;  ///< what is to be cut; may be null
+};
+
+/// Looks at an attempt as it is replayed, live or afterwards, and says how it goes: the process and the infractions.
+/// Since it looks at the replay and not at the servo, what it says live is what is said later. Any one thread; about
+/// 0.1 us a tick, more where material comes away.
+class Examiner
+{
+public:
+    Examiner(const Examination& examination, std::shared_ptr<const terrain::ToothAnatomy> anatomy);
+
+    /// An event of the recording, after the replay has played it.
+    void take(const ServoEvent& event, const recording::Replayer& replayed);
+
+    [[nodiscard]] grading::Process process() const { return m_meter->process(); }
+    [[nodiscard]] const std::vector<grading::Infraction>& infractions() const { return m_infractions; }
+
+private:
+    std::unique_ptr<grading::ProcessMeter> m_meter;
+    grading::Referee m_referee;
+    std::vector<grading::Infraction> m_infractions;
+};
+
+}  // namespace core::session
