@@ -197,10 +197,11 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
 {
     const int load = ++m_loading;
     const auto* fdi = std::get_if<int>(&source.what);
-    const QString file =
-        fdi != nullptr ? QString() : QFileInfo(std::get<std::filesystem::path>(source.what)).filePath();
-    m_window->showBusy(fdi != nullptr ? tr("Making tooth %1 …").arg(*fdi)
-                                      : tr("Reading %1 …").arg(QFileInfo(file).fileName()));
+    const auto* path = std::get_if<std::filesystem::path>(&source.what);
+    const QString file = path == nullptr ? QString() : QFileInfo(*path).filePath();
+    m_window->showBusy(fdi != nullptr    ? tr("Making tooth %1 …").arg(*fdi)
+                       : path != nullptr ? tr("Reading %1 …").arg(QFileInfo(file).fileName())
+                                         : tr("Making a practice block …"));
     core::teeth::BuildOptions build = m_options.build;
     if (unit)
         build.placement.unit = unit;

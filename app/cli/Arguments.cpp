@@ -84,18 +84,18 @@ core::Status readPlacement(const QCommandLineParser& parser, core::mesh::Placeme
 /// Whether this source can be, and these options can be about it.
 core::Status checkSource(const QCommandLineParser& parser, const core::teeth::ToothSource& source)
 {
-    const int* const fdi = std::get_if<int>(&source.what);
-    if (fdi == nullptr)
+    if (std::holds_alternative<std::filesystem::path>(source.what))
         return {};
-    if (const auto known = core::teeth::findToothSizes(*fdi); !known)
-        return tl::unexpected(known.error());
+    const int* const fdi = std::get_if<int>(&source.what);
+    if (fdi != nullptr)
+        if (const auto known = core::teeth::findToothSizes(*fdi); !known)
+            return tl::unexpected(known.error());
+    const QString what = fdi != nullptr ? QStringLiteral("tooth %1").arg(*fdi) : QStringLiteral("a practice block");
     for (const char* option : {"unit", "up", "fdi", "frame"})
         if (parser.isSet(QLatin1String(option)))
             return core::unexpected(core::ErrorCode::OutOfRange,
-                                    QStringLiteral("--%1 is about a mesh file, and tooth %2 comes from no file; leave "
-                                                   "it out")
-                                        .arg(QLatin1String(option))
-                                        .arg(*fdi)
+                                    QStringLiteral("--%1 is about a mesh file, and %2 comes from no file; leave it out")
+                                        .arg(QLatin1String(option), what)
                                         .toStdString());
     return {};
 }

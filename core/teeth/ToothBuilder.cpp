@@ -60,9 +60,11 @@ public:
         const double cpuStart = threadCpuMs();
         m_lap = start;
         const bool fromFile = std::holds_alternative<std::filesystem::path>(m_source.what);
+        m_block = std::get_if<BlockDesign>(&m_source.what);
         m_report.source = nameOfSource();
-        for (const auto step : {&Builder::checkOptions, fromFile ? &Builder::readFile : &Builder::generate,
-                                &Builder::judge, fromFile ? &Builder::place : &Builder::keepFrame, &Builder::closeHoles,
+        const auto make = m_block != nullptr ? &Builder::shapeBlock : &Builder::generate;
+        for (const auto step : {&Builder::checkOptions, fromFile ? &Builder::readFile : make, &Builder::judge,
+                                fromFile ? &Builder::place : &Builder::keepFrame, &Builder::closeHoles,
                                 &Builder::rasterise, &Builder::layTissues})
             if (Status status = (this->*step)(); !status)
                 return tl::unexpected(std::move(status).error());
@@ -78,6 +80,8 @@ private:
     {
         if (const int* fdi = std::get_if<int>(&m_source.what))
             return std::to_string(*fdi);
+        if (m_block != nullptr)
+            return blockName(m_block->shape);
         return std::get<std::filesystem::path>(m_source.what).string();
     }
 
@@ -116,9 +120,21 @@ private:
         return {};
     }
 
+    Status shapeBlock()
+    {
+        if (Status fits = validate(*m_block); !fits)
+            return failure(fits.error().code, fits.error().detail);
+        m_mesh = blockMesh(*m_block);
+        endStage("generate");
+        return {};
+    }
+
     Status readFile()
     {
         m_anatomy.fdi = m_options.fdi;
+        // A block of a misspelt name is no file either.
+        if (const auto block = findBlock(m_report.source); block && !*block)
+            return tl::unexpected(block->error());
         auto file = mesh::readMesh(std::get<std::filesystem::path>(m_source.what));
         if (!file)
             return tl::unexpected(std::move(file).error());
@@ -358,11 +374,15 @@ private:
 
     Status layTissues()
     {
-        m_anatomy.name = std::holds_alternative<int>(m_source.what)
-                             ? m_report.source
-                             : std::get<std::filesystem::path>(m_source.what).filename().string();
+        const auto* const file = std::get_if<std::filesystem::path>(&m_source.what);
+        m_anatomy.name = file != nullptr ? file->filename().string() : m_report.source;
         m_anatomy.seed = m_options.seed;
         m_report.fdi = m_anatomy.fdi;
+        if (m_block != nullptr) {
+            m_anatomy.layers = blockLayers(*m_block, m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, m_options.seed);
+            endStage("layers");
+            return {};
+        }
         m_anatomy.layers = buildLayers(m_anatomy.grid, m_anatomy.top, m_anatomy.bottom, layerOptions());
         warnAboutPulp();
         endStage("layers");
@@ -405,6 +425,7 @@ private:
 
     const ToothSource& m_source;
     const BuildOptions& m_options;
+    const BlockDesign* m_block = nullptr;  ///< where it is one
     Clock::time_point m_lap;
     mesh::TriangleMesh m_mesh;
     mesh::MeshFacts m_facts;
@@ -421,6 +442,8 @@ ToothSource parseSource(std::string_view text)
     const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), fdi);
     if (failure == std::errc() && stop == text.data() + text.size() && !text.empty())
         return {fdi};
+    if (const auto block = findBlock(text); block && *block)
+        return {**block};
     return {std::filesystem::path(text)};
 }
 

@@ -13,6 +13,7 @@
 
 #include "core/base/Result.h"
 #include "core/mesh/Placement.h"
+#include "core/teeth/Block.h"
 #include "core/teeth/Caries.h"
 #include "core/teeth/Layers.h"
 #include "core/terrain/Tooth.h"
@@ -20,13 +21,13 @@
 /// From a file or a tooth number to a tooth that can be drilled.
 namespace core::teeth {
 
-/// Where a tooth comes from: its FDI number (our generator makes it) or a mesh file.
+/// Where a tooth comes from: its FDI number (our generator makes it), a mesh file, or a practice block.
 struct ToothSource
 {
-    std::variant<int, std::filesystem::path> what;
+    std::variant<int, std::filesystem::path, BlockDesign> what;
 };
 
-/// "36" is a number; anything that is not a whole number is a file.
+/// "36" is a number and "block:line" a block; anything else is a file.
 [[nodiscard]] ToothSource parseSource(std::string_view text);
 
 struct BuildOptions

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "core/base/Result.h"
+
+namespace core {
+
+/// One number of a struct that people may set: what file, editor and test show and check. The default is what the
+/// struct's own initialiser says.
+template <class Design>
+struct NumberField
+{
+    const char* id;    ///< in files
+    const char* name;  ///< in sentences, after "the"
+    const char* unit;  ///< empty: a plain number
+    double Design::*value;
+    double minimum;
+    double maximum;
+    bool whole = false;
+};
+
+/// A number as a person writes it: up to three decimals, no zeros behind them.
+[[nodiscard]] inline std::string plainNumber(double value)
+{
+    const auto thousandths = static_cast<long long>(std::llround(std::abs(value) * 1000.0));
+    std::string text = value < 0.0 && thousandths != 0 ? "-" : "";
+    text += std::to_string(thousandths / 1000);
+    if (thousandths % 1000 != 0) {
+        text += '.';
+        text += std::to_string(1000 + thousandths % 1000).substr(1);
+        text.erase(text.find_last_not_of('0') + 1);
+    }
+    return text;
+}
+
+/// Whether every number lies in its range, and is whole where it must be; the sentence names the first that does not.
+template <class Design>
+[[nodiscard]] Status validateNumbers(std::span<const NumberField<Design>> fields, const Design& design)
+{
+    for (const NumberField<Design>& field : fields) {
+        const double value = design.*field.value;
+        std::string unit(field.unit);
+        if (!unit.empty())
+            unit.insert(0, 1, ' ');
+        const std::string subject = std::string("the ") + field.name + " (" + field.id + ")";
+        if (!std::isfinite(value))
+            return unexpected(ErrorCode::BadNumber, subject + " is not a number");
+        if (value < field.minimum || value > field.maximum)
+            return unexpected(ErrorCode::OutOfRange, subject + " must be from " + plainNumber(field.minimum) + " to " +
+                                                         plainNumber(field.maximum) + unit + ", not " +
+                                                         plainNumber(value));
+        if (field.whole && value != std::floor(value))
+            return unexpected(ErrorCode::OutOfRange, subject + " must be a whole number, not " + plainNumber(value));
+    }
+    return {};
+}
+
+}  // namespace core

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/NumberField.h"
+#include "core/base/Result.h"
+#include "core/mesh/TriangleMesh.h"
+#include "core/terrain/Tooth.h"
+
+/// Practice blocks, after the boards that schools use before the first tooth (teeth.md section 7, "Training shapes"): a
+/// flat slab of "enamel" on "dentin" with a shape to be cut into it.
+namespace core::teeth {
+
+enum class BlockShape : std::uint8_t {
+    Line,
+    Circle,  ///< a ring
+    Cross,
+    Square,     ///< a frame
+    Dovetail,   ///< a line that widens towards both ends
+    Staircase,  ///< a line that gets deeper in steps
+    Bar,        ///< the letter I: a line with a bar across each end
+    Tee,
+    Layers  ///< nothing to cut: three pads of enamel, dentin and soft caries to be told apart by feel
+};
+
+/// A block and the shape in its middle. No source gives sizes of such shapes but "1.5 to 2 mm deep" [W in teeth.md]:
+/// every number is the teacher's to set.
+struct BlockDesign
+{
+    BlockShape shape = BlockShape::Line;
+    double sideMm = 14.0;   ///< of the slab, a square seen from above
+    double heightMm = 8.0;  ///< of the slab
+    double enamelMm = 1.0;  ///< of them, of enamel
+    double widthMm = 1.5;   ///< of the channel
+    double depthMm = 1.5;   ///< of the channel; of a staircase, of its lowest step
+    double lengthMm = 9.0;  ///< of the whole shape from end to end: a ring's or frame's outer width
+    double flareMm = 0.5;   ///< a dovetail is so much wider at its ends, on each side
+    double steps = 4.0;     ///< of a staircase
+    /// Corners into which a bur has to reach are round with this radius. A bur is round: no upright one cuts a corner
+    /// that is tighter than itself.
+    double cornerRadiusMm = 0.4;
+    double lineAngleMm = 0.2;  ///< radius between floor and wall, as the rounded end of a No. 245 leaves it
+    bool operator==(const BlockDesign&) const = default;
+};
+
+[[nodiscard]] std::span<const NumberField<BlockDesign>> blockFields();
+
+/// Whether each number lies in its range and the shape fits on the block and a bur into the shape; the sentence names
+/// the number to change.
+[[nodiscard]] Status validate(const BlockDesign& design);
+
+/// "block:line", "block:circle", "block:cross", "block:square", "block:dovetail", "block:staircase", "block:bar",
+/// "block:tee", "block:layers".
+[[nodiscard]] std::string blockName(BlockShape shape);
+/// The usual block of that name. An error lists the names; nothing at all where the text does not begin with "block:".
+[[nodiscard]] std::optional<Result<BlockDesign>> findBlock(std::string_view name);
+
+/// What the three pads of a block of layers are of, in the order of +x; the seed shuffles them.
+[[nodiscard]] std::array<terrain::Material, 3> padMaterials(std::uint64_t seed);
+/// Where the middle of each of them is, its height above the slab and its width along x, mm.
+inline constexpr std::array<double, 3> kPadX{-4.4, 0.0, 4.4};
+inline constexpr double kPadWidthMm = 3.2;
+inline constexpr double kPadLengthMm = 9.0;
+inline constexpr double kPadHeightMm = 1.0;
+
+/// Its closed surface in the tooth frame: the top is at z = 0.
+[[nodiscard]] mesh::TriangleMesh blockMesh(const BlockDesign& design);
+/// Its tissues, one entry a node; empty columns are all zero.
+[[nodiscard]] std::vector<terrain::ColumnLayers> blockLayers(const BlockDesign& design, const terrain::Grid& grid,
+                                                             std::span<const float> top, std::span<const float> bottom,
+                                                             std::uint64_t seed);
+
+}  // namespace core::teeth
