@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/drilling/Bur.h"
+#include "core/preparation/BlockPreparation.h"
 #include "lessons/LessonReader.h"
 
 namespace lessons {
@@ -29,6 +30,13 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
         options.seed = made->seed;
         return core::teeth::buildTooth({made->fdi}, options);
     }
+    if (const auto* block = std::get_if<Block>(&lesson.tooth)) {
+        const auto design = designOf(*block);
+        if (!design)
+            return tl::unexpected(design.error());
+        options.seed = block->seed;
+        return core::teeth::buildTooth({*design}, options);
+    }
     const auto& scan = std::get<Scan>(lesson.tooth);
     if (!scan.unit.empty())
         if (const auto unit = core::mesh::parseUnit(scan.unit))
@@ -40,7 +48,42 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
     return core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
 }
 
+/// What a lesson asks of a tooth that is there.
+core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
+{
+    Assignment assignment;
+    assignment.anatomy = std::move(anatomy);
+    assignment.rubric = lesson.rubric;
+    assignment.lesson = lesson;
+    if (lesson.leeway)
+        assignment.leeway = core::grading::Leeway{lesson.leeway->sidesMm, lesson.leeway->bottomMm};
+    if (lesson.task == Task::TraceShape) {
+        const auto design = designOf(std::get<Block>(lesson.tooth));
+        if (!design)
+            return tl::unexpected(design.error());
+        auto ideal = core::preparation::blockPreparation(*design, *assignment.anatomy);
+        if (!ideal)
+            return tl::unexpected(ideal.error());
+        assignment.ideal = std::move(*ideal);
+    }
+    return assignment;
+}
+
 }  // namespace
+
+core::Result<core::teeth::BlockDesign> designOf(const Block& block)
+{
+    auto found = core::teeth::findBlock("block:" + block.shape);
+    if (!found || !*found)
+        return tl::unexpected(found->error());
+    core::teeth::BlockDesign design = **found;
+    for (const auto& [id, value] : block.sizes)
+        if (auto set = core::setNumber(core::teeth::blockFields(), design, id, value); !set)
+            return tl::unexpected(set.error());
+    if (auto sound = core::teeth::validate(design); !sound)
+        return tl::unexpected(sound.error());
+    return design;
+}
 
 core::grading::IdealTop Assignment::shownIdeal() const
 {
@@ -52,11 +95,10 @@ core::Result<Assigned> assign(const Lesson& lesson)
     auto built = build(lesson);
     if (!built)
         return tl::unexpected(built.error());
-    Assignment assignment;
-    assignment.anatomy = built->anatomy;
-    assignment.lesson = lesson;
-    assignment.rubric = lesson.rubric;
-    return Assigned{std::move(assignment), std::move(built->report)};
+    auto assignment = workOut(lesson, built->anatomy);
+    if (!assignment)
+        return tl::unexpected(assignment.error());
+    return Assigned{std::move(*assignment), std::move(built->report)};
 }
 
 core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
@@ -78,11 +120,7 @@ core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::Tooth
     ReadLesson read = readLessonText(QByteArray::fromStdString(lessonJson), QStringLiteral("the recording's lesson"));
     if (!read.lesson)
         return core::unexpected(core::ErrorCode::BadStructure, read.faults.front().sentence().toStdString());
-    Assignment assignment;
-    assignment.anatomy = std::move(anatomy);
-    assignment.rubric = read.lesson->rubric;
-    assignment.lesson = std::move(read.lesson);
-    return assignment;
+    return workOut(*read.lesson, std::move(anatomy));
 }
 
 core::session::Examination examinationOf(const Assignment& assignment)

@@ -35,6 +35,9 @@ struct Assigned
     core::teeth::ToothReport report;
 };
 
+/// The block that a lesson names, with its sizes; a sentence where there is no such shape or size, or they do not fit.
+[[nodiscard]] core::Result<core::teeth::BlockDesign> designOf(const Block& block);
+
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson);
 

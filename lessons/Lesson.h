@@ -35,6 +35,7 @@ struct MadeTooth
 struct Block
 {
     std::string shape;
+    std::map<std::string, double> sizes;  ///< by id (core::teeth::blockFields), what differs from the usual block
     std::uint64_t seed = 0;
     bool operator==(const Block&) const = default;
 };

@@ -20,6 +20,7 @@
 #include "core/settings/HardnessPreset.h"
 #include "core/teeth/ToothTable.h"
 #include "core/terrain/Grid.h"
+#include "lessons/Assignment.h"
 #include "lessons/JsonKeys.h"
 
 namespace lessons {
@@ -374,12 +375,22 @@ private:
         if (named > 1 || (named == 0 && !tooth->has("fdi")))
             tooth->fault("", QStringLiteral("must name one of \"fdi\", \"block\" and \"scan\""));
         else if (tooth->has("block"))
-            lesson.tooth = Block{tooth->neededText("block", 40), seedOf(*tooth)};
+            lesson.tooth = takeBlock(*tooth);
         else if (tooth->has("scan"))
             lesson.tooth = takeScan(*tooth);
         else
             lesson.tooth = MadeTooth{fdiOf(*tooth), seedOf(*tooth)};
         tooth->nameTheRest();
+    }
+
+    static Block takeBlock(JsonKeys& keys)
+    {
+        Block block{keys.neededText("block", 40), {}, seedOf(keys)};
+        if (auto sizes = keys.object("sizes"))
+            block.sizes = sizes->allNumbers(-1000.0, 1000.0);
+        if (const auto design = designOf(block); !design)
+            keys.fault("block", QString::fromStdString(design.error().detail));
+        return block;
     }
 
     static std::uint64_t seedOf(JsonKeys& keys)

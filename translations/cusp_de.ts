@@ -674,6 +674,10 @@
         <source>Preparing the lesson …</source>
         <translation>Die Aufgabe wird vorbereitet …</translation>
     </message>
+    <message>
+        <source>Making a practice block …</source>
+        <translation>Ein Übungsblock wird gemacht …</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>

@@ -674,6 +674,10 @@
         <source>Preparing the lesson …</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Making a practice block …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/Result.h"
 
@@ -57,6 +58,22 @@ template <class Design>
             return unexpected(ErrorCode::OutOfRange, subject + " must be a whole number, not " + plainNumber(value));
     }
     return {};
+}
+
+/// Sets the number of that id; UnknownName lists those there are.
+template <class Design>
+[[nodiscard]] Status setNumber(std::span<const NumberField<Design>> fields, Design& design, std::string_view id,
+                               double value)
+{
+    std::string known;
+    for (const NumberField<Design>& field : fields) {
+        if (id == field.id) {
+            design.*field.value = value;
+            return {};
+        }
+        known += (known.empty() ? "" : ", ") + std::string(field.id);
+    }
+    return unexpected(ErrorCode::UnknownName, "there is no size \"" + std::string(id) + "\"; there are " + known);
 }
 
 }  // namespace core

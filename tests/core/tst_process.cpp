@@ -370,10 +370,11 @@ void TestProcess::aReplayGivesTheSameBits()
     const auto recording = rig.session->recordingSoFar();
     QVERIFY(recording.has_value());
     ProcessMeter replayed(1.0);
-    const auto outcome = recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
-        if (recording::isStep(event))
-            replayed.take(servo.state(), 1ms);
-    });
+    const auto outcome =
+        recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
+            if (recording::isStep(event))
+                replayed.take(servo.state(), 1ms);
+        });
     QVERIFY(outcome.has_value());
     QVERIFY(live.process().strokes > 0);
     QVERIFY(live.process().force.has_value());
