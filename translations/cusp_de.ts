@@ -1678,10 +1678,6 @@
         <translation>Summe</translation>
     </message>
     <message>
-        <source>Last grades of this tooth</source>
-        <translation>Letzte Bewertungen dieses Zahns</translation>
-    </message>
-    <message>
         <source>Grade: %1</source>
         <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
         <translation>Bewertung: %1</translation>
@@ -1705,10 +1701,6 @@
     <message>
         <source>At most %1 points can be lost here</source>
         <translation>Hier sind höchstens %1 Punkte zu verlieren</translation>
-    </message>
-    <message>
-        <source>This is the first grade of this tooth.</source>
-        <translation>Das ist die erste Bewertung dieses Zahns.</translation>
     </message>
     <message>
         <source>Grades are not being kept; this one will not be here next time.</source>
@@ -1739,6 +1731,14 @@
         <source>Fails the attempt and takes all points that are left</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
+    </message>
+    <message>
+        <source>Grades before</source>
+        <translation>Frühere Noten</translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation>Das ist hier die erste Note.</translation>
     </message>
 </context>
 <context>

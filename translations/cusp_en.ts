@@ -1678,10 +1678,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last grades of this tooth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Grade: %1</source>
         <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
         <translation type="unfinished"></translation>
@@ -1704,10 +1700,6 @@
     </message>
     <message>
         <source>At most %1 points can be lost here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the first grade of this tooth.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1738,6 +1730,14 @@
     <message>
         <source>Fails the attempt and takes all points that are left</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

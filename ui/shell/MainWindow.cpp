@@ -373,6 +373,8 @@ void MainWindow::takeSession()
     m_session = now;
     if (m_replaying)
         m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
+    else if (m_session.toothGeneration == m_ownGeneration)
+        m_room->lesson().setTime(m_session.recordedS);
     if (moved)
         enableActions();
 }

@@ -213,7 +213,7 @@ QWidget* ScorePage::makeHistory()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
     column->setSpacing(kSpace4);
-    column->addWidget(label(tr("Last grades of this tooth"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    column->addWidget(label(tr("Grades before"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
     m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
     column->addWidget(m_remark);
@@ -338,7 +338,7 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int t
         grid->addWidget(score, line, 1);
     }
     m_remark->setText(history.isEmpty()     ? tr("Grades are not being kept; this one will not be here next time.")
-                      : history.size() == 1 ? tr("This is the first grade of this tooth.")
+                      : history.size() == 1 ? tr("This is the first grade here.")
                                             : QString());
     m_remark->setVisible(!m_remark->text().isEmpty());
     m_listSlot->addWidget(m_list);

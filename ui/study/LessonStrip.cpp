@@ -32,7 +32,7 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     row->setSpacing(kSpace2);
     const auto arrow = [this](const QString& drawing, const QString& words) {
         auto* button = new QToolButton(this);
-        button->setIcon(lineIcon(drawing, palette()));
+        button->setIcon(lineIcon(drawing, roomPalette()));
         button->setIconSize({16, 16});
         button->setAutoRaise(true);
         button->setToolTip(words);
@@ -112,7 +112,7 @@ void LessonStrip::setTime(double workedS)
         return;
     }
     const double leftS = limitS - workedS;
-    const Tones tone = tones(palette());
+    const Tones tone = tones(roomPalette());
     m_time->setText(leftS >= 0.0 ? text::duration(leftS) : QChar(0x2212) + text::duration(-leftS));
     m_time->setColour(leftS < 0.0 ? tone.harmText : leftS < kSoonS ? tone.attentionText : QColor());
     m_time->setToolTip(tr("Time left of %1").arg(timeWords(m_lesson)));
