@@ -109,8 +109,9 @@ lessons::Criterion criterion(std::string_view id, double measured, std::string_v
 void TestTexts::everyErrorCodeHasASentenceOfItsOwn()
 {
     using ui::text::Failed;
-    for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
-                                Failed::SavingRecording, Failed::KeepingGrades}) {
+    for (const Failed failed :
+         {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording, Failed::SavingRecording,
+          Failed::KeepingGrades, Failed::KeepingAttempt, Failed::ResumingAttempt}) {
         QSet<QString> seen;
         for (const ErrorCode code : kAllCodes) {
             const QString text = ui::text::errorText({code, "molar.stl: the exact detail."}, failed);
@@ -127,7 +128,7 @@ void TestTexts::errorsSpeakOfWhatWasDone()
     using ui::text::Failed;
     const core::Error error{ErrorCode::WrongKind, {}};
     QVERIFY(ui::text::errorText(error, Failed::OpeningScan).contains("scan"));
-    for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades})
+    for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades, Failed::ResumingAttempt})
         for (const ErrorCode code : {ErrorCode::WrongKind, ErrorCode::FileTruncated, ErrorCode::FileEmpty,
                                      ErrorCode::FileTooLarge, ErrorCode::BadStructure})
             QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));

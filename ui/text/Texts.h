@@ -16,7 +16,15 @@
 namespace ui::text {
 
 /// What could not be done.
-enum class Failed { OpeningScan, MakingTooth, OpeningRecording, SavingRecording, KeepingGrades };
+enum class Failed {
+    OpeningScan,
+    MakingTooth,
+    OpeningRecording,
+    SavingRecording,
+    KeepingGrades,
+    KeepingAttempt,  ///< on the disk, while it goes on
+    ResumingAttempt  ///< that was not finished
+};
 
 /// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is
 /// for the log and for whoever asks.
