@@ -280,6 +280,28 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Bewertungen werden nicht aufbewahrt; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
+    <message>
+        <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
+        <translation>Die Datei bleibt sieben Tage im Ordner „discarded“ liegen.</translation>
+    </message>
+    <message>
+        <source>This Cusp did not write the file, or an older one did.</source>
+        <translation>Die Datei stammt nicht von diesem Cusp oder von einem älteren.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
+        <translation>Dieser Versuch wird während der Arbeit nicht auf der Festplatte gesichert: Fällt der Computer aus, ist er verloren. Schaffen Sie Platz auf der Festplatte oder speichern Sie ab und zu die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Dieser Versuch wird während der Arbeit nicht auf der Festplatte gesichert. %1</translation>
+    </message>
+    <message>
+        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Ein Versuch, der nicht beendet wurde, kann nicht wieder aufgenommen werden. %1</translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
@@ -593,6 +615,18 @@
     <message>
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
         <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
+    </message>
+    <message>
+        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
+        <translation>Bei diesem Versuch schnitt der Bohrer anders oder fühlte sich anders an als heute, deshalb kann er nicht fortgesetzt werden. Er bleibt aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Taking up the attempt …</source>
+        <translation>Der Versuch wird aufgenommen …</translation>
+    </message>
+    <message>
+        <source>Your attempt goes on where it was left.</source>
+        <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
     </message>
 </context>
 <context>
@@ -1446,6 +1480,19 @@
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
         <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
+    </message>
+    <message>
+        <source>An attempt at %1 of %2 was not finished.</source>
+        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>Ein Versuch an %1 von %2 wurde nicht beendet.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
     </message>
 </context>
 <context>

@@ -280,6 +280,28 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This Cusp did not write the file, or an older one did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
@@ -592,6 +614,18 @@
     </message>
     <message>
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking up the attempt …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempt goes on where it was left.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1445,6 +1479,19 @@
     </message>
     <message>
         <source>Only a tooth with decay has an ideal preparation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An attempt at %1 of %2 was not finished.</source>
+        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
