@@ -271,6 +271,8 @@ int main(int argc, char* argv[])
     if (argc == 4 && std::strcmp(argv[1], "--victim") == 0)
         work(argv[2], std::strtoull(argv[3], nullptr, 10));
     QCoreApplication application(argc, argv);
+    if (qEnvironmentVariableIntValue("CUSP_KILLS") > 0)
+        qputenv("QTEST_FUNCTION_TIMEOUT", "3600000");  // Qt Test would end it after five minutes
     TestKills test;
     return QTest::qExec(&test, argc, argv);
 }
