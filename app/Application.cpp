@@ -143,6 +143,7 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replayThread.reset();
+    m_syncThread.reset();
     m_journalThread.reset();
     // The window has asked about the work on the table before it let itself be closed.
     if (m_journal)
@@ -354,7 +355,10 @@ void Application::keepJournal()
     m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_options.databaseFile));
     m_journalThread =
         std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
+    m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kPeriod,
+                                                LoopThread::Urgency::Normal);
     m_journalThread->start();
+    m_syncThread->start();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
     m_journalWatch.start();

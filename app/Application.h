@@ -113,6 +113,7 @@ private:
     std::unique_ptr<LoopThread> m_servoThread;
     std::unique_ptr<LoopThread> m_sessionThread;
     std::unique_ptr<LoopThread> m_journalThread;
+    std::unique_ptr<LoopThread> m_syncThread;
     std::unique_ptr<LoopThread> m_replayThread;
 };
 

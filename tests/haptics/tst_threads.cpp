@@ -13,7 +13,7 @@ using namespace core;
 using namespace core::session;
 using namespace std::chrono_literals;
 
-/// The four threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
+/// The five threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
 /// instrumented.
 class TestThreads : public QObject
 {
@@ -63,7 +63,13 @@ void TestThreads::theThreadsAgreeAfterwards()
             journal.tick(JournalLoop::kPeriod);
             std::this_thread::sleep_for(2ms);
         }
-        journal.end();
+        journal.tick(JournalLoop::kPeriod);
+    });
+    std::thread syncer([&] {
+        while (!sessionDone) {
+            journal.syncing().tick(JournalLoop::kPeriod);
+            std::this_thread::sleep_for(2ms);
+        }
     });
 
     // This is the ui thread: it polls, sends commands, looks at the attempt.
@@ -130,6 +136,8 @@ void TestThreads::theThreadsAgreeAfterwards()
     session.join();
     sessionDone = true;
     writer.join();
+    syncer.join();
+    journal.end();
 
     QCOMPARE(backwards, 0);
     QCOMPARE(rig.uiLinks->servo.latest().health & kRecordGap, 0U);
@@ -139,7 +147,7 @@ void TestThreads::theThreadsAgreeAfterwards()
     QVERIFY(outcome->agreesWithWitness);
     QCOMPARE(outcome->stateHash, rig.liveHash());
     QVERIFY(!journal.failure());
-    QCOMPARE(journal.eventsOnDisk(), rig.session->recordingSoFar()->events());
+    QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
     qInfo("%llu ticks, %llu teeth", static_cast<unsigned long long>(rig.servo->state().tick),
           static_cast<unsigned long long>(generation));
 }
