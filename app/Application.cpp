@@ -34,6 +34,7 @@ constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kReplayWatchMs = 100;
+constexpr int kJournalWatchMs = 500;
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
@@ -41,6 +42,13 @@ constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been
 QString dataFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+}
+
+/// Beside the database.
+std::filesystem::path journalFolder(const QString& databaseFile)
+{
+    const QDir folder(databaseFile.isEmpty() ? dataFolder() : QFileInfo(databaseFile).absolutePath());
+    return std::filesystem::path(folder.filePath(QStringLiteral("unfinished")).toStdU16String());
 }
 
 /// Runs `work` on a pool thread and gives its result to `done` on this one, unless `owner` has gone meanwhile.
@@ -115,6 +123,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
+    connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
+    connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
     connect(m_window.get(), &MainWindow::replayPauseRequested, this, [this](bool paused) {
         if (m_replay)
@@ -145,14 +155,20 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replayThread.reset();
+    m_syncThread.reset();
+    m_journalThread.reset();
+    // The window has asked about the work on the table before it let itself be closed.
+    if (m_journal)
+        m_journal->putAway();
 }
 
 void Application::show()
 {
     m_window->show();
-    if (m_options.picture.isEmpty())
+    if (m_options.picture.isEmpty()) {
         openDatabase(m_options.databaseFile);
-    else
+        keepJournal();
+    } else
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
     if (m_options.recording.isEmpty())
         openTooth(m_options.source);
@@ -278,6 +294,18 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 
 void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
+    lay(assignment, notes, unitInDoubt);
+    auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
+    auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
+    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get()})) {
+        static_cast<void>(tooth.release());  // the session owns both now
+        static_cast<void>(lesson.release());
+    }
+}
+
+/// Lays another tooth on the table. The session is still to be told.
+void Application::lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
+{
     if (m_replay) {
         putReplayAway();
         m_window->setReplaying(false);
@@ -288,12 +316,6 @@ void Application::begin(const lessons::Assignment& assignment, const QStringList
     m_ownGeneration = ++m_generation;
     m_demoHand = {};
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, notes, unitInDoubt);
-    auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
-    auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
-    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get()})) {
-        static_cast<void>(tooth.release());  // the session owns both now
-        static_cast<void>(lesson.release());
-    }
 }
 
 void Application::letDemoHandDecide()
@@ -407,6 +429,114 @@ void Application::openRecording(const QString& path)
             else
                 refuse(recording.error(), Failed::OpeningRecording, path);
         });
+}
+
+/// From now on the attempt reaches the disk while it goes on; and what was not finished last time is offered. What a
+/// simulated hand drills is nobody's work.
+void Application::keepJournal()
+{
+    if (m_options.simulatedDevice)
+        return;
+    m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_options.databaseFile));
+    m_journalThread =
+        std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
+    m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kPeriod,
+                                                LoopThread::Urgency::Normal);
+    m_journalThread->start();
+    m_syncThread->start();
+    m_journalWatch.setInterval(kJournalWatchMs);
+    connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
+    m_journalWatch.start();
+    offerUnfinished();
+}
+
+void Application::watchJournal()
+{
+    if (const auto failure = m_journal->failure())
+        m_window->showError(*failure, Failed::KeepingAttempt);
+}
+
+/// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
+void Application::offerUnfinished()
+{
+    struct Search
+    {
+        std::optional<core::recording::FoundAttempt> found;
+        std::optional<core::Error> failure;
+    };
+    inBackground(
+        this,
+        [folder = journalFolder(m_options.databaseFile)] {
+            Search search;
+            core::recording::tidyJournals(folder);
+            for (const std::filesystem::path& path : core::recording::journalsIn(folder)) {
+                auto found = core::recording::findAttempt(path);
+                if (!found) {
+                    search.failure = found.error();
+                    if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
+                        core::recording::discardJournal(path);
+                } else if (*found) {
+                    search.found = std::move(*found);
+                    break;
+                }
+            }
+            return search;
+        },
+        [this](Search& search) {
+            if (search.failure)
+                m_window->showError(*search.failure, Failed::ResumingAttempt);
+            m_unfinished = std::move(search.found);
+            if (m_unfinished)
+                m_window->offerUnfinished(QString::fromStdString(m_unfinished->recording.anatomy()->name),
+                                          QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
+        });
+}
+
+void Application::resumeUnfinished()
+{
+    if (!m_unfinished)
+        return;
+    if (!(m_unfinished->recording.settings() == settingsFor(m_options.simulatedDevice))) {
+        m_window->showMessage(tr("This attempt was made with a bur that cuts or feels differently from today's, so it "
+                                 "cannot be gone on with. It is kept."));
+        return;
+    }
+    const int load = ++m_loading;
+    m_window->showBusy(tr("Taking up the attempt …"));
+    inBackground(
+        this, [recording = m_unfinished->recording] { return core::session::rebuild(recording); },
+        [this, load](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {
+            if (load != m_loading)
+                return;
+            if (attempt)
+                takeUp(std::move(*attempt));
+            else
+                m_window->showError(attempt.error(), Failed::ResumingAttempt);
+        });
+}
+
+void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
+{
+    const auto assignment = lessons::assignmentOf(attempt->recording.anatomy(), attempt->recording.lesson());
+    if (!assignment) {
+        m_window->showError(assignment.error(), Failed::ResumingAttempt);
+        return;
+    }
+    lay(*assignment, {}, false);
+    m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
+    m_unfinished.reset();
+    if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
+        static_cast<void>(attempt.release());  // the session owns it now
+    m_window->showMessage(tr("Your attempt goes on where it was left."));
+}
+
+/// It is kept for a week, in case the student thinks better of it. Others may be waiting.
+void Application::discardUnfinished()
+{
+    if (m_unfinished)
+        core::recording::discardJournal(m_unfinished->path);
+    m_unfinished.reset();
+    offerUnfinished();
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.

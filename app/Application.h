@@ -9,6 +9,7 @@
 
 #include "app/LoopThread.h"
 #include "app/ReplayLoop.h"
+#include "core/session/JournalLoop.h"
 #include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "database/sql/Database.h"
@@ -56,11 +57,18 @@ private:
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
+    void lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
     void grade();
     void finish(std::optional<int> expectedTenths);
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
+    void keepJournal();
+    void watchJournal();
+    void offerUnfinished();
+    void resumeUnfinished();
+    void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
+    void discardUnfinished();
     void play(const core::recording::Recording& recording);
     void putReplayAway();
     void stopReplay();
@@ -98,6 +106,9 @@ private:
         std::optional<int> expectedTenths;
     };
     std::optional<Graded> m_graded;
+    QTimer m_journalWatch;
+    std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
+    std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_replayWatch;
     QTimer m_demoBeat;
     std::unique_ptr<ReplayLoop> m_replay;
@@ -107,6 +118,8 @@ private:
     // Threads last: they are joined before what they run on goes away.
     std::unique_ptr<LoopThread> m_servoThread;
     std::unique_ptr<LoopThread> m_sessionThread;
+    std::unique_ptr<LoopThread> m_journalThread;
+    std::unique_ptr<LoopThread> m_syncThread;
     std::unique_ptr<LoopThread> m_replayThread;
 };
 

@@ -272,6 +272,28 @@
         <translation>Bewertungen werden nicht aufbewahrt; präparieren und bewerten lassen können Sie trotzdem. %1</translation>
     </message>
     <message>
+        <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
+        <translation>Die Datei bleibt sieben Tage im Ordner „discarded“ liegen.</translation>
+    </message>
+    <message>
+        <source>This Cusp did not write the file, or an older one did.</source>
+        <translation>Die Datei stammt nicht von diesem Cusp oder von einem älteren.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
+        <translation>Dieser Versuch wird während der Arbeit nicht auf der Festplatte gesichert: Fällt der Computer aus, ist er verloren. Schaffen Sie Platz auf der Festplatte oder speichern Sie ab und zu die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Dieser Versuch wird während der Arbeit nicht auf der Festplatte gesichert. %1</translation>
+    </message>
+    <message>
+        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Ein Versuch, der nicht beendet wurde, kann nicht wieder aufgenommen werden. %1</translation>
+    </message>
+    <message>
         <source>Ask who made the lesson, or choose another one.</source>
         <translation>Frage, wer die Aufgabe gemacht hat, oder wähle eine andere.</translation>
     </message>
@@ -671,12 +693,24 @@
         <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
-        <source>Preparing the lesson …</source>
-        <translation>Die Aufgabe wird vorbereitet …</translation>
+        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
+        <translation>Bei diesem Versuch schnitt der Bohrer anders oder fühlte sich anders an als heute, deshalb kann er nicht fortgesetzt werden. Er bleibt aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Taking up the attempt …</source>
+        <translation>Der Versuch wird aufgenommen …</translation>
+    </message>
+    <message>
+        <source>Your attempt goes on where it was left.</source>
+        <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
     </message>
     <message>
         <source>Making a practice block …</source>
         <translation>Ein Übungsblock wird gemacht …</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>Die Aufgabe wird vorbereitet …</translation>
     </message>
 </context>
 <context>
@@ -1540,6 +1574,19 @@
         <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
     </message>
     <message>
+        <source>An attempt at %1 of %2 was not finished.</source>
+        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>Ein Versuch an %1 von %2 wurde nicht beendet.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
         <translation>Die Zeit für diese Aufgabe ist um. Arbeite weiter, solange du magst, oder drücke G.</translation>
     </message>
@@ -1728,13 +1775,13 @@
         <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
     </message>
     <message>
+        <source>Grades before</source>
+        <translation>Frühere Noten</translation>
+    </message>
+    <message>
         <source>Fails the attempt and takes all points that are left</source>
         <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation>Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
-    </message>
-    <message>
-        <source>Grades before</source>
-        <translation>Frühere Noten</translation>
     </message>
     <message>
         <source>This is the first grade here.</source>
@@ -2024,6 +2071,10 @@
         <translation>Aufgaben durchsuchen</translation>
     </message>
     <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+    <message>
         <source>Start</source>
         <translation>Beginnen</translation>
     </message>
@@ -2130,10 +2181,6 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
-    </message>
-    <message>
-        <source>Clear the search</source>
-        <translation>Suche leeren</translation>
     </message>
 </context>
 <context>

@@ -272,6 +272,28 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This Cusp did not write the file, or an older one did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ask who made the lesson, or choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -671,11 +693,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Preparing the lesson …</source>
+        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking up the attempt …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempt goes on where it was left.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Making a practice block …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1540,6 +1574,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>An attempt at %1 of %2 was not finished.</source>
+        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1728,12 +1775,12 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fails the attempt and takes all points that are left</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <source>Grades before</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Grades before</source>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2024,6 +2071,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Clear the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Start</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2129,10 +2180,6 @@
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Clear the search</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <map>
 #include <string>
 #include <system_error>
 
@@ -75,6 +76,13 @@ std::string headBytes(const Recording& recording, std::int64_t begunUtcMs)
     return bytes + frameBytes({Section::Tooth, 0, pack(toothBytes(*recording.anatomy()))});
 }
 
+/// Where a journal stands until the disk has it.
+fs::path partOf(fs::path path)
+{
+    path += kPart;
+    return path;
+}
+
 tl::unexpected<Error> unwritable(const fs::path& path, int number)
 {
     return unexpected(ErrorCode::FileUnwritable, "The attempt could not be kept on the disk while it goes on, in '" +
@@ -95,45 +103,28 @@ JournalLock::~JournalLock()
         ::close(m_file);
 }
 
-Result<JournalFile> JournalFile::create(const fs::path& path, const Recording& soFar, std::int64_t begunUtcMs)
+Result<std::shared_ptr<JournalFile>> JournalFile::create(const fs::path& path, const Recording& soFar,
+                                                         std::int64_t begunUtcMs)
 {
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);
-    fs::path part = path;
-    part += kPart;
-    JournalFile journal(part, ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    const int file = ::open(partOf(path).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    const std::shared_ptr<JournalFile> journal(new JournalFile(path, file));
     // Never one that another program is making.
-    if (journal.m_file < 0 || (::flock(journal.m_file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK))
+    if (file < 0 || (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK))
         return unwritable(path, errno);
-    bool written = ::ftruncate(journal.m_file, 0) == 0 && journal.write(headBytes(soFar, begunUtcMs));
-    for (std::vector<ServoEvent> events; written && !(events = soFar.eventsSince(journal.m_events)).empty();)
-        written = journal.put(events);
-    if (!written || ::fdatasync(journal.m_file) != 0 || ::rename(part.c_str(), path.c_str()) != 0) {
+    if (::ftruncate(file, 0) != 0 || !journal->write(headBytes(soFar, begunUtcMs))) {
         const auto why = unwritable(path, errno);
-        journal.remove();
+        journal->remove();
         return why;
     }
-    journal.m_path = path;
-    // That it has its name is for the disk to know as well.
-    if (const int folder = ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
-        static_cast<void>(::fsync(folder));
-        ::close(folder);
+    for (std::vector<ServoEvent> events; !(events = soFar.eventsSince(journal->events())).empty();) {
+        if (const Status appended = journal->append(events); !appended) {
+            journal->remove();
+            return tl::unexpected(appended.error());
+        }
     }
     return journal;
-}
-
-JournalFile::JournalFile(JournalFile&& other) noexcept
-    : m_path(std::move(other.m_path)), m_file(std::exchange(other.m_file, -1)), m_bytes(other.m_bytes),
-      m_events(other.m_events)
-{}
-
-JournalFile& JournalFile::operator=(JournalFile&& other) noexcept
-{
-    std::swap(m_path, other.m_path);
-    std::swap(m_file, other.m_file);
-    std::swap(m_bytes, other.m_bytes);
-    std::swap(m_events, other.m_events);
-    return *this;
 }
 
 JournalFile::~JournalFile()
@@ -163,44 +154,67 @@ bool JournalFile::write(std::string_view bytes)
     return true;
 }
 
-/// Without waiting for the disk; errno says why not.
-bool JournalFile::put(std::span<const ServoEvent> events)
-{
-    if (!write(frameBytes({Section::Events, m_events, pack(eventBytes(events))})))
-        return false;
-    m_events += events.size();
-    return true;
-}
-
 Status JournalFile::append(std::span<const ServoEvent> events)
 {
-    if (!put(events) || ::fdatasync(m_file) != 0)
+    if (!write(frameBytes({Section::Events, m_events, pack(eventBytes(events))})))
         return unwritable(m_path, errno);
+    m_events += events.size();
+    return {};
+}
+
+Status JournalFile::sync()
+{
+    const std::uint64_t written = events();
+    if (written == m_synced)
+        return {};
+    if (::fdatasync(m_file) != 0)
+        return unwritable(m_path, errno);
+    m_synced = written;
+    {
+        const std::lock_guard lock(m_nameMutex);
+        if (m_hasItsName || m_isRemoved)
+            return {};
+        if (::rename(partOf(m_path).c_str(), m_path.c_str()) != 0)
+            return unwritable(m_path, errno);
+        m_hasItsName = true;
+    }
+    // That it has its name is for the disk to know as well.
+    if (const int folder = ::open(m_path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
+        static_cast<void>(::fsync(folder));
+        ::close(folder);
+    }
     return {};
 }
 
 void JournalFile::remove()
 {
-    if (m_file < 0)
-        return;
+    const std::lock_guard lock(m_nameMutex);
     std::error_code ignored;
+    fs::remove(partOf(m_path), ignored);
     fs::remove(m_path, ignored);
-    ::close(std::exchange(m_file, -1));
+    m_isRemoved = true;
 }
 
 std::vector<fs::path> journalsIn(const fs::path& folder)
 {
-    std::vector<std::pair<fs::file_time_type, fs::path>> found;
+    std::map<fs::path, fs::file_time_type> found;
     std::error_code failure;
     for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
         std::error_code gone;
-        if (at->path().extension() == kSuffix && at->is_regular_file(gone))
-            found.emplace_back(at->last_write_time(gone), at->path());
+        fs::path path = at->path();
+        if (path.extension() == kPart)
+            path.replace_extension();
+        if (path.extension() != kSuffix || !at->is_regular_file(gone))
+            continue;
+        const fs::file_time_type time = at->last_write_time(gone);
+        const auto entry = found.try_emplace(path, time).first;
+        entry->second = std::max(entry->second, time);
     }
-    std::sort(found.rbegin(), found.rend());
     std::vector<fs::path> paths;
-    for (auto& [time, path] : found)
-        paths.push_back(std::move(path));
+    for (const auto& [path, time] : found)
+        paths.push_back(path);
+    std::stable_sort(paths.rbegin(), paths.rend(),
+                     [&](const fs::path& a, const fs::path& b) { return found[a] < found[b]; });
     return paths;
 }
 
@@ -265,29 +279,79 @@ Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, J
     return found;
 }
 
-Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
+namespace {
+
+enum class Access { Ours, Missing, InUse };
+
+/// Locks a file and reads it.
+struct LockedBytes
+{
+    Access access = Access::Missing;
+    JournalLock lock;
+    Result<std::string> bytes;
+};
+
+LockedBytes readLocked(const fs::path& path)
 {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0 && errno == ENOENT)
-        return std::nullopt;
     if (file < 0)
-        return nothingIn(ErrorCode::FileUnreadable, std::system_category().message(errno));
-    JournalLock lock(file);
+        return {errno == ENOENT ? Access::Missing : Access::Ours, JournalLock(),
+                nothingIn(ErrorCode::FileUnreadable, std::system_category().message(errno))};
+    LockedBytes read{Access::Ours, JournalLock(file), std::string()};
     // Where files cannot be locked at all there is nobody to be kept out.
-    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return std::nullopt;
-    std::string bytes;
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        read.access = Access::InUse;
+        return read;
+    }
     std::array<char, 65536> block{};
     for (ssize_t took = 0; (took = ::read(file, block.data(), block.size())) != 0;) {
         if (took < 0 && errno == EINTR)
             continue;
         if (took < 0)
             break;  // what could be read may do
-        bytes.append(block.data(), static_cast<std::size_t>(took));
-        if (bytes.size() > kMaxFileBytes)
-            return nothingIn(ErrorCode::FileTooLarge, "its file is larger than any journal");
+        read.bytes->append(block.data(), static_cast<std::size_t>(took));
+        if (read.bytes->size() > kMaxFileBytes) {
+            read.bytes = nothingIn(ErrorCode::FileTooLarge, "its file is larger than any journal");
+            break;
+        }
     }
-    auto found = attemptFrom(bytes, path, std::move(lock));
+    return read;
+}
+
+Result<FoundAttempt> attemptIn(LockedBytes read, const fs::path& path)
+{
+    if (!read.bytes)
+        return tl::unexpected(read.bytes.error());
+    return attemptFrom(*read.bytes, path, std::move(read.lock));
+}
+
+}  // namespace
+
+Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
+{
+    LockedBytes part = readLocked(partOf(path));
+    LockedBytes whole = readLocked(path);
+    if (part.access == Access::InUse || whole.access == Access::InUse)
+        return std::nullopt;
+    const bool wasThere = whole.access != Access::Missing;
+    auto found = attemptIn(std::move(whole), path);
+    if (part.access == Access::Ours) {
+        auto newer = attemptIn(std::move(part), path);
+        std::error_code ignored;
+        if (newer && (!found || newer->recording.events() >= found->recording.events())) {
+            if (const int file = ::open(partOf(path).c_str(), O_RDONLY | O_CLOEXEC); file >= 0) {
+                static_cast<void>(::fsync(file));
+                ::close(file);
+            }
+            fs::rename(partOf(path), path, ignored);
+            found = std::move(newer);
+        } else {
+            fs::remove(partOf(path), ignored);
+        }
+    }
+    // What did not get as far as its name held moments.
+    if (!found && !wasThere)
+        return std::nullopt;
     if (!found)
         return unexpected(found.error().code, found.error().detail + " (" + path.string() + ")");
     return std::optional<FoundAttempt>(std::move(*found));
@@ -309,25 +373,13 @@ void discardJournal(const fs::path& path)
 
 void tidyJournals(const fs::path& folder)
 {
-    const auto forEachFile = [](const fs::path& where, const auto& visit) {
-        std::error_code failure;
-        for (fs::directory_iterator at(where, failure), end; !failure && at != end; at.increment(failure))
-            visit(at->path());
-    };
-    std::error_code ignored;
-    forEachFile(folder / kDiscarded, [&](const fs::path& path) {
-        const auto age = fs::file_time_type::clock::now() - fs::last_write_time(path, ignored);
-        if (path.extension() == kSuffix && age > kKeptDiscarded)
-            fs::remove(path, ignored);
-    });
-    forEachFile(folder, [&](const fs::path& path) {
-        if (path.extension() != kPart)
-            return;
-        const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-        const JournalLock lock(file);
-        if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0)
-            fs::remove(path, ignored);
-    });
+    std::error_code failure;
+    for (fs::directory_iterator at(folder / kDiscarded, failure), end; !failure && at != end; at.increment(failure)) {
+        std::error_code ignored;
+        const auto age = fs::file_time_type::clock::now() - at->last_write_time(ignored);
+        if (at->path().extension() == kSuffix && age > kKeptDiscarded)
+            fs::remove(at->path(), ignored);
+    }
 }
 
 }  // namespace core::recording

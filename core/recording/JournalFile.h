@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -39,38 +42,43 @@ private:
     int m_file = -1;
 };
 
-/// A journal being written. Any one thread; every call may wait for the disk.
+/// A journal being written. One thread appends and removes, another may sync at the same time.
 class JournalFile
 {
 public:
-    /// Makes the file, locked, with all of an attempt so far. It appears whole, in place of one of that name, or not at
-    /// all. FileUnwritable with a sentence otherwise.
-    [[nodiscard]] static Result<JournalFile> create(const std::filesystem::path& path, const Recording& soFar,
-                                                    std::int64_t begunUtcMs);
-    JournalFile(JournalFile&& other) noexcept;
-    JournalFile& operator=(JournalFile&& other) noexcept;
+    /// Makes the file, locked, with all of an attempt so far. Until sync() it stands beside its name ("….part"), where
+    /// it is found as well, so that an older journal of that name stays until the disk has the new one. FileUnwritable
+    /// with a sentence otherwise.
+    [[nodiscard]] static Result<std::shared_ptr<JournalFile>> create(const std::filesystem::path& path,
+                                                                     const Recording& soFar, std::int64_t begunUtcMs);
     JournalFile(const JournalFile&) = delete;
     JournalFile& operator=(const JournalFile&) = delete;
     ~JournalFile();
 
-    /// Writes what happened next, at most 4096 events, and waits until the disk has it. After a failure the file is
-    /// whole as far as events() says, and may be tried again.
+    /// Writes what happened next, at most 4096 events: from then on no end of this program can undo it. After a failure
+    /// the file is whole as far as events() says, and may be tried again.
     [[nodiscard]] Status append(std::span<const session::ServoEvent> events);
     /// How many events it holds.
-    [[nodiscard]] std::uint64_t events() const { return m_events; }
-    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-    /// Deletes the file. Nothing can be written any more.
+    [[nodiscard]] std::uint64_t events() const { return m_events.load(std::memory_order_acquire); }
+    /// Deletes the file. Nothing is to be written any more.
     void remove();
+
+    /// Waits until the disk has all that was written before: from then on a cut of power cannot undo it either.
+    [[nodiscard]] Status sync();
 
 private:
     JournalFile(std::filesystem::path path, int file) : m_path(std::move(path)), m_file(file) {}
-    [[nodiscard]] bool put(std::span<const session::ServoEvent> events);
     [[nodiscard]] bool write(std::string_view bytes);
 
     std::filesystem::path m_path;
-    int m_file = -1;
+    int m_file;
     std::uint64_t m_bytes = 0;
-    std::uint64_t m_events = 0;
+    std::atomic<std::uint64_t> m_events{0};
+    std::uint64_t m_synced = 0;  ///< of them, by the thread that syncs
+
+    std::mutex m_nameMutex;  ///< guards what follows
+    bool m_hasItsName = false;
+    bool m_isRemoved = false;
 };
 
 /// An attempt that nobody finished.
@@ -82,7 +90,7 @@ struct FoundAttempt
     JournalLock lock;             ///< as long as it lives, nobody else finds the attempt
 };
 
-/// Journals in a folder, newest first. Locked or not. Empty where the folder cannot be read.
+/// Names of the journals in a folder, newest first. Locked or not. Empty where the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> journalsIn(const std::filesystem::path& folder);
 
 /// What a journal's bytes hold, up to the first frame that is not whole and sound. An error, one sentence, if that is
@@ -90,14 +98,14 @@ struct FoundAttempt
 [[nodiscard]] Result<FoundAttempt> attemptFrom(std::string_view bytes, const std::filesystem::path& path = {},
                                                JournalLock lock = {});
 
-/// Locks a journal and reads it. Nothing if a running program is at work on it, or it has gone; an error if there is no
-/// attempt in it.
+/// Locks a journal and reads it. Where a newer one stands beside its name, that takes its place if it holds as much.
+/// Nothing if a running program is at work on it, or it has gone; an error if there is no attempt in it.
 [[nodiscard]] Result<std::optional<FoundAttempt>> findAttempt(const std::filesystem::path& path);
 
 /// Puts a journal into the folder "discarded" beside it, where it is kept for 7 days, or deletes it where that cannot
 /// be done.
 void discardJournal(const std::filesystem::path& path);
-/// Deletes discarded journals older than 7 days, and what an interrupted create() left.
+/// Deletes discarded journals older than 7 days.
 void tidyJournals(const std::filesystem::path& folder);
 
 }  // namespace core::recording

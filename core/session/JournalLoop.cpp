@@ -25,17 +25,23 @@ void JournalLoop::tick(std::chrono::microseconds dt)
     const Status done = bringUpToDate();
     if (!done) {
         m_rest = kRestAfterFailure;
-        const std::lock_guard lock(m_mutex);
-        if (!m_failing)
-            m_failure = done.error();
+        if (!m_cannotWrite)
+            tell(done.error());
     }
-    m_failing = !done;
+    m_cannotWrite = !done;
 }
 
 void JournalLoop::end()
 {
     m_rest = {};
     tick(kPeriod);
+    sync();
+}
+
+void JournalLoop::tell(const Error& error)
+{
+    const std::lock_guard lock(m_mutex);
+    m_failure = error;
 }
 
 Status JournalLoop::bringUpToDate()
@@ -60,21 +66,41 @@ Status JournalLoop::bringUpToDate()
             auto made = recording::JournalFile::create(m_path, *soFar, m_begunUtcMs);
             if (!made)
                 return tl::unexpected(made.error());
-            m_file = std::move(*made);
-            m_older.reset();
+            setFile(std::move(*made));
         }
-        m_onDisk.store(m_file->events(), std::memory_order_release);
+        m_written.store(m_file->events(), std::memory_order_release);
     }
+}
+
+void JournalLoop::setFile(std::shared_ptr<recording::JournalFile> file)
+{
+    if (m_file && !file)
+        m_file->remove();
+    m_file = std::move(file);
+    const std::lock_guard lock(m_mutex);
+    m_toSync = m_file;
+}
+
+/// In the thread that syncs.
+void JournalLoop::sync()
+{
+    std::shared_ptr<recording::JournalFile> file;
+    {
+        const std::lock_guard lock(m_mutex);
+        file = m_toSync;
+    }
+    const Status done = file ? file->sync() : Status();
+    if (!done && !m_cannotSync)
+        tell(done.error());
+    m_cannotSync = !done;
 }
 
 /// Another attempt. Who takes another tooth has been asked about the one on the table.
 void JournalLoop::begin(std::uint64_t generation)
 {
-    if (m_file)
-        m_file->remove();
-    m_file.reset();
+    setFile(nullptr);
     m_older.reset();
-    m_onDisk.store(0, std::memory_order_release);
+    m_written.store(0, std::memory_order_release);
     m_generation = generation;
     const std::lock_guard lock(m_mutex);
     if (m_found && m_found->generation == generation) {
@@ -98,9 +124,7 @@ void JournalLoop::takeUp(std::uint64_t generation, recording::FoundAttempt found
 
 void JournalLoop::putAway()
 {
-    if (m_file)
-        m_file->remove();
-    m_file.reset();
+    setFile(nullptr);
 }
 
 std::optional<Error> JournalLoop::failure()

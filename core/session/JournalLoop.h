@@ -13,8 +13,9 @@
 namespace core::session {
 
 /// Brings an attempt to the disk while it goes on, so that a killed program or a cut of power takes no more than the
-/// last tenth of a second of it. It asks the session for what is new (about 25 times a second) and waits for the disk,
-/// in a thread of its own: session and servo never do. What a slow disk is behind stays in the session's recording.
+/// last tenth of a second of it. It asks the session for what is new, 25 times a second, and writes that, which no end
+/// of the program undoes; syncing() waits until the disk has it, which no cut of power undoes. Each has a thread of its
+/// own: session and servo never wait for a disk, and what a slow one is behind stays in the session's recording.
 ///
 /// A file comes into being with the first cut, and goes when the attempt is put away: when another tooth is taken, and
 /// by putAway(). Every other end leaves it to be found (recording::journalsIn).
@@ -27,8 +28,10 @@ public:
     JournalLoop(const SessionLoop& session, std::filesystem::path folder);
 
     void tick(std::chrono::microseconds dt) override;
-    /// Writes what there is.
+    /// Writes what there is and waits for the disk.
     void end() override;
+    /// For the other thread, at the same beat.
+    [[nodiscard]] rt::Loop& syncing() { return m_syncing; }
 
     /// Before an attempt that was found is resumed as the tooth of this generation: its file is kept for it. Any
     /// thread.
@@ -36,28 +39,44 @@ public:
     /// The attempt has been saved or given up: its file goes. When the loop has ended.
     void putAway();
 
-    /// The first failure since it was asked last, and again after things had gone well. Any thread. Writing is tried
-    /// again by and by, from where it failed.
+    /// A failure that has not been told yet, once until things have gone well again. Any thread. Writing is tried again
+    /// by and by, from where it failed.
     [[nodiscard]] std::optional<Error> failure();
-    /// Events of the present attempt that are on the disk. Any thread.
-    [[nodiscard]] std::uint64_t eventsOnDisk() const { return m_onDisk.load(std::memory_order_acquire); }
+    /// Events of the present attempt that are written. Any thread.
+    [[nodiscard]] std::uint64_t eventsWritten() const { return m_written.load(std::memory_order_acquire); }
 
 private:
+    class Syncing final : public rt::Loop
+    {
+    public:
+        explicit Syncing(JournalLoop& journal) : m_journal(journal) {}
+        void tick(std::chrono::microseconds) override { m_journal.sync(); }
+
+    private:
+        JournalLoop& m_journal;
+    };
+
     [[nodiscard]] Status bringUpToDate();
     void begin(std::uint64_t generation);
+    void sync();
+    void setFile(std::shared_ptr<recording::JournalFile> file);
+    void tell(const Error& error);
 
     const SessionLoop& m_session;
     std::filesystem::path m_folder;
     std::uint64_t m_generation = 0;  ///< of the tooth whose attempt this is
     std::int64_t m_begunUtcMs = 0;
     std::filesystem::path m_path;
-    std::optional<recording::JournalFile> m_file;
-    std::optional<recording::JournalLock> m_older;  ///< of the file that m_file will take the place of
+    std::shared_ptr<recording::JournalFile> m_file;
+    std::optional<recording::JournalLock> m_older;  ///< of the file that m_file takes the place of
     std::chrono::microseconds m_rest{0};            ///< until writing is tried again
-    bool m_failing = false;
-    std::atomic<std::uint64_t> m_onDisk{0};
+    bool m_cannotWrite = false;
+    std::atomic<std::uint64_t> m_written{0};
+    Syncing m_syncing{*this};
+    bool m_cannotSync = false;  ///< of the thread that syncs
 
     std::mutex m_mutex;  ///< guards what follows
+    std::shared_ptr<recording::JournalFile> m_toSync;
     std::optional<Error> m_failure;
     struct Found
     {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program behind a real window: its threads run, the mouse drills.
 #include <QAction>
+#include <QDir>
+#include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -28,6 +31,8 @@ private slots:
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
     void theSimulatedHandpieceDrillsByItself();
+    void anUnfinishedAttemptIsOfferedAndTakenUp();
+    void discardedAttemptsMakeWayForOlderOnes();
 
 private:
     template <class T>
@@ -42,6 +47,17 @@ private:
     /// Drills at a point of the tooth until more enamel is gone than before.
     void drillAt(glm::dvec3 pointMm) const;
     void save(const QString& path) const;
+    /// Drills, and leaves the attempt's journal in `into` as a program leaves it that is killed now; then ends. Returns
+    /// how much enamel was gone.
+    QString leaveUnfinished(glm::dvec3 pointMm, const QString& into);
+    [[nodiscard]] QStringList journals(const QString& folder = {}) const
+    {
+        return QDir(m_folder->filePath("unfinished/" + folder)).entryList({"*.cuspjournal"}, QDir::Files);
+    }
+    [[nodiscard]] QPushButton* messageButton(const char* name = "") const
+    {
+        return child<ui::shell::MessageBar>()->findChild<QPushButton*>(QString::fromLatin1(name));
+    }
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<app::Application> m_application;
@@ -82,6 +98,73 @@ void TestApplication::save(const QString& path) const
 {
     emit m_application->window().recordingSaveRequested(path);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("saved"), 30000);
+}
+
+QString TestApplication::leaveUnfinished(glm::dvec3 pointMm, const QString& into)
+{
+    start();
+    drillAt(pointMm);
+    if (journals().size() != 1)
+        qFatal("one journal, of the attempt on the table");
+    const QString own = enamelRemoved();
+    QTest::qWait(200);  // the last of it reaches the disk
+    const QString kept = m_folder->filePath(into);
+    QFile::copy(m_folder->filePath("unfinished/" + journals().front()), kept);
+    m_application.reset();
+    if (!journals().isEmpty())
+        qFatal("a program that ends in order leaves nothing behind");
+    QFile::rename(kept, m_folder->filePath("unfinished/" + into));
+    return own;
+}
+
+void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
+{
+    const QString own = leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    // Never opened silently.
+    QVERIFY(enamelRemoved() != own);
+    QVERIFY(!actions().undo->isEnabled());
+    QTest::mouseClick(messageButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);
+    QVERIFY(message().contains("goes on where it was left"));
+    QCOMPARE(journals(), QStringList{"1-1.cuspjournal"});
+    QTRY_VERIFY(actions().undo->isEnabled());
+    drillAt({2.0, 1.0, -1.0});
+    // The same file holds what is done from now on.
+    const QString again = enamelRemoved();
+    QTest::qWait(200);
+    QFile::copy(m_folder->filePath("unfinished/1-1.cuspjournal"), m_folder->filePath("kept"));
+    m_application.reset();
+    QVERIFY(journals().isEmpty());
+    QVERIFY(QFile::rename(m_folder->filePath("kept"), m_folder->filePath("unfinished/1-1.cuspjournal")));
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTest::mouseClick(messageButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), again, 30000);
+    actions().undo->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);
+}
+
+void TestApplication::discardedAttemptsMakeWayForOlderOnes()
+{
+    leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
+    const QString newest = m_folder->filePath("unfinished/2-1.cuspjournal");
+    QVERIFY(QFile::copy(m_folder->filePath("unfinished/1-1.cuspjournal"), newest));
+    QFile broken(m_folder->filePath("unfinished/3-1.cuspjournal"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("This is no journal.");
+    broken.close();
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QCOMPARE(journals("discarded"), QStringList{"3-1.cuspjournal"});
+    QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 2, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3, 30000);
+    QVERIFY(journals().isEmpty());
+    QTRY_VERIFY(message().contains("cannot be taken up again"));
 }
 
 void TestApplication::theSameWorkIsGradedOnce()

@@ -29,6 +29,13 @@ std::shared_ptr<const terrain::ToothAnatomy> block()
     return support::makeBlock(made);
 }
 
+/// Of both its threads.
+void beat(JournalLoop& journal)
+{
+    journal.tick(JournalLoop::kPeriod);
+    journal.syncing().tick(JournalLoop::kPeriod);
+}
+
 std::vector<ServoEvent> eventsOf(const Recording& recording)
 {
     std::vector<ServoEvent> events;
@@ -67,6 +74,7 @@ private slots:
     void aFolderThatCannotBeIsTold();
     void whatIsLateIsCaughtUpWith();
     void discardedOnesAreKeptForAWeek();
+    void beforeTheDiskHasItThereAreTwo();
     void whatAnInterruptedStartLeftIsCleared();
     void aMinuteIsUnderAMegabyte();
     void corpusOfTheFuzzerIsHarmless();
@@ -93,7 +101,7 @@ void TestJournal::cut(support::Rig& rig, JournalLoop& journal, int ticks, double
     for (int n = 0; n < ticks; ++n) {
         rig.lean(x, 0.0, 2.0, 1);
         if (rig.beats % 40 == 0)
-            journal.tick(40ms);
+            beat(journal);
     }
 }
 
@@ -127,8 +135,8 @@ void TestJournal::holdsAllThatHappened()
     rig.send(Undo{});
     cut(rig, *journal, 300, 1.0);
     rig.settle();
-    journal->tick(40ms);
-    QCOMPARE(journal->eventsOnDisk(), rig.session->recordingSoFar()->events());
+    beat(*journal);
+    QCOMPARE(journal->eventsWritten(), rig.session->recordingSoFar()->events());
     QCOMPARE(files().size(), 1U);
     journal.reset();  // as if the program ended here
     const auto found = recording::findAttempt(files().front());
@@ -147,17 +155,17 @@ void TestJournal::anUntouchedToothLeavesNoFile()
 {
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    journal.tick(40ms);
+    beat(journal);
     rig.open(block());
     rig.run(500);
-    journal.tick(40ms);
+    beat(journal);
     QVERIFY(files().empty());
     QVERIFY(!fs::exists(m_path));
     // With the first cut it is written from the beginning.
     rig.send(SetDrill{true});
     cut(rig, journal, 200);
     QCOMPARE(files().size(), 1U);
-    QVERIFY(journal.eventsOnDisk() > 600);
+    QVERIFY(journal.eventsWritten() > 600);
 }
 
 void TestJournal::anotherToothPutsItAway()
@@ -171,7 +179,7 @@ void TestJournal::anotherToothPutsItAway()
     const auto first = files();
     QCOMPARE(first.size(), 1U);
     rig.open(block(), 2);
-    journal.tick(40ms);
+    beat(journal);
     QVERIFY(files().empty());
     cut(rig, journal, 200);
     rig.lift();
@@ -192,7 +200,7 @@ void TestJournal::comesBackAndGoesOn()
         rig.send(SetDrill{true});
         cut(rig, journal, 400);
         rig.settle();
-        journal.tick(40ms);
+        beat(journal);
         left = rig.liveHash();
     }
     std::int64_t begun = 0;
@@ -205,17 +213,17 @@ void TestJournal::comesBackAndGoesOn()
         support::Rig rig;
         JournalLoop journal(*rig.session, m_path);
         rig.open(block());  // the tooth that lies there to begin with
-        journal.tick(40ms);
+        beat(journal);
         const Recording before = found.recording;
         journal.takeUp(2, std::move(found));
         rig.resume(before, 2);
         QCOMPARE(rig.liveHash(), left);
-        journal.tick(40ms);
+        beat(journal);
         QCOMPARE(files().size(), 1U);  // the new one has taken the place of the old one
         rig.send(SetDrill{true});
         cut(rig, journal, 200, 0.7 * life);
         rig.settle();
-        journal.tick(40ms);
+        beat(journal);
         left = rig.liveHash();
         QVERIFY(isPrefix(eventsOf(before), eventsOf(rig.session->recordingSoFar().value())));
     }
@@ -346,7 +354,7 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
     rig.open(block());
     rig.send(SetDrill{true});
     cut(rig, journal, 400);
-    const std::uint64_t before = journal.eventsOnDisk();
+    const std::uint64_t before = journal.eventsWritten();
     QVERIFY(before > 300 && !journal.failure());
     {
         const support::FullDisk full(fs::file_size(files().front()) + 100);
@@ -355,13 +363,13 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
         QVERIFY(told);
         QCOMPARE(told->code, ErrorCode::FileUnwritable);
         QVERIFY(!journal.failure());
-        QCOMPARE(journal.eventsOnDisk(), before);
+        QCOMPARE(journal.eventsWritten(), before);
     }
     cut(rig, journal, 6000);
     rig.settle();
-    journal.tick(40ms);
+    beat(journal);
     QVERIFY(!journal.failure());
-    QCOMPARE(journal.eventsOnDisk(), rig.session->recordingSoFar()->events());
+    QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
     const auto read = recording::attemptFrom(bytesOf(files().front()));
     QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
     // From the beginning on there was no room.
@@ -412,9 +420,9 @@ void TestJournal::whatIsLateIsCaughtUpWith()
         rig.run(100);
     }
     rig.settle();
-    journal.tick(40ms);
-    QCOMPARE(journal.eventsOnDisk(), rig.session->recordingSoFar()->events());
-    QVERIFY(journal.eventsOnDisk() > 20000);
+    beat(journal);
+    QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
+    QVERIFY(journal.eventsWritten() > 20000);
     const auto read = recording::attemptFrom(bytesOf(files().front()));
     QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
 }
@@ -446,16 +454,74 @@ void TestJournal::discardedOnesAreKeptForAWeek()
     QVERIFY(fs::exists(second));
 }
 
+void TestJournal::beforeTheDiskHasItThereAreTwo()
+{
+    support::Rig rig;
+    auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
+    rig.open(block());
+    rig.send(SetDrill{true});
+    const auto cutUnsynced = [&](int ticks) {
+        rig.lean(0.0, 0.0, 2.0, ticks);
+        rig.settle();
+        journal->tick(40ms);
+    };
+    cutUnsynced(200);
+    QCOMPARE(files().size(), 1U);
+    const fs::path path = files().front();
+    const fs::path part = path.string() + ".part";
+    QVERIFY(fs::exists(part) && !fs::exists(path));
+    QVERIFY(!recording::findAttempt(path)->has_value());  // its program is at work on it
+    const std::string young = bytesOf(part);
+    journal->syncing().tick(40ms);
+    QVERIFY(!fs::exists(part) && fs::exists(path));
+    cutUnsynced(200);
+    journal->syncing().tick(40ms);
+    const std::string old = bytesOf(path);
+    journal.reset();
+    const auto put = [](const fs::path& where, const std::string& bytes) {
+        QFile file(QString::fromStdString(where.string()));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), qint64(bytes.size())) < 0)
+            qFatal("cannot write");
+    };
+    const auto events = [](const std::string& bytes) { return recording::attemptFrom(bytes)->recording.events(); };
+    // Taken up and killed: the new file holds less than the old one, as much, or more.
+    for (const auto& [first, second] : {std::pair(old, young), std::pair(old, old), std::pair(young, old)}) {
+        put(path, first);
+        put(part, second);
+        QCOMPARE(files(), std::vector<fs::path>{path});
+        const auto found = recording::findAttempt(path);
+        QVERIFY(found && *found);
+        QCOMPARE((*found)->recording.events(), events(old));
+        QVERIFY(!fs::exists(part));
+        QCOMPARE(recording::attemptFrom(bytesOf(path))->recording.events(), events(old));
+        QVERIFY(!recording::findAttempt(path)->has_value());  // locked, wherever it came from
+    }
+    // The first file of all, never synced: as good as any.
+    fs::remove(path);
+    put(part, young);
+    QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
+    QVERIFY(fs::exists(path));
+    // A good new one beside a spoilt old one, and the other way round.
+    put(path, "rubbish");
+    put(part, young);
+    QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
+    put(path, young);
+    put(part, "rubbish");
+    QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
+}
+
 void TestJournal::whatAnInterruptedStartLeftIsCleared()
 {
     QVERIFY(QDir().mkpath(QString::fromStdString(m_path.string())));
     const fs::path part = m_path / "1-1.cuspjournal.part";
     QFile file(QString::fromStdString(part.string()));
     QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("CUSPJRN");
     file.close();
+    QCOMPARE(files().size(), 1U);
+    const auto found = recording::findAttempt(files().front());
+    QVERIFY(found && !*found);  // it held no moment: nothing to be told
     QVERIFY(files().empty());
-    recording::tidyJournals(m_path);
-    QVERIFY(!fs::exists(part));
     recording::tidyJournals(m_path / "none");  // nothing there, nothing said
 }
 
@@ -468,7 +534,7 @@ void TestJournal::aMinuteIsUnderAMegabyte()
     rig.send(SetDrill{true});
     cut(rig, journal, 100);
     rig.settle();
-    journal.tick(40ms);
+    beat(journal);
     const auto before = fs::file_size(files().front());
     Rng rng(1);
     for (int n = 0; n < 60000; ++n) {
@@ -479,7 +545,7 @@ void TestJournal::aMinuteIsUnderAMegabyte()
         rig.device.tipMm = glm::vec3(stroke + tremor + noise);
         rig.run(1);
         if (n % 40 == 39)
-            journal.tick(40ms);
+            beat(journal);
     }
     const auto bytes = fs::file_size(files().front()) - before;
     qInfo("one minute at 1 kHz, 25 frames a second: %llu bytes (before it: %llu)",

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
 #include <thread>
 
 #include "core/recording/Replay.h"
+#include "core/session/JournalLoop.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 
@@ -11,22 +13,24 @@ using namespace core;
 using namespace core::session;
 using namespace std::chrono_literals;
 
-/// The three threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
+/// The five threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
 /// instrumented.
 class TestThreads : public QObject
 {
     Q_OBJECT
 private slots:
-    void threeThreadsAgreeAfterwards();
+    void theThreadsAgreeAfterwards();
 };
 
-void TestThreads::threeThreadsAgreeAfterwards()
+void TestThreads::theThreadsAgreeAfterwards()
 {
     support::Block made;
     made.side = 64;
     made.cellMm = 0.12;
     const auto anatomy = support::makeBlock(made);
     support::Rig rig;
+    const QTemporaryDir folder;
+    JournalLoop journal(*rig.session, folder.path().toStdString());
     rig.send(ReplaceTooth{new terrain::Tooth(anatomy), 1});
     rig.send(SetDrill{true});
 
@@ -53,12 +57,28 @@ void TestThreads::threeThreadsAgreeAfterwards()
         }
         rig.session->tick(10ms);
     });
+    std::atomic<bool> sessionDone{false};
+    std::thread writer([&] {
+        while (!sessionDone) {
+            journal.tick(JournalLoop::kPeriod);
+            std::this_thread::sleep_for(2ms);
+        }
+        journal.tick(JournalLoop::kPeriod);
+    });
+    std::thread syncer([&] {
+        while (!sessionDone) {
+            journal.syncing().tick(JournalLoop::kPeriod);
+            std::this_thread::sleep_for(2ms);
+        }
+    });
 
     // This is the ui thread: it polls, sends commands, looks at the attempt.
     Rng rng(17);
     std::uint64_t generation = 1;
     std::uint64_t lastTick = 0;
     std::uint64_t lastGeneration = 0;
+    std::uint64_t lastVersion = 0;
+    std::vector<history::MomentInfo> history;
     int backwards = 0;
     const auto until = std::chrono::steady_clock::now() + 3s;
     while (std::chrono::steady_clock::now() < until) {
@@ -70,6 +90,14 @@ void TestThreads::threeThreadsAgreeAfterwards()
         static_cast<void>(rig.uiLinks->session.latest().undoSteps);
         for (TilePatch patch; rig.uiLinks->patches.tryPop(patch);) {
         }
+        if (const std::uint64_t version = rig.uiLinks->session.latest().historyVersion; version != lastVersion) {
+            lastVersion = version;
+            history = rig.session->historySoFar();
+        }
+        const auto anyMoment = [&] {
+            return history.empty() ? MomentId{}
+                                   : history[static_cast<std::size_t>(rng.below(static_cast<int>(history.size())))].id;
+        };
         const int what = rng.below(40);
         bool sent = true;
         if (what < 3)
@@ -84,7 +112,15 @@ void TestThreads::threeThreadsAgreeAfterwards()
             static_cast<void>(rig.session->toothSoFar());
         else if (what == 7)
             static_cast<void>(rig.session->recordingSoFar());
-        else if (what == 8 && generation < 4) {
+        else if (what == 8)
+            sent = rig.uiLinks->commands.tryPush(GoTo{anyMoment()});
+        else if (what == 9)
+            static_cast<void>(rig.session->momentHeights(anyMoment()));
+        else if (what == 10)
+            sent = rig.uiLinks->commands.tryPush(AddNote{rng.next()});
+        else if (what == 11)
+            static_cast<void>(journal.failure());
+        else if (what == 12 && generation < 4) {
             auto* tooth = new terrain::Tooth(anatomy);
             sent = rig.uiLinks->commands.tryPush(ReplaceTooth{tooth, generation + 1});
             if (sent)
@@ -98,6 +134,10 @@ void TestThreads::threeThreadsAgreeAfterwards()
     stop = true;
     servo.join();
     session.join();
+    sessionDone = true;
+    writer.join();
+    syncer.join();
+    journal.end();
 
     QCOMPARE(backwards, 0);
     QCOMPARE(rig.uiLinks->servo.latest().health & kRecordGap, 0U);
@@ -106,6 +146,8 @@ void TestThreads::threeThreadsAgreeAfterwards()
     QVERIFY(outcome);
     QVERIFY(outcome->agreesWithWitness);
     QCOMPARE(outcome->stateHash, rig.liveHash());
+    QVERIFY(!journal.failure());
+    QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
     qInfo("%llu ticks, %llu teeth", static_cast<unsigned long long>(rig.servo->state().tick),
           static_cast<unsigned long long>(generation));
 }

@@ -112,6 +112,8 @@ private slots:
     void errorsStayAndComeBackAfterNews();
     void anErrorGoesWithTheNextGoodTooth();
     void theMessageButtonDoesWhatItSays();
+    void anUnfinishedAttemptIsOffered();
+    void takingItUpAsksAboutTheWorkOnTheTable();
     void notesOfTheImporterAreShown();
     void anotherUnitCanBeChosenBesideTheNote();
     void workIsShownAndHoldsBackTheRest();
@@ -1019,6 +1021,52 @@ void TestMainWindow::theMessageButtonDoesWhatItSays()
     QCOMPARE(commands.size(), 1);
     QVERIFY(std::holds_alternative<Undo>(commands.front()));
     QVERIFY(message().isEmpty());
+}
+
+void TestMainWindow::anUnfinishedAttemptIsOffered()
+{
+    QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
+    QSignalSpy discarded(m_window.get(), &MainWindow::discardRequested);
+    auto* resume = child<MessageBar>()->findChild<QPushButton*>();
+    auto* discard = child<MessageBar>()->findChild<QPushButton*>("decline");
+    const QDateTime now = QDateTime::currentDateTime();
+    m_window->offerUnfinished("36", now);
+    const QString time = QLocale().toString(now.time(), QLocale::ShortFormat);
+    QCOMPARE(message(), QString("An attempt at 36 of %1 was not finished.").arg(time));
+    QVERIFY(resume->isVisible() && discard->isVisible());
+    QTest::mouseClick(resume, Qt::LeftButton);
+    QCOMPARE(resumed.size(), 1);
+    QVERIFY(message().isEmpty());
+    m_window->offerUnfinished("36", QDateTime(QDate(2011, 5, 3), QTime(12, 31)));
+    QVERIFY2(message().contains("2011") || message().contains("/11"), qPrintable(message()));
+    // News does not push it out.
+    m_window->showMessage("News.");
+    QVERIFY(!discard->isVisible());
+    press(Qt::Key_Escape);
+    QVERIFY(message().contains("was not finished") && discard->isVisible());
+    QTest::mouseClick(discard, Qt::LeftButton);
+    QCOMPARE(discarded.size(), 1);
+    QCOMPARE(resumed.size(), 1);
+    // Closed: neither, and it is offered again another time.
+    m_window->offerUnfinished("36", now);
+    press(Qt::Key_Escape);
+    QVERIFY(message().isEmpty());
+    QCOMPARE(discarded.size() + resumed.size(), 2);
+}
+
+void TestMainWindow::takingItUpAsksAboutTheWorkOnTheTable()
+{
+    QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
+    cutSomething(0.5);
+    m_window->offerUnfinished("36", QDateTime::currentDateTime());
+    QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(resumed.size(), 0);
+    auto* question = child<QMessageBox>("workQuestion");
+    QVERIFY(question != nullptr);
+    for (QAbstractButton* button : question->buttons())
+        if (question->buttonRole(button) == QMessageBox::DestructiveRole)
+            button->click();
+    QCOMPARE(resumed.size(), 1);
 }
 
 void TestMainWindow::notesOfTheImporterAreShown()

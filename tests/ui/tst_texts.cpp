@@ -114,8 +114,9 @@ lessons::Criterion criterion(const std::string& id, std::optional<double> measur
 void TestTexts::everyErrorCodeHasASentenceOfItsOwn()
 {
     using ui::text::Failed;
-    for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
-                                Failed::SavingRecording, Failed::KeepingGrades}) {
+    for (const Failed failed :
+         {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording, Failed::SavingRecording,
+          Failed::KeepingGrades, Failed::KeepingAttempt, Failed::ResumingAttempt}) {
         QSet<QString> seen;
         for (const ErrorCode code : kAllCodes) {
             const QString text = ui::text::errorText({code, "molar.stl: the exact detail."}, failed);
@@ -132,7 +133,7 @@ void TestTexts::errorsSpeakOfWhatWasDone()
     using ui::text::Failed;
     const core::Error error{ErrorCode::WrongKind, {}};
     QVERIFY(ui::text::errorText(error, Failed::OpeningScan).contains("scan"));
-    for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades})
+    for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades, Failed::ResumingAttempt})
         for (const ErrorCode code : {ErrorCode::WrongKind, ErrorCode::FileTruncated, ErrorCode::FileEmpty,
                                      ErrorCode::FileTooLarge, ErrorCode::BadStructure})
             QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));

@@ -561,7 +561,8 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     m_standsIn = m_tooth == nullptr;
     const QString exact = QString::fromStdString(error.detail);
     qWarning("%s", qPrintable(exact));
-    const bool ofTooth = failed != text::Failed::KeepingGrades && failed != text::Failed::SavingRecording;
+    const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
+                         failed == text::Failed::OpeningRecording;
     m_messages->say({MessageBar::Kind::Error,
                      text::errorText(error, failed),
                      QFileInfo(file).fileName(),
@@ -574,6 +575,21 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
 void MainWindow::showMessage(const QString& sentence)
 {
     m_messages->say({MessageBar::Kind::News, sentence, {}, {}, {}});
+}
+
+void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
+{
+    const QLocale locale;
+    const QString when = begun.date() == QDate::currentDate() ? locale.toString(begun.time(), QLocale::ShortFormat)
+                                                              : locale.toString(begun, QLocale::ShortFormat);
+    MessageBar::Message offer;
+    offer.kind = MessageBar::Kind::Warning;
+    //: %1: a tooth, "36"; %2: a time of today, or a day and a time
+    offer.sentence = tr("An attempt at %1 of %2 was not finished.").arg(tooth, when);
+    offer.actionText = tr("Resume");
+    offer.action = [this] { leaveWork([this] { emit resumeRequested(); }); };
+    offer.declining = {tr("Discard"), [this] { emit discardRequested(); }};
+    m_messages->say(offer);
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,

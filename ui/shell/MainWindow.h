@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include <QDateTime>
 #include <QElapsedTimer>
 #include <QList>
 #include <QMainWindow>
@@ -81,6 +82,10 @@ public slots:
     void showMessage(const QString& sentence);
     /// The recording that recordingSaveRequested() asked for is in this file.
     void showSaved(const QString& path);
+    /// An attempt was not finished: says so, with a button that takes it up and one that discards it. It stays until
+    /// one of them is pressed, or it is closed.
+    /// @param tooth  its name as on a recording
+    void offerUnfinished(const QString& tooth, const QDateTime& begun);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     /// @param expectedTenths  what the student had said in forecast()
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
@@ -116,6 +121,9 @@ signals:
     void recordingSaveRequested(const QString& path);
     void recordingOpenRequested(const QString& path);
     void gradeRequested();
+    /// What offerUnfinished() has offered; work that would be lost has been asked about.
+    void resumeRequested();
+    void discardRequested();
     void replayStopRequested();
     void replayPauseRequested(bool paused);
     /// So many times as fast as the recording was made. Every replay begins with 1.

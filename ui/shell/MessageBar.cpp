@@ -25,7 +25,7 @@ constexpr int kIconPx = 22;
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_sentence(new QLabel(this)), m_detail(new QLabel(this)),
-      m_button(new QPushButton(this)), m_close(new QToolButton(this))
+      m_button(new QPushButton(this)), m_decline(new QPushButton(this)), m_close(new QToolButton(this))
 {
     // Dark on every page, as it is one thing wherever it appears.
     dress(*this, roomPalette());
@@ -39,6 +39,8 @@ MessageBar::MessageBar(QWidget* parent)
     m_detail->setForegroundRole(QPalette::PlaceholderText);
     m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_button->setFocusPolicy(Qt::TabFocus);
+    m_decline->setFocusPolicy(Qt::TabFocus);
+    m_decline->setObjectName(QStringLiteral("decline"));
     m_close->setFocusPolicy(Qt::TabFocus);
     m_close->setIcon(lineIcon(QStringLiteral("close"), palette()));
     m_close->setToolTip(tr("Close this message (Esc)"));
@@ -54,17 +56,20 @@ MessageBar::MessageBar(QWidget* parent)
     row->addWidget(m_icon);
     row->addLayout(words, 1);
     row->addWidget(m_button);
+    row->addWidget(m_decline);
     row->addWidget(m_close);
 
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &MessageBar::dismiss);
     connect(m_close, &QToolButton::clicked, this, &MessageBar::dismiss);
-    connect(m_button, &QPushButton::clicked, this, [this] {
-        const auto action = m_now.action;
+    const auto doThenClose = [this](const std::function<void()>& what) {
+        const auto action = what;
         dismiss();
         if (action)
             action();
-    });
+    };
+    connect(m_button, &QPushButton::clicked, this, [this, doThenClose] { doThenClose(m_now.action); });
+    connect(m_decline, &QPushButton::clicked, this, [this, doThenClose] { doThenClose(m_now.declining.action); });
     hide();
 }
 
@@ -118,6 +123,9 @@ void MessageBar::present(const Message& message)
     m_button->setText(message.actionText);
     m_button->setAccessibleName(message.actionText);
     m_button->setVisible(!message.actionText.isEmpty());
+    m_decline->setText(message.declining.text);
+    m_decline->setAccessibleName(message.declining.text);
+    m_decline->setVisible(!message.declining.text.isEmpty());
     m_sentence->setToolTip(brokenIntoLines(message.technical));
     m_detail->setToolTip(brokenIntoLines(message.technical));
     delete m_button->menu();

@@ -14,8 +14,8 @@ class QToolButton;
 
 namespace ui::shell {
 
-/// One message inside the window: what happened, what to do, and at most one button for doing it; where there are
-/// several things to choose from, the button opens a menu of them.
+/// One message inside the window: what happened, what to do, and a button for doing it; where there are several things
+/// to choose from, the button opens a menu of them. An offer has a second button, for declining it.
 ///
 /// The newest comes at once: it answers what was just done. News goes away by itself, warnings and errors stay until
 /// they are closed; then what they covered comes back.
@@ -41,6 +41,7 @@ public:
         Topic topic = Topic::General;
         QString technical = {};      ///< exact and English, for whoever points at the message
         QList<Choice> choices = {};  ///< of the button's menu, in place of `action`
+        Choice declining = {};       ///< the second button; no text: none
     };
 
     /// How long news stays.
@@ -69,6 +70,7 @@ private:
     QLabel* m_sentence;
     QLabel* m_detail;
     QPushButton* m_button;
+    QPushButton* m_decline;
     QToolButton* m_close;
     QTimer m_timer;
     QRect m_area;

@@ -66,11 +66,14 @@ QString remedy(Failed failed)
     case Failed::KeepingGrades:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
                                                     "one.");
+    case Failed::ResumingAttempt:
+        return QCoreApplication::translate("Error", "Its file is kept for seven days, in the folder \"discarded\".");
     case Failed::OpeningLesson:
         return QCoreApplication::translate("Error", "Ask who made the lesson, or choose another one.");
     case Failed::MakingTooth:
     case Failed::SavingRecording:
     case Failed::Marking:
+    case Failed::KeepingAttempt:
         return QCoreApplication::translate("Error", "Try again.");
     }
     return {};
@@ -84,11 +87,14 @@ QString wrongKind(Failed failed)
         return QCoreApplication::translate("Error", "The file is no recording of Cusp.");
     case Failed::KeepingGrades:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
+    case Failed::ResumingAttempt:
+        return QCoreApplication::translate("Error", "This Cusp did not write the file, or an older one did.");
     case Failed::OpeningScan:
     case Failed::OpeningLesson:
     case Failed::MakingTooth:
     case Failed::SavingRecording:
     case Failed::Marking:
+    case Failed::KeepingAttempt:
         return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
     }
     return {};
@@ -163,6 +169,18 @@ QString errorText(const core::Error& error, Failed failed)
         //: %1: why, and what to do
         return QCoreApplication::translate("Error",
                                            "Grades will not be kept; drilling and grading work all the same. %1")
+            .arg(reason(error.code, failed));
+    case Failed::KeepingAttempt:
+        if (error.code == core::ErrorCode::FileUnwritable)
+            return QCoreApplication::translate(
+                "Error", "This attempt is not kept on the disk while you work: if the computer fails, it is lost. "
+                         "Make room on the disk, or save the recording now and then.");
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "This attempt is not kept on the disk while you work. %1")
+            .arg(reason(error.code, failed));
+    case Failed::ResumingAttempt:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "An attempt that was not finished cannot be taken up again. %1")
             .arg(reason(error.code, failed));
     }
     return QString::fromStdString(error.detail);

@@ -23,7 +23,9 @@ enum class Failed {
     OpeningRecording,
     SavingRecording,
     Marking,
-    KeepingGrades
+    KeepingGrades,
+    KeepingAttempt,  ///< on the disk, while it goes on
+    ResumingAttempt  ///< that was not finished
 };
 
 /// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is

@@ -11,6 +11,8 @@
 #include "app/cli/bench/Circumstances.h"
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
+#include "core/base/Rng.h"
+#include "core/recording/Player.h"
 #include "core/teeth/ToothBuilder.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/Simulation.h"
@@ -98,6 +100,7 @@ struct DrillingRun
     double firstMiB = 0.0;  ///< after a tenth of the time
     double lastMiB = 0.0;
     double recordedMiB = 0.0;
+    std::optional<core::recording::Recording> recording;
 };
 
 std::shared_ptr<const core::terrain::ToothAnatomy> molar(int gridSide)
@@ -138,6 +141,7 @@ core::Result<DrillingRun> drillFor(double seconds, int gridSide, const std::stri
     run.tickTimes = std::move(outcome->tickTimes);
     run.cuttingShare = static_cast<double>(cutting) / static_cast<double>(ticks);
     run.recordedMiB = static_cast<double>(outcome->recording->packedBytes()) / 1048576.0;
+    run.recording = std::move(outcome->recording);
     return run;
 }
 
@@ -266,6 +270,51 @@ core::Result<Figures> drillingSuite(const Context& context)
     add("drilling_memory_early_mib", "memory after a tenth", run->firstMiB, "MiB");
     add("drilling_memory_end_mib", "memory at the end", run->lastMiB, "MiB", "flat but for the recording");
     add("drilling_recording_mib", "of it, the recording", run->recordedMiB, "MiB");
+    return figures;
+}
+
+core::Result<Figures> replaySuite(const Context& context)
+{
+    constexpr double kMinutes = 2.0;
+    constexpr int kLooks = 500;
+    constexpr std::uint64_t kTicksAStep = 1000;
+    Figures figures;
+    int step = 0;
+    for (const int side : {150, 300}) {
+        context.progress(QStringLiteral("%1 minutes of drilling, grid %2").arg(kMinutes).arg(side), step++, 2);
+        auto run = drillFor(60.0 * kMinutes, side, "continuous", true);
+        if (!run)
+            return tl::unexpected(run.error());
+        const double lastsS = std::chrono::duration<double>(run->recording->duration()).count();
+        auto player = core::recording::Player::make(std::move(*run->recording));
+        if (!player)
+            return tl::unexpected(player.error());
+        const double before = haptics::threadCpuUs();
+        while ((*player)->advance(kTicksAStep)) {
+            // on to the end
+        }
+        const double passS = 1.0e-6 * (haptics::threadCpuUs() - before);
+        haptics::TickTimes looks;
+        core::Rng rng(1);
+        for (int n = 0; n < kLooks; ++n) {
+            const auto tick = static_cast<std::uint64_t>(rng.uniform(0.0, static_cast<double>((*player)->ticks())));
+            const double start = haptics::threadCpuUs();
+            static_cast<void>((*player)->stateAt(tick));
+            static_cast<void>((*player)->heightsAt(tick));
+            looks.add(haptics::threadCpuUs() - start);
+        }
+        const auto add = [&](const char* what, const char* words, double value, const char* unit, const char* reach) {
+            figures << Figure{QStringLiteral("replay_%1_%2").arg(side).arg(QLatin1String(what)),
+                              QStringLiteral("grid %1: %2").arg(side).arg(QLatin1String(words)), value,
+                              QLatin1String(unit), QLatin1String(reach)};
+        };
+        add("times", "the pass, times real time", lastsS / passS, "", "at least 50");
+        add("look_p50_ms", "to any moment, half of them", 1.0e-3 * looks.percentileUs(0.5), "ms", "");
+        add("look_max_ms", "to any moment, the longest", 1.0e-3 * looks.longestUs(), "ms", "under 50");
+        add("memory_mib_minute", "memory a minute", static_cast<double>((*player)->bytes()) / 1048576.0 / kMinutes,
+            "MiB", "");
+        add("recording_mib_minute", "recording a minute", run->recordedMiB / kMinutes, "MiB", "under 1");
+    }
     return figures;
 }
 

@@ -56,6 +56,8 @@ struct Context
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
 [[nodiscard]] core::Result<Figures> stiffnessSuite(const Context& context);
 
+/// A recording of continuous drilling played to its end, and looked at here and there.
+[[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
 /// Undo history: memory of a thousand moments, jumps between them, and what they do to the servo.
 [[nodiscard]] core::Result<Figures> historySuite(const Context& context);
 
