@@ -43,6 +43,7 @@ constexpr double kInwardsMm = 0.6;
 constexpr double kOutwardsMm = 0.15;
 /// Cosine of the largest angle between a stretch and what rises at a place of it.
 constexpr double kSameWay = 0.7;
+constexpr std::size_t kMostStretches = 800;
 constexpr std::size_t kLeastPlaces = 6;
 /// A stretch tells the angle if its heights vary by so much of the wall's height that nothing else explains.
 constexpr double kLeastSpread = 0.07;
@@ -419,10 +420,10 @@ void measureWalls(const CutSurface& cut, Form& form)
 
     const Grid& grid = cut.anatomy.grid;
     const Slopes slopes(cut);
-    // On a fine grid neighbouring segments have nearly the same stretch.
-    const auto stride = static_cast<std::size_t>(std::max(1.0, 0.07 / grid.cellMm));
     Stretch stretch;
+    // Neighbouring segments have nearly the same stretch: some hundred of them say it all.
     const std::span<const Outline::Segment> segments = cut.outline.segments();
+    const std::size_t stride = segments.size() / kMostStretches + 1;
     for (std::size_t s = 0; s < segments.size(); s += stride) {
         const Outline::Segment& segment = segments[s];
         if (!wasSolid(cut.anatomy, segment.node) || slopes.wallMm(segment.node) < kLeastHeightMm)

@@ -296,7 +296,7 @@ std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Out
 // ------------------------------------------------------------------------------------------------ unsupported enamel
 
 constexpr double kSliceMm = 0.05;
-constexpr double kStepsPerCell = 4.0;
+constexpr double kLeastStepMm = 0.02;  ///< along a rod, where that is more than a quarter of a cell
 constexpr int kSlopeReach = 2;  ///< nodes to either side from which the slope of the junction is taken
 
 /// Follows enamel rods down to the enamel-dentin junction.
@@ -378,7 +378,8 @@ private:
     {
         const double foot = (z - junction) / (1.0 + glm::dot(slope, slope));  // how far it goes down
         const glm::dvec2 way = slope * (foot / m_grid.cellMm);                // and aside, in cells
-        const int steps = static_cast<int>(kStepsPerCell * std::max(std::abs(way.x), std::abs(way.y))) + 1;
+        const double stepCells = std::max(0.25, kLeastStepMm / m_grid.cellMm);
+        const int steps = static_cast<int>(std::max(std::abs(way.x), std::abs(way.y)) / stepCells) + 1;
         for (int step = 1; step <= steps; ++step) {
             const double share = static_cast<double>(step) / steps;
             const glm::ivec2 node(at + way * share + 0.5);
