@@ -296,10 +296,12 @@ std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Out
 // ------------------------------------------------------------------------------------------------ unsupported enamel
 
 constexpr double kSliceMm = 0.05;
+constexpr double kCoarseSliceMm = 0.25;
 constexpr double kLeastStepMm = 0.02;  ///< along a rod, where that is more than a quarter of a cell
-constexpr int kSlopeReach = 2;  ///< nodes to either side from which the slope of the junction is taken
 
-/// Follows enamel rods down to the enamel-dentin junction.
+/// Follows enamel rods down to the enamel-dentin junction. The foot of the rod through a place is the node of the
+/// junction that is nearest: there the way from it stands upright on the junction. It is sought downhill from the foot
+/// of the place below.
 class Rods
 {
 public:
@@ -321,81 +323,85 @@ public:
         const std::size_t k = m_grid.index(i, j);
         if (!m_tooth.isSolid(k) || !hasJunction(k))
             return 0.0;
-        const auto junction = static_cast<double>(m_anatomy.layers[k].dej);
+        const double junction = junctionAt({i, j});
         const auto top = static_cast<double>(m_tooth.top[k]);
         if (const Decay decay = decayIn(m_tooth, k); decay.any())
             return std::max(0.0, top - std::max(junction, static_cast<double>(decay.roof)));
-        const glm::dvec2 slope = junctionSlope(i, j);
-        const double steepness2 = glm::dot(slope, slope);
-        if (!(top > junction) || !mayComeToHarm(i, j, slope * ((top - junction) / (1.0 + steepness2) / m_grid.cellMm)))
+        if (!(top > junction) || !mayComeToHarm({i, j}, junction, top))
             return 0.0;
         const int slices = static_cast<int>((top - junction) / kSliceMm) + 1;
         const double sliceMm = (top - junction) / slices;
+        glm::ivec2 foot(i, j);
         double height = 0.0;
         for (int slice = 0; slice < slices; ++slice) {
             const double z = junction + sliceMm * (slice + 0.5);
-            if (!stands({static_cast<double>(i), static_cast<double>(j)}, z, slope, junction))
+            foot = nearestFoot(foot, {i, j}, z);
+            if (!stands({i, j}, z, foot))
                 height += sliceMm;
         }
         return height;
     }
 
 private:
-    /// Whether anything was cut or decayed where the longest rod of a column goes.
-    /// @param way  as far as it goes aside, in cells
-    [[nodiscard]] bool mayComeToHarm(int i, int j, glm::dvec2 way) const
+    [[nodiscard]] double junctionAt(glm::ivec2 node) const
     {
-        const auto beyond = [](double cells) { return static_cast<int>(cells + (cells < 0.0 ? -1.0 : 1.0)); };
-        const int ni = i + beyond(way.x);
-        const int nj = j + beyond(way.y);
-        const NodeRect rect{std::min(i, ni), std::min(j, nj), std::max(i, ni) + 1, std::max(j, nj) + 1};
-        return m_harm.in(terrain::grown(rect, 0, m_grid)) > 0;
+        return static_cast<double>(m_anatomy.layers[m_grid.index(node.x, node.y)].dej);
     }
 
-    [[nodiscard]] glm::dvec2 junctionSlope(int i, int j) const
+    /// Whether anything was cut or decayed between a column and the feet of its rods.
+    [[nodiscard]] bool mayComeToHarm(glm::ivec2 column, double junction, double top) const
     {
-        const auto along = [&](int di, int dj) {
-            const auto at = [&](int n) {
-                const int ni = i + n * di;
-                const int nj = j + n * dj;
-                return m_grid.contains(ni, nj) && hasJunction(m_grid.index(ni, nj)) ? n : 0;
-            };
-            const int ahead = at(kSlopeReach);
-            const int behind = at(-kSlopeReach);
-            if (ahead == behind)
-                return 0.0;
-            const auto dej = [&](int n) {
-                return static_cast<double>(m_anatomy.layers[m_grid.index(i + n * di, j + n * dj)].dej);
-            };
-            return (dej(ahead) - dej(behind)) / ((ahead - behind) * m_grid.cellMm);
+        NodeRect feet{column.x, column.y, column.x + 1, column.y + 1};
+        glm::ivec2 foot = column;
+        for (double z = junction; z < top;) {
+            z = std::min(top, z + kCoarseSliceMm);
+            foot = nearestFoot(foot, column, z);
+            feet = terrain::united(feet, {foot.x, foot.y, foot.x + 1, foot.y + 1});
+        }
+        return m_harm.in(terrain::grown(feet, 1, m_grid)) > 0;
+    }
+
+    [[nodiscard]] glm::ivec2 nearestFoot(glm::ivec2 from, glm::ivec2 column, double z) const
+    {
+        const auto apart2 = [&](glm::ivec2 foot) {
+            const glm::dvec2 aside = glm::dvec2(foot - column) * m_grid.cellMm;
+            const double below = z - junctionAt(foot);
+            return glm::dot(aside, aside) + below * below;
         };
-        return {along(1, 0), along(0, 1)};
+        double best = apart2(from);
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (const glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+                const glm::ivec2 next = from + way;
+                if (!m_grid.contains(next.x, next.y) || !hasJunction(m_grid.index(next.x, next.y)))
+                    continue;
+                if (const double there = apart2(next); there < best) {
+                    best = there;
+                    from = next;
+                    moved = true;
+                }
+            }
+        }
+        return from;
     }
 
-    /// Whether the rod through a place, lattice coordinates and height, is whole down to its foot and stands on
-    /// dentin.
-    [[nodiscard]] bool stands(glm::dvec2 at, double z, glm::dvec2 slope, double junction) const
+    /// Whether the rod through a place is whole down to its foot and stands on dentin.
+    [[nodiscard]] bool stands(glm::ivec2 column, double z, glm::ivec2 foot) const
     {
-        const double foot = (z - junction) / (1.0 + glm::dot(slope, slope));  // how far it goes down
-        const glm::dvec2 way = slope * (foot / m_grid.cellMm);                // and aside, in cells
+        const glm::dvec2 way(foot - column);
         const double stepCells = std::max(0.25, kLeastStepMm / m_grid.cellMm);
         const int steps = static_cast<int>(std::max(std::abs(way.x), std::abs(way.y)) / stepCells) + 1;
         for (int step = 1; step <= steps; ++step) {
             const double share = static_cast<double>(step) / steps;
-            const glm::ivec2 node(at + way * share + 0.5);
-            if (!m_grid.contains(node.x, node.y))
-                return true;
+            const glm::ivec2 node(glm::dvec2(column) + way * share + 0.5);
             const std::size_t k = m_grid.index(node.x, node.y);
-            if (!wasSolid(m_anatomy, k))
-                return true;  // on the flank of the tooth the junction comes to the surface
             // Above the uncut surface, in a fissure, nothing was cut away.
-            const double height = z - foot * share;
-            if (static_cast<double>(endOf(m_tooth, k)) < height && height <= static_cast<double>(m_anatomy.top[k]))
-                return false;
-            if (step == steps && isDecayUnder(k))
+            const double height = z + (junctionAt(foot) - z) * share;
+            if (wasSolid(m_anatomy, k) && static_cast<double>(endOf(m_tooth, k)) < height &&
+                height <= static_cast<double>(m_anatomy.top[k]))
                 return false;
         }
-        return true;
+        return !isDecayUnder(m_grid.index(foot.x, foot.y));
     }
 
     /// Whether decay is left at the junction of a column.

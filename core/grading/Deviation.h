@@ -102,9 +102,9 @@ struct Form
 /// Enamel that has lost its dentin (teeth.md section 7: cavosurface; it breaks away under load), mm3. Counted is enamel
 /// still there of which one of these is true:
 ///  - decay is left straight below it;
-///  - the foot of its rod has been cut away or stands on decay that is left. Rods run about at right angles to the
-///    enamel-dentin junction: the foot of a rod is sought on the plane through the junction below, along its normal,
-///    and in slices of 0.05 mm.
+///  - its rod was cut through on the way down to the enamel-dentin junction, or stands there on decay that is left.
+///    Rods run about at right angles to the junction: the foot of a rod is the point of the junction that is nearest.
+///    In slices of 0.05 mm.
 /// The node is where the height of such enamel is greatest.
 struct UnsupportedEnamel
 {
