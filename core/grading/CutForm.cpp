@@ -99,7 +99,7 @@ NodeRect Slopes::cutArea() const
 void Slopes::findFeet(const NodeRect& area)
 {
     const Grid& grid = m_cut.anatomy.grid;
-    const int reach = std::max(1, static_cast<int>(kFootMm / grid.cellMm + 0.5));
+    const int reach = std::max(1, static_cast<int>(std::lround(kFootMm / grid.cellMm)));
     std::vector<float> inRow = m_foot;
     const NodeRect rows = terrain::grown(area, reach, grid);
     for (int j = rows.beginJ; j < rows.endJ; ++j)

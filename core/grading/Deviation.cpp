@@ -64,6 +64,12 @@ glm::dvec2 placeOf(const Grid& grid, std::size_t k)
     return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
 }
 
+/// Whether column k has enamel on dentin.
+bool hasJunction(const ToothAnatomy& anatomy, std::size_t k)
+{
+    return wasSolid(anatomy, k) && anatomy.layers[k].dej > anatomy.bottom[k] && anatomy.layers[k].dej < anatomy.top[k];
+}
+
 /// The smallest value such that this share of all the weight has no greater one.
 double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, double share)
 {
@@ -188,8 +194,20 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     error.meanMm /= area;
     error.signedMm /= area;
     error.p95Mm = percentile(sizes, kPercentile);
-    error.worstNode = error.tooShallowMm.value > error.tooDeepMm.value ? error.tooShallowMm.node : error.tooDeepMm.node;
     return error;
+}
+
+std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor)
+{
+    double depth = 0.0;
+    double area = 0.0;
+    for (const std::size_t k : floor) {
+        if (!hasJunction(ends.anatomy, k))
+            continue;
+        depth += (static_cast<double>(ends.anatomy.layers[k].dej) - ends.nowAt(k)) * ends.area(k);
+        area += ends.area(k);
+    }
+    return area > 0.0 ? std::optional(depth / area) : std::nullopt;
 }
 
 std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::size_t>& floor)
@@ -240,7 +258,8 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
         sum2 += rest[k] * rest[k] * ends.area(k);
     }
     form.flatnessMm = std::sqrt(sum2 / area);
-    const int run = std::max(1, static_cast<int>(kStepRunMm / grid.cellMm + 0.5));
+    form.intoDentinMm = intoDentinOf(ends, cut);
+    const int run = std::max(1, static_cast<int>(std::lround(kStepRunMm / grid.cellMm)));
     for (const std::size_t k : cut) {
         const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
         const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));
@@ -310,18 +329,11 @@ public:
           m_harm(m_grid, [&](std::size_t k) { return isCut(tooth, k) || decayIn(tooth, k).any(); })
     {}
 
-    /// Whether column k has enamel on dentin.
-    [[nodiscard]] bool hasJunction(std::size_t k) const
-    {
-        return wasSolid(m_anatomy, k) && m_anatomy.layers[k].dej > m_anatomy.bottom[k] &&
-               m_anatomy.layers[k].dej < m_anatomy.top[k];
-    }
-
     /// Height of the enamel in column (i, j) that stands on nothing.
     [[nodiscard]] double unsupportedMm(int i, int j) const
     {
         const std::size_t k = m_grid.index(i, j);
-        if (!m_tooth.isSolid(k) || !hasJunction(k))
+        if (!m_tooth.isSolid(k) || !hasJunction(m_anatomy, k))
             return 0.0;
         const double junction = junctionAt({i, j});
         const auto top = static_cast<double>(m_tooth.top[k]);
@@ -373,7 +385,7 @@ private:
             moved = false;
             for (const glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
                 const glm::ivec2 next = from + way;
-                if (!m_grid.contains(next.x, next.y) || !hasJunction(m_grid.index(next.x, next.y)))
+                if (!m_grid.contains(next.x, next.y) || !hasJunction(m_anatomy, m_grid.index(next.x, next.y)))
                     continue;
                 if (const double there = apart2(next); there < best) {
                     best = there;
@@ -418,22 +430,22 @@ private:
     Census m_harm;
 };
 
-std::optional<UnsupportedEnamel> unsupportedEnamelOf(const Tooth& tooth)
+std::optional<Placed> unsupportedEnamelOf(const Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
     const Rods rods(tooth);
-    UnsupportedEnamel result;
+    Placed result;
     bool any = false;
     double most = 0.0;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
-            any = any || rods.hasJunction(k);
+            any = any || hasJunction(*tooth.anatomy, k);
             const double height = rods.unsupportedMm(i, j);
-            result.mm3.value += height * static_cast<double>(tooth.anatomy->areaMm2[k]);
+            result.value += height * static_cast<double>(tooth.anatomy->areaMm2[k]);
             if (height > most) {
                 most = height;
-                result.mm3.node = k;
+                result.node = k;
             }
         }
     }
@@ -594,7 +606,7 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
     measureForm(ends.now, cutOutline, result.form);
     measureForm(ends.ideal, idealOutline, result.idealForm);
 
-    result.unsupported = unsupportedEnamelOf(tooth);
+    result.unsupportedEnamelMm3 = unsupportedEnamelOf(tooth);
     if (leeway)
         result.zones = zonesOf(ends, idealOutline, *leeway);
     return result;
