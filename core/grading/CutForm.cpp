@@ -43,7 +43,7 @@ constexpr double kInwardsMm = 0.6;
 constexpr double kOutwardsMm = 0.15;
 /// Cosine of the largest angle between a stretch and what rises at a place of it.
 constexpr double kSameWay = 0.7;
-constexpr std::size_t kMostStretches = 800;
+constexpr std::size_t kMostStretches = 800;  ///< more say nothing more
 constexpr std::size_t kLeastPlaces = 6;
 /// A stretch tells the angle if its heights vary by so much of the wall's height that nothing else explains.
 constexpr double kLeastSpread = 0.07;
@@ -51,7 +51,6 @@ constexpr double kLeastSpread = 0.07;
 /// A column on the slope of a wall.
 struct Place
 {
-    std::size_t node = 0;
     glm::dvec2 atMm{};
     double zMm = 0.0;
     double wallMm = 0.0;  ///< height of the wall there
@@ -153,7 +152,7 @@ Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_n
             if (!(down > kBandTop && down < kBandFoot))
                 continue;
             m_number[k] = static_cast<int>(m_places.size());
-            m_places.push_back({k, grid.nodeMm(i, j), static_cast<double>(cut.end[k]), wallMm(k), uphillAt(i, j)});
+            m_places.push_back({grid.nodeMm(i, j), static_cast<double>(cut.end[k]), wallMm(k), uphillAt(i, j)});
         }
     }
 }

@@ -20,7 +20,6 @@
 namespace core::grading {
 namespace {
 
-using terrain::ColumnLayers;
 using terrain::Grid;
 using terrain::NodeRect;
 using terrain::Tooth;
