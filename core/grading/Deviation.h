@@ -12,6 +12,9 @@
 /// How far a cut tooth is from the preparation that was asked for. Sums, minima and maxima over columns in index order,
 /// with nothing from a mathematical library but the square root: the same bits on every machine. What a height map
 /// cannot hold is not measured: undercuts, and walls that converge towards the occlusal, which read as upright.
+///
+/// A column stands for its cell, and is cut or not: where an upright wall stands is known to half a cell. Askew to the
+/// lattice that evens out; along it, it is so much of volumes, widths and outlines.
 namespace core::grading {
 
 /// A figure and the node of the grid where it is to be seen best.
