@@ -43,6 +43,7 @@ constexpr double kInwardsMm = 0.6;
 constexpr double kOutwardsMm = 0.15;
 /// Cosine of the largest angle between a stretch and what rises at a place of it.
 constexpr double kSameWay = 0.7;
+constexpr std::size_t kMostStretches = 800;  ///< more say nothing more
 constexpr std::size_t kLeastPlaces = 6;
 /// A stretch tells the angle if its heights vary by so much of the wall's height that nothing else explains.
 constexpr double kLeastSpread = 0.07;
@@ -50,7 +51,6 @@ constexpr double kLeastSpread = 0.07;
 /// A column on the slope of a wall.
 struct Place
 {
-    std::size_t node = 0;
     glm::dvec2 atMm{};
     double zMm = 0.0;
     double wallMm = 0.0;  ///< height of the wall there
@@ -98,7 +98,7 @@ NodeRect Slopes::cutArea() const
 void Slopes::findFeet(const NodeRect& area)
 {
     const Grid& grid = m_cut.anatomy.grid;
-    const int reach = std::max(1, static_cast<int>(kFootMm / grid.cellMm + 0.5));
+    const int reach = std::max(1, static_cast<int>(std::lround(kFootMm / grid.cellMm)));
     std::vector<float> inRow = m_foot;
     const NodeRect rows = terrain::grown(area, reach, grid);
     for (int j = rows.beginJ; j < rows.endJ; ++j)
@@ -152,7 +152,7 @@ Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_n
             if (!(down > kBandTop && down < kBandFoot))
                 continue;
             m_number[k] = static_cast<int>(m_places.size());
-            m_places.push_back({k, grid.nodeMm(i, j), static_cast<double>(cut.end[k]), wallMm(k), uphillAt(i, j)});
+            m_places.push_back({grid.nodeMm(i, j), static_cast<double>(cut.end[k]), wallMm(k), uphillAt(i, j)});
         }
     }
 }
@@ -419,10 +419,10 @@ void measureWalls(const CutSurface& cut, Form& form)
 
     const Grid& grid = cut.anatomy.grid;
     const Slopes slopes(cut);
-    // On a fine grid neighbouring segments have nearly the same stretch.
-    const auto stride = static_cast<std::size_t>(std::max(1.0, 0.07 / grid.cellMm));
     Stretch stretch;
+    // Neighbouring segments have nearly the same stretch: some hundred of them say it all.
     const std::span<const Outline::Segment> segments = cut.outline.segments();
+    const std::size_t stride = segments.size() / kMostStretches + 1;
     for (std::size_t s = 0; s < segments.size(); s += stride) {
         const Outline::Segment& segment = segments[s];
         if (!wasSolid(cut.anatomy, segment.node) || slopes.wallMm(segment.node) < kLeastHeightMm)

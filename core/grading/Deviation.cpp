@@ -20,7 +20,6 @@
 namespace core::grading {
 namespace {
 
-using terrain::ColumnLayers;
 using terrain::Grid;
 using terrain::NodeRect;
 using terrain::Tooth;
@@ -62,6 +61,12 @@ glm::dvec2 placeOf(const Grid& grid, std::size_t k)
 {
     const auto side = static_cast<std::size_t>(grid.side);
     return grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
+}
+
+/// Whether column k has enamel on dentin.
+bool hasJunction(const ToothAnatomy& anatomy, std::size_t k)
+{
+    return wasSolid(anatomy, k) && anatomy.layers[k].dej > anatomy.bottom[k] && anatomy.layers[k].dej < anatomy.top[k];
 }
 
 /// The smallest value such that this share of all the weight has no greater one.
@@ -188,8 +193,20 @@ std::optional<DepthError> depthErrorOf(const Ends& ends, const std::vector<std::
     error.meanMm /= area;
     error.signedMm /= area;
     error.p95Mm = percentile(sizes, kPercentile);
-    error.worstNode = error.tooShallowMm.value > error.tooDeepMm.value ? error.tooShallowMm.node : error.tooDeepMm.node;
     return error;
+}
+
+std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor)
+{
+    double depth = 0.0;
+    double area = 0.0;
+    for (const std::size_t k : floor) {
+        if (!hasJunction(ends.anatomy, k))
+            continue;
+        depth += (static_cast<double>(ends.anatomy.layers[k].dej) - ends.nowAt(k)) * ends.area(k);
+        area += ends.area(k);
+    }
+    return area > 0.0 ? std::optional(depth / area) : std::nullopt;
 }
 
 std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::size_t>& floor)
@@ -240,7 +257,8 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
         sum2 += rest[k] * rest[k] * ends.area(k);
     }
     form.flatnessMm = std::sqrt(sum2 / area);
-    const int run = std::max(1, static_cast<int>(kStepRunMm / grid.cellMm + 0.5));
+    form.intoDentinMm = intoDentinOf(ends, cut);
+    const int run = std::max(1, static_cast<int>(std::lround(kStepRunMm / grid.cellMm)));
     for (const std::size_t k : cut) {
         const int i = static_cast<int>(k % static_cast<std::size_t>(grid.side));
         const int j = static_cast<int>(k / static_cast<std::size_t>(grid.side));
@@ -296,10 +314,12 @@ std::optional<OutlineDeviation> outlineDeviationOf(const Outline& cut, const Out
 // ------------------------------------------------------------------------------------------------ unsupported enamel
 
 constexpr double kSliceMm = 0.05;
-constexpr double kStepsPerCell = 4.0;
-constexpr int kSlopeReach = 2;  ///< nodes to either side from which the slope of the junction is taken
+constexpr double kCoarseSliceMm = 0.25;
+constexpr double kLeastStepMm = 0.02;  ///< along a rod, where that is more than a quarter of a cell
 
-/// Follows enamel rods down to the enamel-dentin junction.
+/// Follows enamel rods down to the enamel-dentin junction. The foot of the rod through a place is the node of the
+/// junction that is nearest: there the way from it stands upright on the junction. It is sought downhill from the foot
+/// of the place below.
 class Rods
 {
 public:
@@ -308,93 +328,91 @@ public:
           m_harm(m_grid, [&](std::size_t k) { return isCut(tooth, k) || decayIn(tooth, k).any(); })
     {}
 
-    /// Whether column k has enamel on dentin.
-    [[nodiscard]] bool hasJunction(std::size_t k) const
-    {
-        return wasSolid(m_anatomy, k) && m_anatomy.layers[k].dej > m_anatomy.bottom[k] &&
-               m_anatomy.layers[k].dej < m_anatomy.top[k];
-    }
-
     /// Height of the enamel in column (i, j) that stands on nothing.
     [[nodiscard]] double unsupportedMm(int i, int j) const
     {
         const std::size_t k = m_grid.index(i, j);
-        if (!m_tooth.isSolid(k) || !hasJunction(k))
+        if (!m_tooth.isSolid(k) || !hasJunction(m_anatomy, k))
             return 0.0;
-        const auto junction = static_cast<double>(m_anatomy.layers[k].dej);
+        const double junction = junctionAt({i, j});
         const auto top = static_cast<double>(m_tooth.top[k]);
         if (const Decay decay = decayIn(m_tooth, k); decay.any())
             return std::max(0.0, top - std::max(junction, static_cast<double>(decay.roof)));
-        const glm::dvec2 slope = junctionSlope(i, j);
-        const double steepness2 = glm::dot(slope, slope);
-        if (!(top > junction) || !mayComeToHarm(i, j, slope * ((top - junction) / (1.0 + steepness2) / m_grid.cellMm)))
+        if (!(top > junction) || !mayComeToHarm({i, j}, junction, top))
             return 0.0;
         const int slices = static_cast<int>((top - junction) / kSliceMm) + 1;
         const double sliceMm = (top - junction) / slices;
+        glm::ivec2 foot(i, j);
         double height = 0.0;
         for (int slice = 0; slice < slices; ++slice) {
             const double z = junction + sliceMm * (slice + 0.5);
-            if (!stands({static_cast<double>(i), static_cast<double>(j)}, z, slope, junction))
+            foot = nearestFoot(foot, {i, j}, z);
+            if (!stands({i, j}, z, foot))
                 height += sliceMm;
         }
         return height;
     }
 
 private:
-    /// Whether anything was cut or decayed where the longest rod of a column goes.
-    /// @param way  as far as it goes aside, in cells
-    [[nodiscard]] bool mayComeToHarm(int i, int j, glm::dvec2 way) const
+    [[nodiscard]] double junctionAt(glm::ivec2 node) const
     {
-        const auto beyond = [](double cells) { return static_cast<int>(cells + (cells < 0.0 ? -1.0 : 1.0)); };
-        const int ni = i + beyond(way.x);
-        const int nj = j + beyond(way.y);
-        const NodeRect rect{std::min(i, ni), std::min(j, nj), std::max(i, ni) + 1, std::max(j, nj) + 1};
-        return m_harm.in(terrain::grown(rect, 0, m_grid)) > 0;
+        return static_cast<double>(m_anatomy.layers[m_grid.index(node.x, node.y)].dej);
     }
 
-    [[nodiscard]] glm::dvec2 junctionSlope(int i, int j) const
+    /// Whether anything was cut or decayed between a column and the feet of its rods.
+    [[nodiscard]] bool mayComeToHarm(glm::ivec2 column, double junction, double top) const
     {
-        const auto along = [&](int di, int dj) {
-            const auto at = [&](int n) {
-                const int ni = i + n * di;
-                const int nj = j + n * dj;
-                return m_grid.contains(ni, nj) && hasJunction(m_grid.index(ni, nj)) ? n : 0;
-            };
-            const int ahead = at(kSlopeReach);
-            const int behind = at(-kSlopeReach);
-            if (ahead == behind)
-                return 0.0;
-            const auto dej = [&](int n) {
-                return static_cast<double>(m_anatomy.layers[m_grid.index(i + n * di, j + n * dj)].dej);
-            };
-            return (dej(ahead) - dej(behind)) / ((ahead - behind) * m_grid.cellMm);
+        NodeRect feet{column.x, column.y, column.x + 1, column.y + 1};
+        glm::ivec2 foot = column;
+        for (double z = junction; z < top;) {
+            z = std::min(top, z + kCoarseSliceMm);
+            foot = nearestFoot(foot, column, z);
+            feet = terrain::united(feet, {foot.x, foot.y, foot.x + 1, foot.y + 1});
+        }
+        return m_harm.in(terrain::grown(feet, 1, m_grid)) > 0;
+    }
+
+    [[nodiscard]] glm::ivec2 nearestFoot(glm::ivec2 from, glm::ivec2 column, double z) const
+    {
+        const auto apart2 = [&](glm::ivec2 foot) {
+            const glm::dvec2 aside = glm::dvec2(foot - column) * m_grid.cellMm;
+            const double below = z - junctionAt(foot);
+            return glm::dot(aside, aside) + below * below;
         };
-        return {along(1, 0), along(0, 1)};
+        double best = apart2(from);
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (const glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+                const glm::ivec2 next = from + way;
+                if (!m_grid.contains(next.x, next.y) || !hasJunction(m_anatomy, m_grid.index(next.x, next.y)))
+                    continue;
+                if (const double there = apart2(next); there < best) {
+                    best = there;
+                    from = next;
+                    moved = true;
+                }
+            }
+        }
+        return from;
     }
 
-    /// Whether the rod through a place, lattice coordinates and height, is whole down to its foot and stands on
-    /// dentin.
-    [[nodiscard]] bool stands(glm::dvec2 at, double z, glm::dvec2 slope, double junction) const
+    /// Whether the rod through a place is whole down to its foot and stands on dentin.
+    [[nodiscard]] bool stands(glm::ivec2 column, double z, glm::ivec2 foot) const
     {
-        const double foot = (z - junction) / (1.0 + glm::dot(slope, slope));  // how far it goes down
-        const glm::dvec2 way = slope * (foot / m_grid.cellMm);                // and aside, in cells
-        const int steps = static_cast<int>(kStepsPerCell * std::max(std::abs(way.x), std::abs(way.y))) + 1;
+        const glm::dvec2 way(foot - column);
+        const double stepCells = std::max(0.25, kLeastStepMm / m_grid.cellMm);
+        const int steps = static_cast<int>(std::max(std::abs(way.x), std::abs(way.y)) / stepCells) + 1;
         for (int step = 1; step <= steps; ++step) {
             const double share = static_cast<double>(step) / steps;
-            const glm::ivec2 node(at + way * share + 0.5);
-            if (!m_grid.contains(node.x, node.y))
-                return true;
+            const glm::ivec2 node(glm::dvec2(column) + way * share + 0.5);
             const std::size_t k = m_grid.index(node.x, node.y);
-            if (!wasSolid(m_anatomy, k))
-                return true;  // on the flank of the tooth the junction comes to the surface
             // Above the uncut surface, in a fissure, nothing was cut away.
-            const double height = z - foot * share;
-            if (static_cast<double>(endOf(m_tooth, k)) < height && height <= static_cast<double>(m_anatomy.top[k]))
-                return false;
-            if (step == steps && isDecayUnder(k))
+            const double height = z + (junctionAt(foot) - z) * share;
+            if (wasSolid(m_anatomy, k) && static_cast<double>(endOf(m_tooth, k)) < height &&
+                height <= static_cast<double>(m_anatomy.top[k]))
                 return false;
         }
-        return true;
+        return !isDecayUnder(m_grid.index(foot.x, foot.y));
     }
 
     /// Whether decay is left at the junction of a column.
@@ -411,22 +429,22 @@ private:
     Census m_harm;
 };
 
-std::optional<UnsupportedEnamel> unsupportedEnamelOf(const Tooth& tooth)
+std::optional<Placed> unsupportedEnamelOf(const Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
     const Rods rods(tooth);
-    UnsupportedEnamel result;
+    Placed result;
     bool any = false;
     double most = 0.0;
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
-            any = any || rods.hasJunction(k);
+            any = any || hasJunction(*tooth.anatomy, k);
             const double height = rods.unsupportedMm(i, j);
-            result.mm3.value += height * static_cast<double>(tooth.anatomy->areaMm2[k]);
+            result.value += height * static_cast<double>(tooth.anatomy->areaMm2[k]);
             if (height > most) {
                 most = height;
-                result.mm3.node = k;
+                result.node = k;
             }
         }
     }
@@ -587,7 +605,7 @@ Result<Deviation> measureDeviation(const Tooth& tooth, const Preparation& ideal,
     measureForm(ends.now, cutOutline, result.form);
     measureForm(ends.ideal, idealOutline, result.idealForm);
 
-    result.unsupported = unsupportedEnamelOf(tooth);
+    result.unsupportedEnamelMm3 = unsupportedEnamelOf(tooth);
     if (leeway)
         result.zones = zonesOf(ends, idealOutline, *leeway);
     return result;

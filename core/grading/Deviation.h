@@ -12,6 +12,9 @@
 /// How far a cut tooth is from the preparation that was asked for. Sums, minima and maxima over columns in index order,
 /// with nothing from a mathematical library but the square root: the same bits on every machine. What a height map
 /// cannot hold is not measured: undercuts, and walls that converge towards the occlusal, which read as upright.
+///
+/// A column stands for its cell, and is cut or not: where an upright wall stands is known to half a cell. Askew to the
+/// lattice that evens out; along it, it is so much of volumes, widths and outlines.
 namespace core::grading {
 
 /// A figure and the node of the grid where it is to be seen best.
@@ -37,12 +40,11 @@ inline constexpr double kStepRunMm = 0.2;
 /// The error of a column is its height less the ideal one: negative is too deep.
 struct DepthError
 {
-    double meanMm = 0.0;        ///< of the error's size
-    double signedMm = 0.0;      ///< of the error itself
-    double p95Mm = 0.0;         ///< 95 % of the floor's area are off by no more than this
-    Placed tooDeepMm;           ///< most that the floor lies too low, 0 or more
-    Placed tooShallowMm;        ///< most that it lies too high, 0 or more
-    std::size_t worstNode = 0;  ///< of the larger of the two
+    double meanMm = 0.0;    ///< of the error's size
+    double signedMm = 0.0;  ///< of the error itself
+    double p95Mm = 0.0;     ///< 95 % of the floor's area are off by no more than this
+    Placed tooDeepMm;       ///< most that the floor lies too low, 0 or more
+    Placed tooShallowMm;    ///< most that it lies too high, 0 or more
     bool operator==(const DepthError&) const = default;
 };
 
@@ -66,6 +68,9 @@ struct FloorForm
     double flatnessMm = 0.0;  ///< root mean square distance, along z, from the plane that fits the depth error best
     double slopeDeg = 0.0;    ///< of that plane
     Placed stepMm;            ///< largest change of the rest within kStepRunMm along x or y
+    /// Mean depth of the floor below the enamel-dentin junction, mm (teeth.md section 7: into dentine); negative in
+    /// enamel. Nothing where the floor lies over no junction.
+    std::optional<double> intoDentinMm;
     bool operator==(const FloorForm&) const = default;
 };
 
@@ -91,25 +96,14 @@ struct Form
     /// the slope of a wall is an exact point of it: how the columns of a short stretch of wall recede with their depth
     /// gives the angle (least squares, with the direction and the bend of the stretch free). Where the stretches say
     /// nothing, since a steep wall stands along the lattice, the angle is that of the area which the slope covers seen
-    /// from above over its area seen from the side: right on the average, up to half a cell over the wall's height off.
+    /// from above over its area seen from the side: right on the average, but a wall that stands exactly along the
+    /// lattice may be off by a cell over its height, 3 degrees on 1.5 mm at 150. A height is taken as that of its node:
+    /// in a map of means over the cells an upright wall leans by as much.
     std::array<std::optional<Placed>, 4> wallDeg;
     /// mm, root mean square distance of the walls' columns from the smooth stretches above (courseware.md 3.3: wall
     /// roughness). Nothing where no wall has enough columns on its slope.
     std::optional<double> wallRoughnessMm;
     bool operator==(const Form&) const = default;
-};
-
-/// Enamel that has lost its dentin (teeth.md section 7: cavosurface; it breaks away under load), mm3. Counted is enamel
-/// still there of which one of these is true:
-///  - decay is left straight below it;
-///  - the foot of its rod has been cut away or stands on decay that is left. Rods run about at right angles to the
-///    enamel-dentin junction: the foot of a rod is sought on the plane through the junction below, along its normal,
-///    and in slices of 0.05 mm.
-/// The node is where the height of such enamel is greatest.
-struct UnsupportedEnamel
-{
-    Placed mm3;
-    bool operator==(const UnsupportedEnamel&) const = default;
 };
 
 /// Widths of the band around a shape of the practice pad in which a cut is forgiven.
@@ -154,13 +148,20 @@ struct Deviation
     std::optional<std::size_t> overcutNode;
     std::optional<std::size_t> undercutNode;
 
-    std::optional<DepthError> depth;               ///< nothing for an ideal without Floor
-    std::optional<OutlineDeviation> outline;       ///< nothing unless both ideal and cut have an outline
-    std::optional<FloorForm> floor;                ///< nothing unless three columns of the Floor, not in a row, are cut
-    Form form;                                     ///< of the cut
-    Form idealForm;                                ///< of the ideal, measured the same way
-    std::optional<UnsupportedEnamel> unsupported;  ///< nothing for a tooth without enamel on dentin
-    std::optional<Zones> zones;                    ///< only if a leeway was given
+    std::optional<DepthError> depth;          ///< nothing for an ideal without Floor
+    std::optional<OutlineDeviation> outline;  ///< nothing unless both ideal and cut have an outline
+    std::optional<FloorForm> floor;           ///< nothing unless three columns of the Floor, not in a row, are cut
+    Form form;                                ///< of the cut
+    Form idealForm;                           ///< of the ideal, measured the same way
+    /// mm3 of enamel that has lost its dentin (teeth.md section 7: cavosurface; it breaks away under load), and where
+    /// its height is greatest. Counted is enamel still there of which one of these is true:
+    ///  - decay is left straight below it;
+    ///  - its rod was cut through on the way down to the enamel-dentin junction, or stands there on decay that is left.
+    ///    Rods run about at right angles to the junction: the foot of a rod is the point of the junction that is
+    ///    nearest. In slices of 0.05 mm.
+    /// Nothing for a tooth without enamel on dentin.
+    std::optional<Placed> unsupportedEnamelMm3;
+    std::optional<Zones> zones;  ///< only if a leeway was given
 
     /// Of +y: 1 towards buccal, -1 towards lingual; 0 where nobody knows which side is which (a scan, a block).
     int buccalSign = 0;

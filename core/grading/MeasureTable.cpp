@@ -32,9 +32,8 @@ auto ofDeviation(const Measured& m, Say say) -> decltype(say(*m.deviation))
 }
 
 /// The same of a part of it that may be absent.
-template <class Part, class Say>
-auto ofPart(const Measured& m, std::optional<Part> Deviation::*part, Say say)
-    -> std::optional<decltype(say(*(m.deviation.value().*part)))>
+template <class Answer, class Part, class Say>
+Answer ofPart(const Measured& m, std::optional<Part> Deviation::*part, Say say)
 {
     if (!m.deviation || !((*m.deviation).*part))
         return {};
@@ -55,6 +54,12 @@ Value valueOf(const std::optional<Placed>& placed)
 Node nodeOf(const std::optional<Placed>& placed)
 {
     return placed ? Node(placed->node) : std::nullopt;
+}
+
+/// Where a size that is 0 at best is greatest; nowhere if it is 0.
+Node worstOf(const Placed& placed)
+{
+    return placed.value > 0.0 ? Node(placed.node) : std::nullopt;
 }
 
 Value percent(double part, double whole)
@@ -144,14 +149,16 @@ Node eitherNode(const Measured& m)
 
 Node outlineNode(const Measured& m)
 {
-    return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) {
-        return o.underMm.value > o.overMm.value ? o.underMm.node : o.overMm.node;
+    return ofPart<Node>(m, &Deviation::outline, [](const OutlineDeviation& o) {
+        return worstOf(o.underMm.value > o.overMm.value ? o.underMm : o.overMm);
     });
 }
 
 Node depthNode(const Measured& m)
 {
-    return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.worstNode; });
+    return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) {
+        return worstOf(d.tooShallowMm.value > d.tooDeepMm.value ? d.tooShallowMm : d.tooDeepMm);
+    });
 }
 
 Node cariesNode(const Measured& m)
@@ -255,70 +262,70 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
 
     {"depth_error_mean_mm", "mm", "Mean size of the floor's error in height, over the ideal floor's area.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.meanMm; });
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.meanMm; });
      },
      depthNode},
     {"depth_error_signed_mm", "mm", "Mean of the floor's error in height; negative is too deep.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.signedMm; });
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.signedMm; });
      },
      depthNode},
     {"depth_error_p95_mm", "mm", "Size of the floor's error in height that 95 percent of the floor stay within.",
      kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.p95Mm; });
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.p95Mm; });
      },
      depthNode},
     {"depth_too_deep_mm", "mm", "Most that the floor lies below the ideal one.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooDeepMm.value; });
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.tooDeepMm.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooDeepMm.node; });
+         return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.tooDeepMm); });
      }},
     {"depth_too_shallow_mm", "mm", "Most that the floor lies above the ideal one.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooShallowMm.value; });
+         return ofPart<Value>(m, &Deviation::depth, [](const DepthError& d) { return d.tooShallowMm.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::depth, [](const DepthError& d) { return d.tooShallowMm.node; });
+         return ofPart<Node>(m, &Deviation::depth, [](const DepthError& d) { return worstOf(d.tooShallowMm); });
      }},
 
     {"outline_mean_mm", "mm", "Mean distance between the outline cut and the ideal one.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.meanMm; });
+         return ofPart<Value>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.meanMm; });
      },
      outlineNode},
     {"outline_signed_mm", "mm",
      "Mean signed distance between the outline cut and the ideal one; positive is over-extended.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.signedMm; });
+         return ofPart<Value>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.signedMm; });
      },
      outlineNode},
     {"outline_p95_mm", "mm", "Distance between the outlines that 95 percent of their length stay within.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.p95Mm; });
+         return ofPart<Value>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.p95Mm; });
      },
      outlineNode},
     {"outline_max_mm", "mm", "Largest distance between the outline cut and the ideal one, either way.", kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::outline,
+         return ofPart<Value>(m, &Deviation::outline,
                        [](const OutlineDeviation& o) { return std::max(o.overMm.value, o.underMm.value); });
      },
      outlineNode},
     {"outline_over_mm", "mm", "Farthest that the cut goes beyond the ideal outline.", kForms,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.overMm.value; });
+         return ofPart<Value>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.overMm.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.overMm.node; });
+         return ofPart<Node>(m, &Deviation::outline, [](const OutlineDeviation& o) { return worstOf(o.overMm); });
      }},
     {"outline_under_mm", "mm", "Farthest that the cut stays behind the ideal outline.", kForms,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.underMm.value; });
+         return ofPart<Value>(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.underMm.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::outline, [](const OutlineDeviation& o) { return o.underMm.node; });
+         return ofPart<Node>(m, &Deviation::outline, [](const OutlineDeviation& o) { return worstOf(o.underMm); });
      }},
 
     {"isthmus_width_mm", "mm", "Shortest run of cut across the isthmus; 0 where the cut is interrupted there.", kForms,
@@ -363,32 +370,37 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"floor_flatness_mm", "mm", "Root mean square distance of the floor from the ideal one, tilted and lifted to fit.",
      kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.flatnessMm; });
+         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.flatnessMm; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.node; });
+         return ofPart<Node>(m, &Deviation::floor, [](const FloorForm& f) { return worstOf(f.stepMm); });
      }},
     {"floor_slope_deg", "deg", "Slope of the floor against the ideal one.", kForms,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.slopeDeg; });
+         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.slopeDeg; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.node; });
+         return ofPart<Node>(m, &Deviation::floor, [](const FloorForm& f) { return worstOf(f.stepMm); });
      }},
     {"floor_step_mm", "mm", "Largest step in the floor within 0.2 mm.", kForms,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.value; });
+         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.node; });
+         return ofPart<Node>(m, &Deviation::floor, [](const FloorForm& f) { return worstOf(f.stepMm); });
      }},
+    {"floor_into_dentin_mm", "mm", "Mean depth of the floor below the enamel-dentin junction; negative in enamel.", kForms,
+     [](const Measured& m) -> Value {
+         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.intoDentinMm; });
+     },
+     nullptr},
     {"unsupported_enamel_mm3", "mm3", "Enamel left above decay, or whose rods stand on dentin that was cut away.",
      "teeth.md 7 (cavosurface), courseware.md 3.3",
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::unsupported, [](const UnsupportedEnamel& u) { return u.mm3.value; });
+         return ofPart<Value>(m, &Deviation::unsupportedEnamelMm3, [](const Placed& u) { return u.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::unsupported, [](const UnsupportedEnamel& u) { return u.mm3.node; });
+         return ofPart<Node>(m, &Deviation::unsupportedEnamelMm3, worstOf);
      }},
 
     {"target_removed_percent", "percent", "Share of the target zone that was removed.", kPad,
@@ -416,17 +428,17 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      overNode},
     {"container_sides_mm3", "mm3", "What was removed beside target and leeway.", kPad,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerSidesMm3.value; });
+         return ofPart<Value>(m, &Deviation::zones, [](const Zones& z) { return z.containerSidesMm3.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerSidesMm3.node; });
+         return ofPart<Node>(m, &Deviation::zones, [](const Zones& z) { return worstOf(z.containerSidesMm3); });
      }},
     {"container_bottom_mm3", "mm3", "What was removed below target and leeway.", kPad,
      [](const Measured& m) -> Value {
-         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerBottomMm3.value; });
+         return ofPart<Value>(m, &Deviation::zones, [](const Zones& z) { return z.containerBottomMm3.value; });
      },
      [](const Measured& m) -> Node {
-         return ofPart(m, &Deviation::zones, [](const Zones& z) { return z.containerBottomMm3.node; });
+         return ofPart<Node>(m, &Deviation::zones, [](const Zones& z) { return worstOf(z.containerBottomMm3); });
      }},
 
     {"time_total_s", "s", "Time of the attempt, from its first tick to its last.", kMetrics,

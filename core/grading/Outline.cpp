@@ -62,18 +62,22 @@ Outline::Outline(const terrain::ToothAnatomy& anatomy, std::span<const float> en
     blur(m_depth, m_grid, false);
 
     const int cells = m_grid.side - 1;
-    for (int j0 = 0; j0 < cells; j0 += kBinSide) {
-        for (int i0 = 0; i0 < cells; i0 += kBinSide) {
-            const std::size_t begin = m_segments.size();
-            const int endI = std::min(cells, i0 + kBinSide);
-            const int endJ = std::min(cells, j0 + kBinSide);
-            for (int j = j0; j < endJ; ++j)
-                for (int i = i0; i < endI; ++i)
+    m_binsASide = (cells + kBinSide - 1) / kBinSide;
+    for (int b = 0; b < m_binsASide; ++b) {
+        for (int a = 0; a < m_binsASide; ++a) {
+            m_binBegins.push_back(m_segments.size());
+            for (int j = b * kBinSide; j < std::min(cells, (b + 1) * kBinSide); ++j)
+                for (int i = a * kBinSide; i < std::min(cells, (a + 1) * kBinSide); ++i)
                     trace(i, j);
-            if (m_segments.size() > begin)
-                m_bins.push_back({m_grid.nodeMm(i0, j0), m_grid.nodeMm(endI, endJ), begin, m_segments.size()});
         }
     }
+    m_binBegins.push_back(m_segments.size());
+}
+
+glm::ivec2 Outline::binAt(glm::dvec2 pointMm) const
+{
+    const glm::dvec2 bin = m_grid.latticeOf(pointMm) / static_cast<double>(kBinSide);
+    return {glm::clamp(bin, glm::dvec2(0.0), glm::dvec2(m_binsASide - 1))};
 }
 
 /// Adds the segments between node (i, j) and the next ones (marching squares; where two opposite corners are inside,
@@ -128,19 +132,22 @@ void Outline::trace(int i, int j)
 
 double Outline::distanceMm(glm::dvec2 pointMm) const
 {
-    const auto nearIn = [&](const Bin& bin, double best) {
-        for (std::size_t s = bin.begin; s < bin.end; ++s)
-            best = std::min(best, distance2(pointMm, m_segments[s]));
-        return best;
-    };
-    // The nearest bin first: what it holds rules out nearly all others.
-    const auto first = std::min_element(m_bins.begin(), m_bins.end(), [&](const Bin& a, const Bin& b) {
-        return apart2(a, pointMm) < apart2(b, pointMm);
-    });
-    double best = nearIn(*first, std::numeric_limits<double>::infinity());
-    for (const Bin& bin : m_bins)
-        if (apart2(bin, pointMm) < best)
-            best = nearIn(bin, best);
+    // Squares in rings around the point's own: those of ring n are at least n - 1 squares away.
+    const glm::ivec2 own = binAt(pointMm);
+    const double binMm = kBinSide * m_grid.cellMm;
+    double best = std::numeric_limits<double>::infinity();
+    for (int ring = 0; ring < m_binsASide; ++ring) {
+        const double atLeast = binMm * std::max(0, ring - 1);
+        if (best <= atLeast * atLeast)
+            break;
+        for (int b = std::max(0, own.y - ring); b <= std::min(m_binsASide - 1, own.y + ring); ++b) {
+            const bool isEnd = b == own.y - ring || b == own.y + ring;
+            for (int a = own.x - ring; a <= own.x + ring; a += isEnd || ring == 0 ? 1 : 2 * ring)
+                if (a >= 0 && a < m_binsASide)
+                    for (const Segment& segment : inBin(a, b))
+                        best = std::min(best, distance2(pointMm, segment));
+        }
+    }
     return std::sqrt(best);
 }
 

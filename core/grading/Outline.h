@@ -42,15 +42,15 @@ public:
     template <class Visit>
     void forEachWithin(glm::dvec2 pointMm, double distanceMm, const Visit& visit) const
     {
-        for (const Bin& bin : m_bins) {
-            if (apart2(bin, pointMm) > distanceMm * distanceMm)
-                continue;
-            for (std::size_t s = bin.begin; s < bin.end; ++s) {
-                const glm::dvec2 way = m_segments[s].middleMm() - pointMm;
-                if (glm::dot(way, way) <= distanceMm * distanceMm)
-                    visit(m_segments[s]);
-            }
-        }
+        const glm::ivec2 low = binAt(pointMm - distanceMm);
+        const glm::ivec2 high = binAt(pointMm + distanceMm);
+        for (int b = low.y; b <= high.y; ++b)
+            for (int a = low.x; a <= high.x; ++a)
+                for (const Segment& segment : inBin(a, b)) {
+                    const glm::dvec2 way = segment.middleMm() - pointMm;
+                    if (glm::dot(way, way) <= distanceMm * distanceMm)
+                        visit(segment);
+                }
     }
 
     /// How far inside the outline a place is, in mm of depth: 0 on it, kOutlineDepthMm at most.
@@ -61,26 +61,22 @@ public:
 
 private:
     void trace(int i, int j);
-
-    /// Segments of the cells of one square of the grid.
-    struct Bin
+    /// The square of cells around a place, the last one beyond the border.
+    [[nodiscard]] glm::ivec2 binAt(glm::dvec2 pointMm) const;
+    /// What begins in square (a, b).
+    [[nodiscard]] std::span<const Segment> inBin(int a, int b) const
     {
-        glm::dvec2 lowMm;
-        glm::dvec2 highMm;
-        std::size_t begin;
-        std::size_t end;
-    };
-    [[nodiscard]] static double apart2(const Bin& bin, glm::dvec2 pointMm)
-    {
-        const glm::dvec2 way = glm::max(glm::dvec2(0.0), glm::max(bin.lowMm - pointMm, pointMm - bin.highMm));
-        return glm::dot(way, way);
+        const std::size_t bin =
+            static_cast<std::size_t>(b) * static_cast<std::size_t>(m_binsASide) + static_cast<std::size_t>(a);
+        return std::span(m_segments).subspan(m_binBegins[bin], m_binBegins[bin + 1] - m_binBegins[bin]);
     }
 
     terrain::Grid m_grid;
     double m_level;
-    std::vector<double> m_depth;  ///< [side * side]
-    std::vector<Segment> m_segments;
-    std::vector<Bin> m_bins;  ///< those that hold any
+    std::vector<double> m_depth;      ///< [side * side]
+    std::vector<Segment> m_segments;  ///< square by square
+    int m_binsASide = 0;
+    std::vector<std::size_t> m_binBegins;  ///< of each square the first segment; and the end of all
 };
 
 }  // namespace core::grading

@@ -230,6 +230,7 @@ private slots:
     void anInterruptedIsthmusHasNoWidth();
     void ridgesOfAGeneratedTooth();
     void enamelWhoseRodsWereCutIsUnsupported();
+    void rodsOfATooth();
     void enamelAboveDecayIsUnsupported();
     void zonesOfThePracticePad();
     void aBurLeavesTheFormThatItWasLedIn();
@@ -377,7 +378,6 @@ void TestDeviation::theFloorsErrorIsSignedAndFound()
             QVERIFY(near(e.tooShallowMm.value, 0.08, 0.01 + 0.2 * cell));
             QVERIFY(near(placeOf(anatomy->grid, e.tooDeepMm.node).x, -reach, 2.0 * cell));
             QVERIFY(near(placeOf(anatomy->grid, e.tooShallowMm.node).x, reach, 2.0 * cell));
-            QCOMPARE(e.worstNode, e.tooDeepMm.node);
         }
 }
 
@@ -429,6 +429,7 @@ void TestDeviation::aLedgeIsAStep()
     QVERIFY(near(form.stepMm.value, 0.3 - slope * 0.2, 0.01));
     QVERIFY(near(placeOf(anatomy->grid, form.stepMm.node).x, 0.0, 0.21));
     QVERIFY(near(form.flatnessMm, 0.15 * std::sqrt(1.0 - 0.75), 0.002));
+    QVERIFY(!form.intoDentinMm.has_value());
     // A staircase that the ideal asks for is none.
     Preparation staircase = ideal(*anatomy, done);
     for (Part& part : staircase.parts)
@@ -545,8 +546,8 @@ void TestDeviation::wallAngles()
     QFETCH(Surface, surface);
     QFETCH(double, degrees);
     QFETCH(double, tolerance);
-    for (const int side : {150, 300})
-        for (const glm::dvec2 shift : lies(12)) {
+    for (const auto& [side, count] : {std::pair(150, 10), std::pair(300, 2)})
+        for (const glm::dvec2 shift : lies(count)) {
             const auto anatomy = block(side, shift);
             const Deviation d = measured(cut(anatomy, surface), ideal(*anatomy, surface));
             for (const std::optional<Placed>& wall : d.form.wallDeg) {
@@ -687,11 +688,70 @@ void TestDeviation::enamelWhoseRodsWereCutIsUnsupported()
             // rises at this wall, it falls away at the one at x = -1, under 1 - g of enamel.
             const double high = std::min(g >= 0.0 ? 1.0 : 1.0 - g, depth);
             const double expected = 4.0 * 0.5 * std::abs(g) * high * high;
-            QVERIFY2(near(d.unsupported->mm3.value, expected, 0.03 + 0.06 * expected),
+            QVERIFY2(near(d.unsupportedEnamelMm3->value, expected, 0.03 + 0.06 * expected),
                      qPrintable(QStringLiteral("slope %1, depth %2").arg(g).arg(depth)));
             if (g > 0.0)
-                QVERIFY(near(placeOf(anatomy->grid, d.unsupported->mm3.node).x, 0.0, 0.1));
+                QVERIFY(near(placeOf(anatomy->grid, d.unsupportedEnamelMm3->node).x, 0.0, 0.1));
         }
+}
+
+void TestDeviation::rodsOfATooth()
+{
+    // A slot through a molar with an oblique ridge, against a search of all feet for every 0.05 mm of enamel.
+    teeth::BuildOptions options;
+    options.gridSide = 64;
+    options.caries.reset();
+    const auto built = teeth::buildTooth(teeth::parseSource("26"), options);
+    QVERIFY(built.has_value());
+    const terrain::ToothAnatomy& anatomy = *built->anatomy;
+    const terrain::Grid& grid = anatomy.grid;
+    terrain::Tooth tooth(built->anatomy);
+    for (int j = 0; j < 64; ++j)
+        for (int i = 0; i < 64; ++i) {
+            const glm::dvec2 p = grid.nodeMm(i, j);
+            const std::size_t k = grid.index(i, j);
+            if (std::abs(p.x) < 2.9 && std::abs(p.y) < 0.8 && tooth.isSolid(k))
+                tooth.top[k] = std::min(tooth.top[k], -3.2F);
+        }
+    const auto hasJunction = [&](std::size_t k) {
+        const float dej = anatomy.layers[k].dej;
+        return anatomy.top[k] > anatomy.bottom[k] && dej > anatomy.bottom[k] && dej < anatomy.top[k];
+    };
+    double mm3 = 0.0;
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        if (!tooth.isSolid(k) || !hasJunction(k))
+            continue;
+        const glm::dvec3 column(placeOf(grid, k), 0.0);
+        for (auto z = static_cast<double>(anatomy.layers[k].dej) + 0.025; z < static_cast<double>(tooth.top[k]);
+             z += 0.05) {
+            const glm::dvec3 place = column + glm::dvec3(0.0, 0.0, z);
+            glm::dvec3 foot = place;
+            double nearest = 1.0e9;
+            for (std::size_t n = 0; n < grid.count(); ++n) {
+                if (!hasJunction(n))
+                    continue;
+                const glm::dvec3 there(placeOf(grid, n), anatomy.layers[n].dej);
+                if (const double apart = glm::length(there - place); apart < nearest) {
+                    nearest = apart;
+                    foot = there;
+                }
+            }
+            bool stands = true;
+            for (int step = 1; step <= 100 && stands; ++step) {
+                const glm::dvec3 on = place + (foot - place) * (0.01 * step);
+                const glm::ivec2 node(grid.latticeOf(glm::dvec2(on)) + 0.5);
+                const std::size_t n = grid.index(node.x, node.y);
+                stands = static_cast<double>(tooth.top[n]) >= on.z || on.z > static_cast<double>(anatomy.top[n]);
+            }
+            if (!stands)
+                mm3 += 0.05 * static_cast<double>(anatomy.areaMm2[k]);
+        }
+    }
+    const Preparation preparation = ideal(anatomy, [](glm::dvec2) { return 100.0; });
+    const double found = measured(tooth, preparation).unsupportedEnamelMm3->value;
+    qInfo("%.3f mm3 by searching, %.3f mm3 found", mm3, found);
+    QVERIFY(mm3 > 0.5);
+    QVERIFY(near(found, mm3, 0.03 * mm3));
 }
 
 void TestDeviation::enamelAboveDecayIsUnsupported()
@@ -704,7 +764,7 @@ void TestDeviation::enamelAboveDecayIsUnsupported()
         }
     const Preparation preparation{grading::idealCavity(*anatomy), std::vector<Part>(64 * 64, Part::Keep), {}};
     const auto unsupported = [&](const terrain::Tooth& tooth) {
-        return measured(tooth, preparation).unsupported->mm3.value;
+        return measured(tooth, preparation).unsupportedEnamelMm3->value;
     };
     terrain::Tooth tooth(anatomy);
     QVERIFY(near(unsupported(tooth), 64 * 0.01 * 1.5, 1.0e-6));
@@ -718,7 +778,7 @@ void TestDeviation::enamelAboveDecayIsUnsupported()
     QVERIFY(near(unsupported(tooth), 32 * 0.01 * 1.0, 1.0e-6));
     // No enamel on dentin: not measured.
     const auto plain = block(64);
-    QVERIFY(!measured(terrain::Tooth(plain), ideal(*plain, box(2.0, 2.0, 1.0))).unsupported.has_value());
+    QVERIFY(!measured(terrain::Tooth(plain), ideal(*plain, box(2.0, 2.0, 1.0))).unsupportedEnamelMm3.has_value());
 }
 
 void TestDeviation::zonesOfThePracticePad()
@@ -831,7 +891,8 @@ void TestDeviation::theIdealItselfHasNoDeviation()
     QVERIFY(d.outline->overMm.value < 1.0e-9 && d.outline->underMm.value < 1.0e-9);
     QCOMPARE(d.floor->flatnessMm, 0.0);
     QVERIFY(d.form == d.idealForm);
-    QCOMPARE(d.unsupported->mm3.value, 0.0);
+    QCOMPARE(d.unsupportedEnamelMm3->value, 0.0);
+    QVERIFY(near(d.floor->intoDentinMm.value(), 0.3, 1.0e-6));
 }
 
 void TestDeviation::nothingCut()
@@ -862,7 +923,7 @@ void TestDeviation::everythingCut()
     QVERIFY(near(d->overcutMm3(), d->removedMm3 - d->idealMm3, 1.0e-6));
     QCOMPARE(d->undercutMm3, 0.0);
     QVERIFY(near(d->depth->tooDeepMm.value, 4.5, 1.0e-5));
-    QCOMPARE(d->unsupported->mm3.value, 0.0);
+    QCOMPARE(d->unsupportedEnamelMm3->value, 0.0);
     QVERIFY(near(d->zones->targetRemovedMm3, d->idealMm3, 1.0e-9));
 }
 
