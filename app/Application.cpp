@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
@@ -33,6 +35,7 @@ constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
 constexpr int kSpareTooth = 36;  ///< FDI number
+constexpr int kAttemptWatchMs = 50;
 constexpr int kReplayWatchMs = 100;
 constexpr int kJournalWatchMs = 500;
 constexpr int kDemoBeatMs = 16;
@@ -100,7 +103,7 @@ core::Result<std::unique_ptr<Application>> Application::make(const WindowOptions
 Application::Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick)
     : m_options(options), m_device(makeDevice(options.simulatedDevice, m_demoWish, m_links.pointer)),
       m_servo(*m_device, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
-      m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)),
+      m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)), m_follower(m_session),
       m_window(std::make_unique<ui::shell::MainWindow>(m_links))
 {
     using ui::shell::MainWindow;
@@ -134,6 +137,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         if (m_replay)
             m_replay->setSpeed(times);
     });
+    connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
+    m_attemptWatch.setInterval(kAttemptWatchMs);
+    connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
+    m_attemptWatch.start();
     m_replayWatch.setInterval(kReplayWatchMs);
     connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
@@ -184,10 +191,14 @@ void Application::startLoops()
     m_sessionThread = std::make_unique<LoopThread>(m_session, kSessionPeriod, LoopThread::Urgency::Normal);
     m_servoThread->start(QThread::TimeCriticalPriority);
     m_sessionThread->start();
+    m_followerThread =
+        std::make_unique<LoopThread>(m_follower, core::session::Follower::kPeriod, LoopThread::Urgency::Normal);
+    m_followerThread->start();
 }
 
 void Application::stopLoops()
 {
+    m_followerThread.reset();
     m_servoThread.reset();
     m_sessionThread.reset();
 }
@@ -314,6 +325,8 @@ void Application::lay(const lessons::Assignment& assignment, const QStringList& 
     m_assignment = assignment;
     m_window->setAssignment(m_assignment);
     m_ownGeneration = ++m_generation;
+    m_infractionsTold = 0;
+    m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
     m_demoHand = {};
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, notes, unitInDoubt);
 }
@@ -323,6 +336,36 @@ void Application::letDemoHandDecide()
     const auto tooth = m_session.toothSoFar();
     if (!m_replay && tooth && tooth->anatomy == m_assignment.anatomy)
         m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
+}
+
+/// In practice a breach of the lesson's rules stops the bur and is explained. In an exam it is only noted.
+void Application::watchAttempt()
+{
+    if (m_replay || !m_assignment.lesson)
+        return;
+    const core::session::Findings findings = m_follower.findings();
+    if (findings.generation != m_ownGeneration || findings.infractions.size() <= m_infractionsTold)
+        return;
+    m_infractionsTold = findings.infractions.size();
+    if (m_assignment.lesson->exam)
+        return;
+    const core::grading::Infraction& newest = findings.infractions.back();
+    const std::vector<core::history::MomentInfo> history = m_session.historySoFar();
+    const bool canTakeBack = std::any_of(history.begin(), history.end(), [&](const core::history::MomentInfo& moment) {
+        return moment.tick < newest.tick;
+    });
+    m_window->tellInfraction(newest, canTakeBack);
+}
+
+/// To the last moment before a tick.
+void Application::takeBack(std::uint64_t tick)
+{
+    std::optional<core::history::MomentInfo> last;
+    for (const core::history::MomentInfo& moment : m_session.historySoFar())
+        if (moment.tick < tick && (!last || moment.tick >= last->tick))
+            last = moment;
+    if (last)
+        static_cast<void>(m_links.commands.tryPush(core::session::GoTo{last->id}));
 }
 
 void Application::grade()
@@ -350,17 +393,17 @@ void Application::grade()
 /// Marks the work as it is now, keeps the grade and shows it.
 void Application::finish(std::optional<int> expectedTenths)
 {
-    const auto tooth = m_session.toothSoFar();
-    const auto recording = m_session.recordingSoFar();
-    if (!tooth || !recording)
+    const auto done = m_follower.conclude();
+    if (!done)
         return;
-    const auto marked = lessons::mark(m_assignment, *tooth, {});
+    const auto marked = lessons::mark(m_assignment, done->tooth, done->findings.process,
+                                      static_cast<int>(done->findings.infractions.size()));
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;
     }
     const lessons::ScoreSheet& sheet = marked->sheet;
-    const std::uint64_t hash = core::terrain::stateHash(*tooth);
+    const std::uint64_t hash = core::terrain::stateHash(done->tooth);
     QList<database::AttemptRecord> history;
     if (m_attempts) {
         database::AttemptRecord record;
@@ -374,7 +417,7 @@ void Application::finish(std::optional<int> expectedTenths)
             record.lessonId = m_assignment.lesson->id;
             record.lessonHash = m_assignment.lesson->hash;
         }
-        record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(recording->duration()).count();
+        record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(done->recording.duration()).count();
         record.scoreSheetJson = lessons::toJson(sheet).toStdString();
         record.stateHash = QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0')).toStdString();
         const auto kept = m_attempts->add(record);

@@ -9,8 +9,8 @@
 
 #include "app/LoopThread.h"
 #include "app/ReplayLoop.h"
+#include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
-#include "core/session/SessionLoop.h"
 #include "core/teeth/ToothBuilder.h"
 #include "database/sql/Database.h"
 #include "database/sql/SqlAttemptRepository.h"
@@ -58,6 +58,8 @@ private:
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
     void lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
+    void watchAttempt();
+    void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
@@ -87,6 +89,7 @@ private:
     std::unique_ptr<haptics::HapticDevice> m_device;
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
+    core::session::Follower m_follower;
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
@@ -109,6 +112,8 @@ private:
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
+    QTimer m_attemptWatch;
+    std::size_t m_infractionsTold = 0;  ///< of the present attempt
     QTimer m_replayWatch;
     QTimer m_demoBeat;
     std::unique_ptr<ReplayLoop> m_replay;
@@ -118,6 +123,7 @@ private:
     // Threads last: they are joined before what they run on goes away.
     std::unique_ptr<LoopThread> m_servoThread;
     std::unique_ptr<LoopThread> m_sessionThread;
+    std::unique_ptr<LoopThread> m_followerThread;
     std::unique_ptr<LoopThread> m_journalThread;
     std::unique_ptr<LoopThread> m_syncThread;
     std::unique_ptr<LoopThread> m_replayThread;

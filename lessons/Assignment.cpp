@@ -162,18 +162,20 @@ markAgain(const core::recording::Recording& recording,
         });
     if (!outcome)
         return tl::unexpected(outcome.error());
-    auto marked = mark(*assignment, outcome->tooth, examiner.process());
+    auto marked =
+        mark(*assignment, outcome->tooth, examiner.process(), static_cast<int>(examiner.infractions().size()));
     if (!marked)
         return tl::unexpected(marked.error());
     return Remarked{std::move(*outcome), std::move(*marked), examiner.infractions()};
 }
 
 core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
-                        const std::optional<core::grading::Process>& process)
+                        const std::optional<core::grading::Process>& process, const std::optional<int>& infractions)
 {
     Mark result;
     result.measured.measures = core::grading::measure(tooth);
     result.measured.process = process;
+    result.measured.infractions = infractions;
     if (assignment.ideal) {
         auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);
         if (!deviation)

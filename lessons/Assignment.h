@@ -61,9 +61,11 @@ struct Mark
 
 /// Measures a tooth of the assignment's anatomy and marks it. A few milliseconds at 150 x 150. Any thread that owns the
 /// tooth.
-/// @param process  how the attempt went, where that is known
+/// @param process      how the attempt went, where that is known
+/// @param infractions  how many, where that is known
 [[nodiscard]] core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
-                                      const std::optional<core::grading::Process>& process);
+                                      const std::optional<core::grading::Process>& process = {},
+                                      const std::optional<int>& infractions = {});
 
 /// What replaying a recording came to.
 struct Remarked

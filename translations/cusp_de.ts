@@ -2,6 +2,73 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>Breach</name>
+    <message>
+        <source>The pulp is open</source>
+        <translation>Die Pulpa ist offen</translation>
+    </message>
+    <message>
+        <source>There is a hole through the tooth</source>
+        <translation>Durch den Zahn geht ein Loch</translation>
+    </message>
+    <message>
+        <source>Deeper than %1 mm</source>
+        <translation>Tiefer als %1 mm</translation>
+    </message>
+    <message>
+        <source>The marginal ridge is thinner than %1 mm</source>
+        <translation>Die Randleiste ist dünner als %1 mm</translation>
+    </message>
+    <message>
+        <source>Cut where nothing was to be cut</source>
+        <translation>Dort geschnitten, wo nichts weg sollte</translation>
+    </message>
+    <message>
+        <source>Pressed with %1 N, allowed are %2 N</source>
+        <translation>Mit %1 N gedrückt, erlaubt sind %2 N</translation>
+    </message>
+    <message>
+        <source>The bur has run in the air for %1 s</source>
+        <translation>Der Bohrer lief %1 s lang in der Luft</translation>
+    </message>
+    <message>
+        <source>Cut with a bur that this lesson does not allow</source>
+        <translation>Mit einem Bohrer geschnitten, den diese Aufgabe nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
+        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sieh auf den Schnitt und lass einen halben Millimeter Dentin stehen.</translation>
+    </message>
+    <message>
+        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <translation>Ein durchbohrter Zahn ist meist verloren. Achte im Schnitt auf die Tiefe.</translation>
+    </message>
+    <message>
+        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
+        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief du bist.</translation>
+    </message>
+    <message>
+        <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
+        <translation>Eine dünne Randleiste bricht unter Last. Halte mit der Außenkante des Bohrers früher an.</translation>
+    </message>
+    <message>
+        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <translation>Gesundes Gewebe wächst nicht nach. Die gestrichelte Linie im Schnitt zeigt, was weg soll.</translation>
+    </message>
+    <message>
+        <source>About 1 N cuts best; more heats the pulp, stalls the turbine and slips. Let the bur do the work.</source>
+        <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lass den Bohrer arbeiten.</translation>
+    </message>
+    <message>
+        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
+        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halte ihn an, wenn du nicht schneidest.</translation>
+    </message>
+    <message>
+        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
+        <translation>Eine andere Form hinterlässt eine andere Kavität. Nimm einen Bohrer, den die Aufgabe nennt.</translation>
+    </message>
+</context>
+<context>
     <name>Bur</name>
     <message>
         <source>Round, No. 2</source>
@@ -2022,6 +2089,25 @@
     <message>
         <source>Nothing: I expect all points</source>
         <translation>Nichts: Ich erwarte alle Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::InfractionCard</name>
+    <message>
+        <source>Take it back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <translation>Den Zahn auf den Stand davor zurücksetzen; das lässt sich wiederholen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Leave it as it is and work on (Esc)</source>
+        <translation>Alles lassen, wie es ist, und weiterarbeiten (Esc)</translation>
     </message>
 </context>
 <context>

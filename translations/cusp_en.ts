@@ -2,6 +2,73 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
 <context>
+    <name>Breach</name>
+    <message>
+        <source>The pulp is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a hole through the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deeper than %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marginal ridge is thinner than %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut where nothing was to be cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressed with %1 N, allowed are %2 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bur has run in the air for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut with a bur that this lesson does not allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About 1 N cuts best; more heats the pulp, stalls the turbine and slips. Let the bur do the work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Bur</name>
     <message>
         <source>Round, No. 2</source>
@@ -2021,6 +2088,25 @@
     </message>
     <message>
         <source>Nothing: I expect all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::InfractionCard</name>
+    <message>
+        <source>Take it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it as it is and work on (Esc)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -494,6 +494,8 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.contactBurOffS; }); }, nullptr},
     {"undo_count", "", "Times that the tooth was put back to an earlier state.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.undos; }); }, nullptr},
+    {"infractions", "", "Breaches of the lesson's rules.", kMetrics,
+     [](const Measured& m) -> Value { return m.infractions; }, nullptr},
 });
 
 }  // namespace

@@ -19,6 +19,11 @@ public:
     /// What happens next: give it all events of the recording, in order. True after a step of the servo.
     bool play(const session::ServoEvent& event);
 
+    /// Whether a Restore of this tick can be played. Those that were on the recording when this was made can.
+    [[nodiscard]] bool knows(std::uint64_t tick) const { return m_moments.contains(tick); }
+    /// What the top was after a tick that will be gone back to, where the recording had not come so far.
+    void learn(std::uint64_t tick, history::TiledHeights top) { m_moments[tick] = std::move(top); }
+
     /// Steps of the servo so far.
     [[nodiscard]] std::uint64_t tick() const { return m_tick; }
     /// As of the last step.

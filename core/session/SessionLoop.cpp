@@ -6,6 +6,9 @@
 namespace core::session {
 namespace {
 
+/// Restored moments that are kept for whoever follows the attempt; one that falls behind more begins anew.
+constexpr std::size_t kRestoredKept = 256;
+
 /// Frees what a command owns that nobody will carry out.
 void discard(const SessionCommand& command)
 {
@@ -210,6 +213,7 @@ void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resume
         m_strokes = attempt.strokes;
         m_wholeMm3 = terrain::volumes(terrain::Tooth(m_anatomy));
         m_removed = history::RemovedTally(m_anatomy);
+        m_restored.clear();
         m_group.clear();
         // The view has been shown the whole tooth.
         const auto cut = history::patchesBetween(m_uncut, m_mirror, tick, m_generation);
@@ -271,6 +275,9 @@ void SessionLoop::handOver()
     const std::lock_guard lock(m_mutex);
     m_mirror = moment.top;
     m_mirrorTick = moment.tick;
+    m_restored.emplace_back(moment.tick, moment.top);
+    if (m_restored.size() > kRestoredKept)
+        m_restored.pop_front();
 }
 
 void SessionLoop::forward()
@@ -308,6 +315,15 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
     if (copy && m_recordedGeneration == m_generation && m_vouchedTick && *m_vouchedTick <= copy->ticks())
         copy->setWitness({*m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;
+}
+
+std::optional<history::TiledHeights> SessionLoop::restored(std::uint64_t tick) const
+{
+    const std::lock_guard lock(m_mutex);
+    for (auto known = m_restored.rbegin(); known != m_restored.rend(); ++known)
+        if (known->first == tick)
+            return known->second;
+    return std::nullopt;
 }
 
 RecordedPart SessionLoop::recordedSince(std::uint64_t generation, std::uint64_t first) const

@@ -46,6 +46,9 @@ public:
     [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
     /// What has been recorded of a tooth from event number `first` on. Any thread.
     [[nodiscard]] RecordedPart recordedSince(std::uint64_t generation, std::uint64_t first) const;
+    /// The top map that was put back by one of the last steps through the history, by the tick after which the tooth
+    /// had stood so. Any thread.
+    [[nodiscard]] std::optional<history::TiledHeights> restored(std::uint64_t tick) const;
     /// The tooth as the mirror has it. Any thread; empty before the first tooth.
     [[nodiscard]] std::optional<terrain::Tooth> toothSoFar() const;
 
@@ -96,7 +99,8 @@ private:
     mutable std::mutex m_mutex;  ///< guards what other threads ask for; the servo never comes here
     std::optional<recording::Recording> m_recording;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
-    std::uint64_t m_recordedGeneration = 0;  ///< the tooth that m_recording is about
+    std::deque<std::pair<std::uint64_t, history::TiledHeights>> m_restored;  ///< what was handed over of late
+    std::uint64_t m_recordedGeneration = 0;                                  ///< the tooth that m_recording is about
     history::TiledHeights m_uncut;
     history::TiledHeights m_mirror;
     std::uint64_t m_mirrorTick = 0;

@@ -40,6 +40,7 @@
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
 #include "ui/study/Forecast.h"
+#include "ui/study/InfractionCard.h"
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
 #include "ui/tooth/ToothView.h"
@@ -89,7 +90,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room))
+      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
+      m_infractionCard(new study::InfractionCard(m_room))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -116,6 +118,16 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
+    const auto workOn = [this] {
+        if (m_infractionStopped)
+            wishDrill(true);
+        m_view->setFocus();
+    };
+    connect(m_infractionCard, &study::InfractionCard::goOnWanted, this, workOn);
+    connect(m_infractionCard, &study::InfractionCard::takeBackWanted, this, [this, workOn] {
+        emit takeBackWanted(m_infractionTick);
+        workOn();
+    });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this,
             [this] { showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G.")); });
@@ -497,6 +509,7 @@ void MainWindow::placeOverlays()
     // Above the bar of a replay.
     const int bar = m_replaying ? kReplayBarPx : 0;
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - bar - m_stereoCard->height());
+    m_infractionCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
@@ -506,6 +519,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
 {
     m_busy->done();
     m_room->hideNotice();
+    m_infractionCard->hide();
     // Where a tooth was refused before there was any, another one stands in for it: that stays said.
     if (!std::exchange(m_standsIn, false))
         m_messages->withdraw(MessageBar::Topic::Tooth);
@@ -599,6 +613,19 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
     m_scorePage->setScore(workTitle(), sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage(),
                           expectedTenths);
     goTo(m_scorePage);
+}
+
+void MainWindow::tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack)
+{
+    m_infractionTick = infraction.tick;
+    if (m_infractionCard->isHidden())
+        m_infractionStopped = m_actions->drill->isChecked();
+    wishDrill(false);
+    if (m_aids.section && !m_actions->section->isChecked())
+        m_actions->section->trigger();
+    goTo(m_room);
+    m_infractionCard->tell(infraction, canTakeBack);
+    placeOverlays();
 }
 
 void MainWindow::askForecast()

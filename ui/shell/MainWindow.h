@@ -34,7 +34,8 @@ class XrayPage;
 
 namespace ui::study {
 class Forecast;
-}
+class InfractionCard;
+}  // namespace ui::study
 
 namespace ui::shell {
 
@@ -90,6 +91,8 @@ public slots:
     /// @param expectedTenths  what the student had said in forecast()
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
                    std::optional<int> expectedTenths = {});
+    /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
+    void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// Asks what the student expects; forecastGiven() answers.
     void askForecast();
     /// The lesson that the tooth shown next is for; none: practised freely.
@@ -110,6 +113,8 @@ public slots:
 signals:
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
+    /// The tooth is to be put back to before this tick of the attempt.
+    void takeBackWanted(std::uint64_t tick);
     /// The page of lessons opens: what it shows is to be brought up to date.
     void lessonsWanted();
     void lessonFolderWanted();
@@ -195,6 +200,7 @@ private:
     BusyCard* m_busy;
     HelpOverlay* m_help;
     StereoCard* m_stereoCard;
+    study::InfractionCard* m_infractionCard;
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
@@ -209,7 +215,9 @@ private:
     std::optional<lessons::Assignment> m_assignment;  ///< of the student's tooth
     Wish m_drillWish;
     Wish m_burWish;
-    bool m_standsIn = false;  ///< the next tooth is not the one that was wanted
+    bool m_infractionStopped = false;    ///< the bur turned when it was told
+    std::uint64_t m_infractionTick = 0;  ///< of the one that is told
+    bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;
     bool m_selfDrilling = false;

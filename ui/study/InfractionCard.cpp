@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/InfractionCard.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::study {
+namespace {
+
+using namespace ui::shell;
+using core::grading::Breach;
+
+constexpr int kWidthPx = 460;
+constexpr int kIconPx = 32;
+
+}  // namespace
+
+QString breachName(const core::grading::Infraction& infraction)
+{
+    const QString value = text::number(infraction.value, 2);
+    const QString limit = text::number(infraction.limit, 2);
+    switch (infraction.breach) {
+    case Breach::PulpExposed:
+        return QCoreApplication::translate("Breach", "The pulp is open");
+    case Breach::Perforated:
+        return QCoreApplication::translate("Breach", "There is a hole through the tooth");
+    case Breach::TooDeep:
+        return QCoreApplication::translate("Breach", "Deeper than %1 mm").arg(limit);
+    case Breach::RidgeCut:
+        return QCoreApplication::translate("Breach", "The marginal ridge is thinner than %1 mm").arg(limit);
+    case Breach::WrongPlace:
+        return QCoreApplication::translate("Breach", "Cut where nothing was to be cut");
+    case Breach::TooMuchForce:
+        return QCoreApplication::translate("Breach", "Pressed with %1 N, allowed are %2 N").arg(value, limit);
+    case Breach::BurInAir:
+        return QCoreApplication::translate("Breach", "The bur has run in the air for %1 s").arg(limit);
+    case Breach::WrongBur:
+        break;
+    }
+    return QCoreApplication::translate("Breach", "Cut with a bur that this lesson does not allow");
+}
+
+QString breachReason(Breach breach)
+{
+    switch (breach) {
+    case Breach::PulpExposed:
+        return QCoreApplication::translate("Breach",
+                                           "An open pulp mostly dies: odontoblasts that are cut do not come "
+                                           "back. Look at the section, and keep half a millimetre of dentin.");
+    case Breach::Perforated:
+        return QCoreApplication::translate("Breach",
+                                           "A perforated tooth is mostly lost. Watch the depth in the section.");
+    case Breach::TooDeep:
+        return QCoreApplication::translate("Breach", "What is deeper than needed weakens the tooth and comes near the "
+                                                     "pulp. The section shows how deep you are.");
+    case Breach::RidgeCut:
+        return QCoreApplication::translate("Breach",
+                                           "A thin marginal ridge breaks under load. Stop the bur's outer edge "
+                                           "earlier.");
+    case Breach::WrongPlace:
+        return QCoreApplication::translate("Breach", "Sound tissue does not grow again. The broken line in the section "
+                                                     "shows what is to be cut.");
+    case Breach::TooMuchForce:
+        return QCoreApplication::translate("Breach", "About 1 N cuts best; more heats the pulp, stalls the turbine and "
+                                                     "slips. Let the bur do the work.");
+    case Breach::BurInAir:
+        return QCoreApplication::translate("Breach",
+                                           "A bur that turns unwatched hurts lips and cheeks. Stop it when you "
+                                           "do not cut.");
+    case Breach::WrongBur:
+        break;
+    }
+    return QCoreApplication::translate("Breach",
+                                       "Another shape leaves another cavity. Choose a bur that the lesson names.");
+}
+
+InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
+{
+    setProperty("kind", "notice");
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    row->setSpacing(kSpace4);
+    auto* icon = new QLabel(this);
+    icon->setPixmap(linePixmap(QStringLiteral("warning"), tones(roomPalette()).harmText, kIconPx, devicePixelRatioF()));
+    row->addWidget(icon, 0, Qt::AlignTop);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(kSpace2);
+    m_what = new QLabel(this);
+    m_what->setFont(typeface(kTitle, QFont::DemiBold));
+    m_what->setWordWrap(true);
+    m_what->setObjectName(QStringLiteral("infraction"));
+    m_why = new QLabel(this);
+    m_why->setWordWrap(true);
+    column->addWidget(m_what);
+    column->addWidget(m_why);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    m_takeBack = new QPushButton(tr("Take it back"), this);
+    m_takeBack->setToolTip(tr("Put the tooth back to before it happened; it can be redone (Enter)"));
+    m_takeBack->setProperty("kind", "filled");
+    m_takeBack->setAccessibleName(m_takeBack->text());
+    m_takeBack->setObjectName(QStringLiteral("takeBack"));
+    m_goOn = new QPushButton(tr("Go on"), this);
+    m_goOn->setToolTip(tr("Leave it as it is and work on (Esc)"));
+    m_goOn->setAccessibleName(m_goOn->text());
+    m_goOn->setObjectName(QStringLiteral("goOn"));
+    buttons->addWidget(m_takeBack);
+    buttons->addWidget(m_goOn);
+    buttons->addStretch(1);
+    column->addLayout(buttons);
+    row->addLayout(column, 1);
+    connect(m_takeBack, &QPushButton::clicked, this, [this] {
+        hide();
+        emit takeBackWanted();
+    });
+    connect(m_goOn, &QPushButton::clicked, this, [this] {
+        hide();
+        emit goOnWanted();
+    });
+    hide();
+}
+
+void InfractionCard::tell(const core::grading::Infraction& infraction, bool canTakeBack)
+{
+    m_what->setText(breachName(infraction));
+    m_why->setText(breachReason(infraction.breach));
+    m_takeBack->setVisible(canTakeBack);
+    setAccessibleName(m_what->text());
+    setAccessibleDescription(m_why->text());
+    show();
+    raise();
+    (canTakeBack ? m_takeBack : m_goOn)->setFocus();
+}
+
+void InfractionCard::placeIn(const QRect& area)
+{
+    const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
+    resize(width, layout()->totalHeightForWidth(width));
+    move(area.center().x() - width / 2, area.bottom() - kSpace6 - height());
+}
+
+void InfractionCard::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape)
+        m_goOn->click();
+    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        (m_goOn->hasFocus() || m_takeBack->isHidden() ? m_goOn : m_takeBack)->click();
+    else
+        QFrame::keyPressEvent(event);
+}
+
+}  // namespace ui::study

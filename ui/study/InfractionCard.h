@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+#include "core/grading/Referee.h"
+
+class QLabel;
+class QPushButton;
+
+namespace ui::study {
+
+/// Over the tooth when a rule of the lesson has been broken in practice: what happened and why it matters, in two
+/// sentences, and the choice to take it back or to go on. The bur rests meanwhile.
+class InfractionCard final : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit InfractionCard(QWidget* parent);
+
+    /// @param canTakeBack  there is a moment before it to go back to
+    void tell(const core::grading::Infraction& infraction, bool canTakeBack);
+    /// In the middle of the lower part of `area`.
+    void placeIn(const QRect& area);
+
+signals:
+    void takeBackWanted();
+    void goOnWanted();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QLabel* m_what = nullptr;
+    QLabel* m_why = nullptr;
+    QPushButton* m_takeBack = nullptr;
+    QPushButton* m_goOn = nullptr;
+};
+
+/// "Pulp opened", with the value against the limit where there is one.
+[[nodiscard]] QString breachName(const core::grading::Infraction& infraction);
+/// Why it matters, in one sentence.
+[[nodiscard]] QString breachReason(core::grading::Breach breach);
+
+}  // namespace ui::study
