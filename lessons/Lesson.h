@@ -18,10 +18,7 @@ namespace lessons {
 enum class Task {
     RemoveDecay,  ///< take the lesion out and spare the rest
     CutIdeal,     ///< cut the ideal preparation
-    TraceShape,   ///< mill the shape out of a practice block
-    TouchPoints,  ///< touch places without cutting
-    HoldForce,    ///< press steadily
-    NameLayers    ///< feel the layers blindfold and name them
+    TraceShape    ///< mill the shape out of a practice block
 };
 
 /// A tooth that the program makes.
@@ -96,17 +93,6 @@ struct Rules
     bool operator==(const Rules&) const = default;
 };
 
-/// What the orientation exercises ask.
-struct Exercise
-{
-    int points = 0;           ///< to touch
-    double withinMm = 0.4;    ///< of the point
-    double forceN = 1.0;      ///< to hold
-    double forceBandN = 0.2;  ///< to both sides
-    double seconds = 10.0;    ///< for so long
-    bool operator==(const Exercise&) const = default;
-};
-
 /// A lesson as its file says it, with the rubric it names read in. A plain value: what it asks is done by others.
 struct Lesson
 {
@@ -120,12 +106,8 @@ struct Lesson
     std::optional<Lesion> lesion;
     std::optional<Ideal> ideal;
     std::optional<LeewayZone> leeway;
-    std::optional<Exercise> exercise;
     std::vector<std::string> burs;  ///< allowed, by id; the first is given; none: all
-    std::string handpiece = "turbine";
-    std::string preset = "natural";
     Aids aids;
-    bool guidance = false;  ///< live: distance to the limit by colour of the bur, hints, a guiding fixture
     std::vector<Step> steps;
     double minutes = 0.0;  ///< 0: as long as it takes
     bool exam = false;

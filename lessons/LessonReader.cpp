@@ -16,8 +16,6 @@
 #include "core/drilling/Bur.h"
 #include "core/grading/MeasureTable.h"
 #include "core/mesh/Placement.h"
-#include "core/settings/Handpiece.h"
-#include "core/settings/HardnessPreset.h"
 #include "core/teeth/ToothTable.h"
 #include "core/terrain/Grid.h"
 #include "lessons/Assignment.h"
@@ -35,8 +33,7 @@ constexpr int kNewestVersion = 1'000'000;
 const QString kShipped = QStringLiteral(":/lessons/");
 const char* const kBasedOn = "based_on";
 
-const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
-                         QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("name_layers")};
+const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"), QStringLiteral("trace_shape")};
 const QStringList kSides{QStringLiteral("over"), QStringLiteral("under"), QStringLiteral("both")};
 const QStringList kVerdicts{QStringLiteral("sum_of_errors"), QStringLiteral("worst_error")};
 
@@ -322,6 +319,7 @@ public:
     Lesson make()
     {
         Lesson lesson;
+        static_cast<void>(m_keys.has("$schema"));  // editors look there
         if (!checkFormat(m_keys))
             return lesson;
         takeId(m_keys, lesson.id);
@@ -344,7 +342,6 @@ public:
         });
         lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);
         lesson.exam = m_keys.flag("exam", false);
-        lesson.guidance = m_keys.flag("guidance", false);
         if (auto rubric = m_keys.object("rubric")) {
             lesson.rubric = takeRubric(*rubric, false, m_whole.value(QStringLiteral("rubric")).toObject());
             if (!anyGrave(m_faults))
@@ -470,16 +467,6 @@ private:
                                        leeway->number("bottom_mm", 0.0, 3.0, "mm", 0.3)};
             leeway->nameTheRest();
         }
-        if (auto exercise = m_keys.object("exercise")) {
-            Exercise asked;
-            asked.points = static_cast<int>(exercise->whole("points", 0, 20, 0));
-            asked.withinMm = exercise->number("within_mm", 0.1, 5.0, "mm", asked.withinMm);
-            asked.forceN = exercise->number("force_n", 0.1, 8.0, "N", asked.forceN);
-            asked.forceBandN = exercise->number("force_band_n", 0.01, 4.0, "N", asked.forceBandN);
-            asked.seconds = exercise->number("seconds", 1.0, 120.0, "s", asked.seconds);
-            lesson.exercise = asked;
-            exercise->nameTheRest();
-        }
     }
 
     void takeTools(Lesson& lesson)
@@ -489,14 +476,6 @@ private:
                 m_keys.fault("burs", QString::fromStdString(known.error().detail));
             lesson.burs.push_back(bur.toStdString());
         }
-        if (m_keys.has("handpiece"))
-            lesson.handpiece = m_keys.text("handpiece", 40);
-        if (const auto known = core::settings::findHandpiece(lesson.handpiece); !known)
-            m_keys.fault("handpiece", QString::fromStdString(known.error().detail));
-        if (m_keys.has("preset"))
-            lesson.preset = m_keys.text("preset", 40);
-        if (const auto known = core::settings::findHardnessPreset(lesson.preset); !known)
-            m_keys.fault("preset", QString::fromStdString(known.error().detail));
         if (!m_keys.has("aids"))
             return;
         lesson.aids = Aids::none();
@@ -549,8 +528,6 @@ private:
             m_keys.fault("ideal", QStringLiteral("is missing; it says which preparation is to be cut"));
         if (lesson.task == Task::TraceShape && !isBlock)
             m_keys.fault("tooth", QStringLiteral("a shape is traced in a block: write {\"block\": \"line\"}"));
-        if (lesson.task >= Task::TouchPoints && !lesson.exercise)
-            m_keys.fault("exercise", QStringLiteral("is missing; it says how much of what is asked"));
     }
 
     QJsonObject m_whole;

@@ -83,16 +83,11 @@ void TestLessonReader::readsEveryKey()
     object["grid"] = 200;
     object["ideal"] = QJsonObject{{"kind", "class1"}, {"sizes", QJsonObject{{"depth_mm", 1.75}}}};
     object["leeway"] = QJsonObject{{"sides_mm", 0.2}, {"bottom_mm", 0.4}};
-    object["exercise"] =
-        QJsonObject{{"points", 5}, {"within_mm", 0.5}, {"force_n", 1.5}, {"force_band_n", 0.3}, {"seconds", 12}};
     object["burs"] = QJsonArray{"330", "2"};
-    object["handpiece"] = "low-speed";
-    object["preset"] = "typodont";
     object["aids"] = QJsonArray{"section", "mirror"};
     object["steps"] = QJsonArray{QJsonObject{{"text", "Look."}, {"hint", "Closer."}}};
     object["minutes"] = 12.5;
     object["exam"] = true;
-    object["guidance"] = true;
     object["rules"] =
         QJsonObject{{"pulp_exposed", false}, {"perforated", false},  {"depth_limit_mm", 2.5}, {"ridge_limit_mm", 1.2},
                     {"beside_mm", 0.5},      {"force_limit_n", 3.0}, {"air_limit_s", 30}};
@@ -110,14 +105,11 @@ void TestLessonReader::readsEveryKey()
     QCOMPARE(got.lesion->extent, 0.5);
     QCOMPARE(got.ideal->sizes.at("depth_mm"), 1.75);
     QCOMPARE(*got.leeway, (LeewayZone{0.2, 0.4}));
-    QCOMPARE(*got.exercise, (Exercise{5, 0.5, 1.5, 0.3, 12.0}));
     QCOMPARE(got.burs, (std::vector<std::string>{"330", "2"}));
-    QCOMPARE(got.handpiece, std::string("low-speed"));
-    QCOMPARE(got.preset, std::string("typodont"));
     QVERIFY(got.aids.section && got.aids.mirror && !got.aids.radiograph && !got.aids.ideal);
     QCOMPARE(inLanguage(got.steps.at(0).hint, "en"), std::string("Closer."));
     QCOMPARE(got.minutes, 12.5);
-    QVERIFY(got.exam && got.guidance);
+    QVERIFY(got.exam);
     QCOMPARE(got.rules, (Rules{false, false, 2.5, 1.2, 0.5, 3.0, 30.0}));
     QCOMPARE(got.rubric.id, std::string("decay_removal"));
     QCOMPARE(got.rubric.hash.size(), std::size_t{64});
@@ -176,8 +168,6 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("a grid too fine", "grid", "4096", "grid: is 4096, it must lie between 64 and 1024");
     row("an unknown bur", "burs", "[\"331x\"]", "burs: ");
     row("burs as a text", "burs", "\"330\"", "burs: must be a list");
-    row("an unknown handpiece", "handpiece", "\"laser\"", "handpiece: ");
-    row("an unknown preset", "preset", "\"butter\"", "preset: ");
     row("an unknown aid", "aids", "[\"x-ray\"]", "aids: \"x-ray\" is no aid");
     row("no rubric", "rubric", "null", "rubric: is missing");
     row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
@@ -217,7 +207,7 @@ void TestLessonReader::tellsAllFaultsAtOnce()
     QJsonObject object = lesson();
     object["tooth"] = QJsonObject{{"fdi", 99}};
     object["grid"] = 3;
-    object["preset"] = "butter";
+    object["exam"] = "maybe";
     const ReadLesson read = readLesson(write("odd.lesson.json", object));
     QCOMPARE(read.faults.size(), std::size_t{3});
 }

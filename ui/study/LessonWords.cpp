@@ -20,10 +20,6 @@ QString said(const ::lessons::LocalText& text)
 QString groupName(Task task)
 {
     switch (task) {
-    case Task::TouchPoints:
-    case Task::HoldForce:
-    case Task::NameLayers:
-        return QCoreApplication::translate("Lesson", "First steps");
     case Task::TraceShape:
         return QCoreApplication::translate("Lesson", "Practice block");
     case Task::CutIdeal:
@@ -37,18 +33,14 @@ QString groupName(Task task)
 int groupPlace(Task task)
 {
     switch (task) {
-    case Task::TouchPoints:
-    case Task::HoldForce:
-    case Task::NameLayers:
-        return 0;
     case Task::TraceShape:
-        return 1;
+        return 0;
     case Task::RemoveDecay:
-        return 2;
+        return 1;
     case Task::CutIdeal:
         break;
     }
-    return 3;
+    return 2;
 }
 
 QString toothWords(const Lesson& lesson)
