@@ -189,10 +189,16 @@ private:
         return distanceToLine(axis.x < 0.0 ? m_mesial : m_distal, axis) - m_radius - half - leanMm;
     }
     /// A groove falls off the occlusal table towards the sides: pits are looked for within.
-    [[nodiscard]] bool isOnTable(glm::dvec2 p) const { return distanceToLine(m_silhouette, p) > 1.4 && p.y > -1.6; }
+    [[nodiscard]] bool isOnTable(glm::dvec2 p) const { return distanceToLine(m_silhouette, p) > 1.4 && p.y > -0.9; }
     [[nodiscard]] bool sparesCrest(glm::dvec2 axis, double half) const
     {
         return m_crest.empty() || distanceToLine(m_crest, axis) >= m_design.obliqueMm + m_radius + half;
+    }
+
+    /// The ridge across the middle of a lower first premolar, between its two cavities.
+    [[nodiscard]] bool sparesTransverse(glm::dvec2 axis, double half) const
+    {
+        return m_fdi != 34 || std::abs(axis.x) >= m_design.obliqueMm + m_radius + half;
     }
 
     /// How much wider the outline gets from the floor to the surface where the wall leans.
@@ -256,7 +262,7 @@ private:
     [[nodiscard]] bool fits(const Spot& spot, double floorMm) const
     {
         return ridgeLeft(spot.atMm, spot.halfMm, leanMm(spot.atMm, floorMm)) >= m_design.ridgeMm &&
-               sparesCrest(spot.atMm, spot.halfMm);
+               sparesCrest(spot.atMm, spot.halfMm) && sparesTransverse(spot.atMm, spot.halfMm);
     }
     [[nodiscard]] bool fits(const std::vector<Spot>& spots, double floorMm) const
     {
@@ -418,9 +424,6 @@ private:
             addBar(true, mesialEnd);
         if (distalStop)
             addBar(false, distalEnd);
-        const std::size_t k = nearestTo(line, 0.5 * (mesialEnd + distalEnd));
-        const glm::dvec2 along = glm::normalize(line[std::min(k + 5, line.size() - 1)] - line[k < 5 ? 0 : k - 5]);
-        cavity.isthmus = OcclusalCavity::Isthmus{line[k], {-along.y, along.x}, 0.25 * (distalEnd - mesialEnd)};
         return {};
     }
 
@@ -477,6 +480,7 @@ private:
         } else if (m_fdi == 35 && !lobes({3}).empty()) {
             extend(cavity, line, lobes({2}), lobes({3}), false, mesialPit, distalPit);
         }
+        placeIsthmus(cavity);
         add(std::move(cavity));
         return {};
     }
@@ -504,6 +508,7 @@ private:
             if (Status done = finishMain(cavity, line, mesialPit, centralPit, true, false); !done)
                 return done;
             extend(cavity, line, mesiobuccal, beyond, true, mesialPit, centralPit + 1.0);
+            placeIsthmus(cavity);
             add(std::move(cavity));
         }
         return boxIs(true) ? Status() : planDistalPit();
@@ -527,7 +532,7 @@ private:
                 pit = k;
         const double lingually = 0.5 * m_design.isthmusMm + m_design.grooveMm;
         return planShort(groove, pit, lingually, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius,
-                         "distal pit", false);
+                         "distal pit", false, 1.0);
     }
 
     /// Two pits on either side of a transverse ridge.
@@ -536,6 +541,8 @@ private:
         constexpr double kLingualV = -2.2;
         constexpr double kBuccalV = 1.5;
         for (const bool mesial : {true, false}) {
+            if (m_kind != Kind::ClassOne && !boxIs(mesial))
+                continue;
             const Lobes cusps = lobes({1});
             const Lobes ridge = lobes({mesial ? 3 : 4});
             const Line groove = mesial ? grooveAlongV(ridge, cusps, kLingualV, kBuccalV, -2.0)
@@ -546,8 +553,11 @@ private:
             for (std::size_t k = 0; k < groove.size(); ++k)
                 if (isOnTable(groove[k]) && (!isOnTable(groove[pit]) || mouth(groove[k]) < mouth(groove[pit])))
                     pit = k;
+            // More of it towards the cheek: the lingual cusp is small.
             const double half = 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius;
-            if (Status done = planShort(groove, pit, half, half, mesial ? "mesial pit" : "distal pit", mesial); !done)
+            if (Status done =
+                    planShort(groove, pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit", mesial, 0.9);
+                !done)
                 return done;
         }
         return {};
@@ -555,8 +565,9 @@ private:
 
     /// A short stroke across the tooth through a pit, moved away from the marginal ridge as far as that has to stay.
     /// @param lingualMm, buccalMm  how far the axis goes to either side of the pit
+    /// @param mostShiftMm  a transverse ridge behind it has to stay as well
     Status planShort(const Line& groove, std::size_t pit, double lingualMm, double buccalMm, const char* name,
-                     bool mesial)
+                     bool mesial, double mostShiftMm)
     {
         Line line = smoothed(groove, kSmoothMm);
         const double pitV = line[pit].y;
@@ -565,7 +576,7 @@ private:
         double sum = 0.0;
         for (const glm::dvec2& p : line)
             sum += mouth(p);
-        cavity.floorMm = sum / static_cast<double>(line.size()) - m_design.depthMm;
+        cavity.floorMm = std::min(sum / static_cast<double>(line.size()), mouth(groove[pit])) - m_design.depthMm;
         // It keeps its place and shape as far as it can: what is changed least comes first.
         struct Change
         {
@@ -576,7 +587,7 @@ private:
             [[nodiscard]] double cost(double wide) const { return shift + 0.6 * (lingually + buccally) + wide - half; }
         };
         std::vector<Change> changes;
-        for (double shift = 0.0; shift <= 1.0; shift += 0.08)
+        for (double shift = 0.0; shift <= mostShiftMm; shift += 0.08)
             for (double lingually = 0.0; lingually <= lingualMm; lingually += 0.12)
                 for (double buccally = 0.0; buccally <= buccalMm; buccally += 0.12)
                     for (const double half : {m_half, 0.5 * m_half, 0.0})
@@ -612,6 +623,29 @@ private:
             (mesial ? cavity.mesialEndX : cavity.distalEndX) = end;
         }
         cavity.strokes.push_back(std::move(spots));
+    }
+
+    /// On the main stroke, as far from all others as it can be: there it is as narrow as was asked for.
+    static void placeIsthmus(OcclusalCavity& cavity)
+    {
+        const std::vector<Spot>& main = cavity.strokes.front();
+        const std::size_t aside = std::min<std::size_t>(8, main.size() / 4);
+        std::size_t best = main.size() / 2;
+        double furthest = 0.0;
+        for (std::size_t k = aside; k + aside < main.size(); ++k) {
+            double away = std::numeric_limits<double>::max();
+            for (std::size_t n = 1; n < cavity.strokes.size(); ++n)
+                for (const Spot& spot : cavity.strokes[n])
+                    away = std::min(away, glm::distance(spot.atMm, main[k].atMm));
+            if (away > furthest) {
+                furthest = away;
+                best = k;
+            }
+        }
+        const glm::dvec2 along = glm::normalize(main[std::min(best + aside, main.size() - 1)].atMm -
+                                                main[best - std::min(best, aside)].atMm);
+        cavity.isthmus =
+            OcclusalCavity::Isthmus{main[best].atMm, {-along.y, along.x}, kStepMm * static_cast<double>(aside)};
     }
 
     /// Keeps it, in the tooth frame.

@@ -33,7 +33,7 @@ struct ToothDesign
     double dovetailMm = 0.35;      ///< the ends are so much wider than the isthmus, on each side
     double grooveMm = 0.4;         ///< the outline runs so far from the isthmus into a buccal or lingual groove
     double ridgeMm = 1.6;          ///< of marginal ridge that is left at least, from outline to proximal surface
-    double obliqueMm = 0.4;        ///< the same on each side of the crest of an upper molar's oblique ridge
+    double obliqueMm = 0.4;        ///< the same on each side of an oblique (26, 27) or transverse (34) ridge
     double divergeDeg = 7.0;       ///< the mesial and distal wall lean outwards from upright
     double burRadiusMm = 0.4;      ///< no inner corner is tighter: No. 330 and 245
     double lineAngleMm = 0.2;      ///< radius between floor and wall: the end of a No. 245

@@ -205,7 +205,7 @@ Result<ToothDesign> checkTooth(Kind kind, const terrain::ToothAnatomy& anatomy)
 
 Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy)
 {
-    constexpr double kLeastRidgeMm = 1.0;
+    constexpr double kLeastRidgeMm = 0.8;
     auto design = checkTooth(kind, anatomy);
     if (!design || kind == Kind::Access)
         return design;
@@ -214,8 +214,9 @@ Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy
         return tl::unexpected<Error>(form.error());
     const ToothDesign usual = *design;
     Error fault;
-    for (const double divergeDeg : {usual.divergeDeg, 0.0}) {
-        design->divergeDeg = divergeDeg;
+    for (const int step : {0, 1, 2}) {
+        design->divergeDeg = step == 0 ? usual.divergeDeg : 0.0;
+        design->obliqueMm = step == 2 ? 0.5 * usual.obliqueMm : usual.obliqueMm;
         for (int less = 0; usual.ridgeMm - 0.1 * less > kLeastRidgeMm - 0.05; ++less) {
             design->ridgeMm = usual.ridgeMm - 0.1 * less;
             const auto cavities = occlusalCavities(kind, anatomy.fdi, *form, *design);
