@@ -10,6 +10,8 @@
 #include "app/cli/render/Pictures.h"
 #include "app/cli/render/Wishes.h"
 #include "core/base/WholeFile.h"
+#include "core/preparation/BlockPreparation.h"
+#include "core/preparation/ToothPreparation.h"
 #include "core/recording/Recording.h"
 #include "core/recording/Replay.h"
 #include "core/teeth/ToothBuilder.h"
@@ -35,13 +37,41 @@ core::Result<RenderSubject> subjectOf(const QString& recordingFile, const QStrin
         if (!named.isEmpty() && QFileInfo(named).fileName().toStdString() != own)
             return core::unexpected(core::ErrorCode::UnknownName,
                                     "that recording was made on '" + own + "'; leave --tooth out, or name this one");
-        return RenderSubject{std::move(outcome->tooth), outcome->state};
+        return RenderSubject{std::move(outcome->tooth), outcome->state, nullptr};
     }
     const auto tooth = core::teeth::buildTooth(source, build);
     if (!tooth)
         return tl::unexpected(tooth.error());
     warn(tooth->report.warnings);
-    return RenderSubject{core::terrain::Tooth(tooth->anatomy), std::nullopt};
+    return RenderSubject{core::terrain::Tooth(tooth->anatomy), std::nullopt, nullptr};
+}
+
+/// What is to be cut: what was named, else the shape of a practice block, else the decay.
+core::Status findIdeal(RenderSubject& subject, const RenderWishes& wishes)
+{
+    const auto& anatomy = subject.tooth.anatomy;
+    if (!wishes.ideal.empty()) {
+        const auto kind = core::preparation::findKind(wishes.ideal);
+        if (!kind)
+            return tl::unexpected(kind.error());
+        const auto design = core::preparation::fittedDesign(*kind, *anatomy);
+        if (!design)
+            return tl::unexpected(design.error());
+        const auto made = core::preparation::makePreparation(*kind, *design, *anatomy);
+        if (!made)
+            return tl::unexpected(made.error());
+        subject.ideal = made->top;
+    } else if (const auto block = core::teeth::findBlock(anatomy->name); block && *block) {
+        const auto shape = core::preparation::blockPreparation(**block, *anatomy);
+        if (!shape)
+            return tl::unexpected(shape.error());
+        subject.ideal = shape->top;
+    } else {
+        subject.ideal = core::grading::idealCavity(*anatomy);
+    }
+    if (wishes.prepared && subject.ideal)
+        subject.tooth = core::terrain::restored(anatomy, *subject.ideal);
+    return {};
 }
 
 core::Status save(const QImage& picture, const QString& file)
@@ -109,9 +139,11 @@ int renderCommand(const QStringList& arguments)
     if (isArch) {
         picture = renderedArch(named.isEmpty() ? 0 : *fdi, *size);
     } else {
-        const auto subject = subjectOf(recording, named, source, *build);
+        auto subject = subjectOf(recording, named, source, *build);
         if (!subject)
             return failed(subject.error());
+        if (const core::Status found = findIdeal(*subject, *wishes); !found)
+            return failed(found.error());
         picture = rendered(*subject, *wishes, view, *size);
     }
     if (!picture)

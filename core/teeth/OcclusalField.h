@@ -55,6 +55,8 @@ public:
     OcclusalField(const std::vector<Lobe>& lobes, double blendMm, double furrows, std::vector<Wave> wander);
 
     [[nodiscard]] Sample at(glm::dvec2 point) const;
+    /// Height of one lobe alone, by its place in the design's list.
+    [[nodiscard]] double lobeHeight(std::size_t lobe, glm::dvec2 point) const;
 
 private:
     struct Prepared
@@ -64,6 +66,9 @@ private:
         double sine = 0.0;
         glm::dvec2 furrows{0.0};  ///< share, at its phase
     };
+    struct Value;
+    [[nodiscard]] glm::dvec2 wandered(glm::dvec2 point) const;
+    [[nodiscard]] static Value valueOf(const Prepared& prepared, glm::dvec2 moved);
     std::vector<Prepared> m_lobes;
     std::vector<Wave> m_wander;
     double m_blendMm;

@@ -38,6 +38,7 @@ public:
                                           const MeshDetail& detail) const;
 
     [[nodiscard]] const PosteriorDesign& design() const { return m_design; }
+    [[nodiscard]] const OcclusalField& field() const { return m_field; }
 
 private:
     /// Points of the CEJ line, from distal over buccal.

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/Rng.h"
 #include "core/teeth/AnteriorCrown.h"
 #include "core/teeth/MeshBuilder.h"
-#include "core/teeth/PosteriorCrown.h"
 #include "core/teeth/Roots.h"
 #include "core/teeth/ToothTable.h"
 
@@ -75,25 +75,47 @@ void varyDesign(PosteriorDesign& design, Rng& rng)
     design.fissureMm *= draw(rng, 1.0, 0.15);
 }
 
-/// Moves and scales design millimetres to drawn ones. Returns the finished mesh in the tooth frame.
-mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const ToothSizes& mean,
-                         const ToothSizes& drawn)
+/// What takes design millimetres to drawn ones.
+struct Move
+{
+    glm::dvec3 origin{0.0};
+    glm::dvec3 scale{1.0};
+};
+
+Move moveOf(std::span<const glm::dvec3> crown, const ToothSizes& mean, const ToothSizes& drawn)
 {
     glm::dvec3 low{1.0e9};
     glm::dvec3 high{-1.0e9};
-    for (std::size_t k = 0; k < crownVertices; ++k) {
-        const glm::dvec3& p = builder.points()[k];
+    for (const glm::dvec3& p : crown) {
         for (int axis = 0; axis < 3; ++axis) {
             low[axis] = std::min(low[axis], p[axis]);
             high[axis] = std::max(high[axis], p[axis]);
         }
     }
-    const glm::dvec3 origin{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), high.z};
-    const glm::dvec3 scale{drawn.crownWidthMm / (high.x - low.x), drawn.crownDepthMm / (high.y - low.y),
-                           drawn.crownHeightMm / mean.crownHeightMm};
+    return {{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), high.z},
+            {drawn.crownWidthMm / (high.x - low.x), drawn.crownDepthMm / (high.y - low.y),
+             drawn.crownHeightMm / mean.crownHeightMm}};
+}
+
+/// Moves and scales design millimetres to drawn ones. Returns the finished mesh in the tooth frame.
+mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const ToothSizes& mean,
+                         const ToothSizes& drawn)
+{
+    const Move move = moveOf(std::span(builder.points()).first(crownVertices), mean, drawn);
     for (glm::dvec3& p : builder.points())
-        p = (p - origin) * scale;
+        p = (p - move.origin) * move.scale;
     return builder.finish(buccalSign(mean.fdi));
+}
+
+PosteriorCrown drawPosteriorCrown(int fdi, std::uint64_t seed)
+{
+    Rng rng = seeded(fdi, seed, kFormStream);
+    const bool vary = seed != 0;
+    PosteriorDesign design = posteriorDesign(fdi, rng, vary);
+    if (vary)
+        varyDesign(design, rng);
+    std::vector<OcclusalField::Wave> wander = drawWander(rng);
+    return PosteriorCrown(std::move(design), std::move(wander), rng.uniform(0.0, 6.28));
 }
 
 }  // namespace
@@ -134,24 +156,19 @@ Result<CoarseTooth> generate(int fdi, std::uint64_t seed, const MeshDetail& deta
         return tl::unexpected<Error>(sizes.error());
     const ToothSizes& mean = *found;
     const ToothSizes& drawn = *sizes;
-    const bool vary = seed != 0;
-    Rng rng = seeded(fdi, seed, kFormStream);
     MeshBuilder builder;
     MeshBuilder::Ring cervix;
     RootDesign roots;
     if (fdi % 10 <= 3) {
+        Rng rng = seeded(fdi, seed, kFormStream);
         AnteriorDesign design = anteriorDesign(fdi);
-        if (vary)
+        if (seed != 0)
             varyDesign(design, rng);
         roots = design.roots;
         cervix = buildAnteriorCrown(builder, design, mean, detail);
     } else {
-        PosteriorDesign design = posteriorDesign(fdi, rng, vary);
-        if (vary)
-            varyDesign(design, rng);
-        roots = design.roots;
-        std::vector<OcclusalField::Wave> wander = drawWander(rng);
-        const PosteriorCrown crown(std::move(design), std::move(wander), rng.uniform(0.0, 6.28));
+        const PosteriorCrown crown = drawPosteriorCrown(fdi, seed);
+        roots = crown.design().roots;
         cervix = crown.build(builder, mean, detail);
     }
     const std::size_t crownVertices = builder.points().size();
@@ -164,6 +181,23 @@ Result<CoarseTooth> generate(int fdi, std::uint64_t seed, const MeshDetail& deta
 Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
 {
     return generate(fdi, seed, {}).map([](CoarseTooth&& tooth) { return std::move(tooth.mesh); });
+}
+
+Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
+{
+    const auto mean = findToothSizes(fdi);
+    const auto drawn = drawToothSizes(fdi, seed);
+    if (!mean || !drawn)
+        return tl::unexpected<Error>(drawn.error());
+    if (fdi % 10 <= 3)
+        return unexpected(ErrorCode::UnknownName, "tooth " + std::to_string(fdi) + " has no occlusal surface");
+    PosteriorForm form{drawPosteriorCrown(fdi, seed), {}, {}, buccalSign(fdi)};
+    MeshBuilder builder;
+    static_cast<void>(form.crown.build(builder, *mean, {}));
+    const Move move = moveOf(builder.points(), *mean, *drawn);
+    form.originMm = move.origin;
+    form.scale = move.scale;
+    return form;
 }
 
 Result<CoarseTooth> generateCoarseTooth(int fdi)

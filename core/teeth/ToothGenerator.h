@@ -7,6 +7,7 @@
 
 #include "core/base/Result.h"
 #include "core/mesh/TriangleMesh.h"
+#include "core/teeth/PosteriorForm.h"
 #include "core/teeth/ToothTable.h"
 
 namespace core::teeth {
@@ -17,6 +18,9 @@ namespace core::teeth {
 /// Closed, manifold, oriented outwards, and the same for the same seed. Seed 0 is the mean tooth; any other draws its
 /// sizes, cusps and grooves. Some tens of milliseconds. UnknownName for anything but 21-28 and 31-38.
 [[nodiscard]] Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed);
+
+/// What generateTooth() makes a premolar or molar from. As long as generateTooth() takes; UnknownName for other teeth.
+[[nodiscard]] Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed);
 
 /// A tooth to look at, not to drill.
 struct CoarseTooth

@@ -9,7 +9,6 @@
 #include <QPainter>
 
 #include "core/drilling/Bur.h"
-#include "core/grading/IdealCavity.h"
 #include "core/imaging/Bitewing.h"
 #include "core/imaging/Radiograph.h"
 #include "core/teeth/Arch.h"
@@ -49,7 +48,7 @@ QImage sectionPicture(const RenderSubject& subject, double degrees, QSize size, 
     scene.plane.angleRad = degrees * std::numbers::pi / 180.0;
     scene.plane.throughMm = subject.tooth.grid().middleMm();
     scene.palette = palette;
-    scene.ideal = core::grading::idealCavity(*subject.tooth.anatomy);
+    scene.ideal = subject.ideal;
     if (subject.bur) {
         scene.bur = &core::drilling::burs()[subject.bur->burIndex];
         scene.tipMm = subject.bur->anchorMm;
@@ -148,7 +147,7 @@ core::Result<QImage> toothPicture(const RenderSubject& subject, const RenderWish
                                     "'; only a tooth chosen by its FDI number has neighbours");
     ui::render::ToothSurface surface(anatomy, ui::tooth::operatingLight(wishes.leftHand));
     surface.write(subject.tooth.top);
-    surface.setIdeal(core::grading::idealCavity(*anatomy));
+    surface.setIdeal(subject.ideal);
     surface.refresh();
 
     const auto canvas = ui::render::Canvas::make(size);

@@ -9,16 +9,19 @@
 
 #include "app/cli/render/Wishes.h"
 #include "core/base/Result.h"
+#include "core/grading/IdealCavity.h"
 #include "core/session/Links.h"
 #include "core/terrain/Tooth.h"
 
 namespace app::cli {
 
-/// What is to be drawn: a tooth whole or as an attempt left it, and where the bur was then.
+/// What is to be drawn: a tooth whole, prepared, or as an attempt left it, where the bur was then, and what it should
+/// come to.
 struct RenderSubject
 {
     core::terrain::Tooth tooth;
     std::optional<core::session::ServoState> bur;
+    core::grading::IdealTop ideal;  ///< null: nothing is asked for
 };
 
 /// The picture of a tooth that was wished for, any but that of the mouth. Needs a display.

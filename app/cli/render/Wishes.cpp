@@ -39,14 +39,17 @@ core::Result<Picture> kindOf(const QCommandLineParser& parser)
                                                                       "with " +
                                                                       asked.front().toStdString());
     const QString show = parser.value(QStringLiteral("show"));
-    const QString known = kind == Picture::Section ? QStringLiteral("distinct")
-                          : kind == Picture::Xray  ? QStringLiteral("before")
-                                                   : QString();
-    if (!show.isEmpty() && show != known)
-        return core::unexpected(core::ErrorCode::UnknownName,
-                                known.isEmpty() ? "--show means nothing with " + asked.front().toStdString()
-                                                : "with " + asked.front().toStdString() + ", --show knows only " +
-                                                      known.toStdString());
+    QStringList known;
+    if (kind == Picture::Section)
+        known << QStringLiteral("distinct") << QStringLiteral("prepared");
+    else if (kind == Picture::Xray)
+        known << QStringLiteral("before") << QStringLiteral("prepared");
+    for (const QString& what : show.split(u',', Qt::SkipEmptyParts))
+        if (!known.contains(what))
+            return core::unexpected(core::ErrorCode::UnknownName,
+                                    known.isEmpty() ? "--show means nothing with " + asked.front().toStdString()
+                                                    : "with " + asked.front().toStdString() + ", --show knows only " +
+                                                          known.join(u" and ").toStdString());
     return kind;
 }
 
@@ -81,13 +84,19 @@ void addRenderOptions(QCommandLineParser& parser)
     option("exposure", "Of an X-ray picture, times the usual: 0.25 to 4; 1 if not given.", "TIMES");
     option("stereo", "For two eyes: red-cyan, grey (for the same glasses), side-by-side or top-bottom.", "MODE");
     option("flip", "Turns the picture over: left-right, up-down or both.", "WHICH");
-    option("show",
-           "What is drawn besides, several with commas: mirror, distinct (colours and patterns that nobody "
-           "confuses), wet, light (of the handpiece), depth (the cut coloured by its depth), ideal (coloured by how "
-           "much it is too deep, or is still to go), neighbours (the teeth beside it), gizmo (which side is where), "
-           "hand (of a recording: where the hand holds the bur), left-hand (the other hand works); with --xray: "
-           "before (the whole tooth beside it).",
-           "WHAT");
+    option(
+        "show",
+        "What is drawn besides, several with commas: mirror, distinct (colours and patterns that nobody "
+        "confuses), wet, light (of the handpiece), depth (the cut coloured by its depth), ideal (coloured by how "
+        "much it is too deep, or is still to go), neighbours (the teeth beside it), gizmo (which side is where), "
+        "hand (of a recording: where the hand holds the bur), left-hand (the other hand works), prepared (cut as the "
+        "ideal says); with --xray: before (the whole tooth beside it).",
+        "WHAT");
+    option(
+        "ideal",
+        "What ought to be cut, for --show ideal and prepared: "
+        "class1, class2-mesial, class2-distal or access. If not given, the shape of a block, and on a tooth the decay.",
+        "NAME");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);
 }
@@ -96,6 +105,7 @@ core::Result<RenderWishes> renderWishes(const QCommandLineParser& parser)
 {
     using ui::render::Stereo;
     RenderWishes wishes;
+    wishes.ideal = parser.value(QStringLiteral("ideal")).toStdString();
     const auto kind = kindOf(parser);
     if (!kind)
         return tl::unexpected(kind.error());
@@ -150,12 +160,14 @@ core::Result<RenderWishes> renderWishes(const QCommandLineParser& parser)
             wishes.hand = true;
         else if (what == u"left-hand")
             wishes.leftHand = true;
+        else if (what == u"prepared")
+            wishes.prepared = true;
         else if (what == u"before" && *kind == Picture::Xray)
             wishes.before = true;
         else
             return core::unexpected(core::ErrorCode::UnknownName,
                                     "--show knows mirror, distinct, wet, light, depth, ideal, neighbours, gizmo, "
-                                    "hand and left-hand, but not \"" +
+                                    "hand, left-hand and prepared, but not \"" +
                                         what.toStdString() + "\"");
     }
     return wishes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include <QCommandLineParser>
 
@@ -28,7 +29,9 @@ struct RenderWishes
     bool leftHand = false;  ///< works
     double beamDeg = 0.0;   ///< of an X-ray picture, from square
     double exposure = 1.0;
-    bool before = false;  ///< the whole tooth beside what is left of it
+    std::string ideal;      ///< preparation, by the name that core/preparation knows; empty: what the tooth asks for
+    bool prepared = false;  ///< cut as that ideal says
+    bool before = false;    ///< the whole tooth beside what is left of it
 };
 
 /// Adds what `cusp render` understands.

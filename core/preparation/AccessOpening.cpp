@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/preparation/AccessOpening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/preparation/AxisRegion.h"
+#include "core/teeth/ToothTable.h"
+
+namespace core::preparation {
+namespace {
+
+using grading::Part;
+
+/// The chamber begins where its roof is this much below the highest horn; deeper is canal.
+constexpr double kChamberMm = 3.5;
+/// Of an incisor's edge, so much stays in front of the opening: 1 mm of dentin and the enamel behind the edge.
+constexpr double kEdgeMm = 0.9;
+
+/// Convex hull of points, counter-clockwise (Andrew's monotone chain).
+std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> points)
+{
+    std::sort(points.begin(), points.end(),
+              [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<glm::dvec2> hull;
+    const auto turnsRight = [&hull](glm::dvec2 p) {
+        const glm::dvec2 a = hull[hull.size() - 2];
+        const glm::dvec2 b = hull[hull.size() - 1];
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) <= 0.0;
+    };
+    for (const bool back : {false, true}) {
+        const std::size_t begin = hull.size() + 1;
+        for (const glm::dvec2& p : points) {
+            while (hull.size() > begin && turnsRight(p))
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        if (!back)
+            std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+/// The side of a corner-cut shape: all points p with dot(p, out) <= far.
+struct Side
+{
+    glm::dvec2 out{1.0, 0.0};
+    double far = 0.0;
+};
+
+Side supportOf(const std::vector<glm::dvec2>& hull, glm::dvec2 out)
+{
+    Side side{glm::normalize(out), -std::numeric_limits<double>::max()};
+    for (const glm::dvec2& p : hull)
+        side.far = std::max(side.far, glm::dot(p, side.out));
+    return side;
+}
+
+/// Corners of the polygon that its sides, in counter-clockwise order, enclose.
+std::vector<glm::dvec2> cornersOf(const std::vector<Side>& sides)
+{
+    std::vector<glm::dvec2> corners;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        const Side& a = sides[k];
+        const Side& b = sides[(k + 1) % sides.size()];
+        const double det = a.out.x * b.out.y - a.out.y * b.out.x;
+        corners.emplace_back((a.far * b.out.y - b.far * a.out.y) / det, (a.out.x * b.far - b.out.x * a.far) / det);
+    }
+    return corners;
+}
+
+/// Area of a convex polygon, mm2.
+double areaOf(const std::vector<glm::dvec2>& corners)
+{
+    double doubled = 0.0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const glm::dvec2 a = corners[k];
+        const glm::dvec2 b = corners[(k + 1) % corners.size()];
+        doubled += a.x * b.y - a.y * b.x;
+    }
+    return 0.5 * doubled;
+}
+
+/// The smallest quadrilateral around the chamber whose mesial and distal sides lean towards or from each other: the
+/// trapezoid of a lower molar.
+std::vector<glm::dvec2> trapezoidAround(const std::vector<glm::dvec2>& hull)
+{
+    std::vector<glm::dvec2> best;
+    for (int lean = -20; lean <= 20; lean += 2)
+        for (int turn = -12; turn <= 12; turn += 2) {
+            const double radian = std::numbers::pi / 180.0;
+            const auto towards = [radian](double degrees) {
+                return glm::dvec2{std::cos(degrees * radian), std::sin(degrees * radian)};
+            };
+            const std::vector<glm::dvec2> corners =
+                cornersOf({supportOf(hull, towards(turn)), supportOf(hull, towards(90.0 + turn + lean)),
+                           supportOf(hull, towards(180.0 + turn)), supportOf(hull, towards(270.0 + turn - lean))});
+            if (best.empty() || areaOf(corners) < areaOf(best))
+                best = corners;
+        }
+    return best;
+}
+
+/// The smallest triangle around the chamber with its base along the edge and its tip towards the cingulum.
+/// @param lingual  -1 or 1: the side of y where the tongue is
+std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, double lingual)
+{
+    std::vector<glm::dvec2> best;
+    const double radian = std::numbers::pi / 180.0;
+    for (int left = 15; left <= 50; left += 1)
+        for (int right = 15; right <= 50; right += 1) {
+            const Side base = supportOf(hull, {0.0, -lingual});
+            const Side mesial = supportOf(hull, {-std::cos(left * radian), lingual * std::sin(left * radian)});
+            const Side distal = supportOf(hull, {std::cos(right * radian), lingual * std::sin(right * radian)});
+            const std::vector<glm::dvec2> corners =
+                lingual > 0.0 ? cornersOf({base, distal, mesial}) : cornersOf({base, mesial, distal});
+            if (best.empty() || areaOf(corners) < areaOf(best))
+                best = corners;
+        }
+    return best;
+}
+
+/// A polygon so much smaller all round; what a bur's axis keeps to while its side follows the polygon.
+std::vector<glm::dvec2> shrunk(const std::vector<glm::dvec2>& corners, double byMm)
+{
+    std::vector<Side> sides;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const glm::dvec2 along = corners[(k + 1) % corners.size()] - corners[k];
+        const glm::dvec2 out = glm::normalize(glm::dvec2{along.y, -along.x});
+        sides.push_back({out, glm::dot(out, corners[k]) - byMm});
+    }
+    return cornersOf(sides);
+}
+
+/// 0 straight in front of the axis' region, on its labial side, rising to 1 beside and behind it.
+double awayFromLabial(const AxisRegion& axis, glm::dvec2 point, double lingual)
+{
+    constexpr double kStepMm = 1.0e-3;
+    const glm::dvec2 out{axis.distance({point.x + kStepMm, point.y}) - axis.distance({point.x - kStepMm, point.y}),
+                         axis.distance({point.x, point.y + kStepMm}) - axis.distance({point.x, point.y - kStepMm})};
+    const double labial = -lingual * out.y / std::max(1.0e-9, std::sqrt(glm::dot(out, out)));
+    const double t = std::clamp(1.0 - labial, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace
+
+Result<grading::Preparation> accessOpening(const ToothDesign& design, const terrain::ToothAnatomy& anatomy)
+{
+    const terrain::Grid& grid = anatomy.grid;
+    const bool isMolar = anatomy.fdi % 10 >= 6;
+    const double lingual = -teeth::buccalSign(anatomy.fdi);
+    double highest = -std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < grid.count(); ++k)
+        if (terrain::hasPulp(anatomy, k))
+            highest = std::max(highest, static_cast<double>(anatomy.layers[k].pulpRoof));
+    // The edge of an incisor: its highest place in each slice across.
+    double edgeY = 0.0;
+    double edges = 0.0;
+    for (int i = 0; i < grid.side; ++i) {
+        std::size_t best = grid.index(i, 0);
+        for (int j = 0; j < grid.side; ++j)
+            if (anatomy.top[grid.index(i, j)] > anatomy.top[best])
+                best = grid.index(i, j);
+        if (static_cast<double>(anatomy.top[best]) > -1.0) {
+            edgeY += grid.nodeMm(i, static_cast<int>(best / static_cast<std::size_t>(grid.side))).y;
+            edges += 1.0;
+        }
+    }
+    const double frontMm = isMolar ? std::numeric_limits<double>::lowest() : edgeY / edges * lingual + kEdgeMm;
+
+    std::vector<glm::dvec2> chamber;
+    std::vector<double> floors;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const glm::dvec2 at = grid.nodeMm(i, j);
+            if (!terrain::hasPulp(anatomy, k) ||
+                static_cast<double>(anatomy.layers[k].pulpRoof) < highest - kChamberMm || at.y * lingual < frontMm)
+                continue;
+            chamber.push_back(at);
+            floors.push_back(static_cast<double>(anatomy.layers[k].pulpFloor));
+        }
+    if (chamber.size() < 8)
+        return unexpected(ErrorCode::BadStructure,
+                          "tooth " + anatomy.name + " has no pulp chamber that could be opened from above");
+    // Half of a molar's chamber has its floor in common, whatever canals leave it; an incisor's has none, and is opened
+    // down to where its horns have joined.
+    std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());
+    const double floorMm = isMolar ? floors[floors.size() / 2] : highest - kChamberMm;
+
+    const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
+    const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual);
+    AxisRegion axis;
+    axis.addPolygon(shrunk(around, design.burRadiusMm - design.accessMarginMm));
+    const double radius = design.burRadiusMm;
+    const double tangent = std::tan(std::max(0.5, design.accessLeanDeg) * std::numbers::pi / 180.0);
+    std::vector<float> top = anatomy.top;
+    std::vector<Part> parts(grid.count(), Part::Keep);
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            if (!(anatomy.top[k] > anatomy.bottom[k]))
+                continue;
+            const double away = axis.distance(grid.nodeMm(i, j));
+            // The floor of the chamber itself is never touched: what lies within the opening ends where the pulp does.
+            const bool overPulp = terrain::hasPulp(anatomy, k);
+            double height = floorMm;
+            bool wall = false;
+            if (away > radius) {
+                // The labial wall of an incisor stands upright, or it would take the edge.
+                const double share = isMolar ? 1.0 : awayFromLabial(axis, grid.nodeMm(i, j), lingual);
+                if (share <= 0.0)
+                    continue;
+                height = floorMm + (away - radius) / (share * tangent);
+                wall = true;
+            } else if (!overPulp) {
+                // Beside the chamber, within the trapezoid: down to where its wall begins.
+                height = floorMm;
+                wall = true;
+            }
+            if (overPulp && height < static_cast<double>(anatomy.layers[k].pulpRoof)) {
+                height = std::max(height, static_cast<double>(anatomy.layers[k].pulpFloor));
+                wall = wall && height > static_cast<double>(anatomy.layers[k].pulpFloor);
+            }
+            const auto level = static_cast<float>(height);
+            if (level < anatomy.top[k] - 0.02F && level > anatomy.bottom[k]) {
+                top[k] = level;
+                parts[k] = wall ? Part::Wall : Part::Floor;
+            }
+        }
+    return grading::Preparation{std::make_shared<const std::vector<float>>(std::move(top)), std::move(parts), {}};
+}
+
+}  // namespace core::preparation

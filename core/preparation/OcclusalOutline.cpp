@@ -1,0 +1,720 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/preparation/OcclusalOutline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace core::preparation {
+namespace {
+
+using Spot = OcclusalCavity::Spot;
+using Line = std::vector<glm::dvec2>;
+
+constexpr double kStepMm = 0.04;     ///< between the points of a line
+constexpr double kSmoothMm = 0.45;   ///< over which a line forgets the small bends of its groove
+constexpr double kSearchMm = 4.5;    ///< from the middle of the tooth: grooves are looked for so far
+constexpr double kJoinMm = 0.4;      ///< a stroke out of another one begins so far beside it
+constexpr double kShortestMm = 0.8;  ///< of a main stroke
+
+/// Weighted means along a line; beyond its ends it is taken to go straight on.
+Line smoothed(const Line& line, double sigmaMm)
+{
+    if (line.size() < 3)
+        return line;
+    const int reach = static_cast<int>(std::ceil(3.0 * sigmaMm / kStepMm));
+    const int last = static_cast<int>(line.size()) - 1;
+    const auto at = [&](int k) {
+        if (k < 0)
+            return 2.0 * line.front() - line[static_cast<std::size_t>(std::min(-k, last))];
+        if (k > last)
+            return 2.0 * line.back() - line[static_cast<std::size_t>(std::max(2 * last - k, 0))];
+        return line[static_cast<std::size_t>(k)];
+    };
+    Line result;
+    for (int k = 0; k <= last; ++k) {
+        glm::dvec2 sum{0.0};
+        double weights = 0.0;
+        for (int n = -reach; n <= reach; ++n) {
+            const double away = n * kStepMm / sigmaMm;
+            const double weight = std::exp(-0.5 * away * away);
+            sum += weight * at(k + n);
+            weights += weight;
+        }
+        result.push_back(sum / weights);
+    }
+    return result;
+}
+
+double distanceToLine(const Line& line, glm::dvec2 point)
+{
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+        const glm::dvec2 along = line[k + 1] - line[k];
+        const double length = std::max(1.0e-12, glm::dot(along, along));
+        const glm::dvec2 off =
+            point - line[k] - along * std::clamp(glm::dot(point - line[k], along) / length, 0.0, 1.0);
+        nearest = std::min(nearest, glm::dot(off, off));
+    }
+    return std::sqrt(nearest);
+}
+
+/// The grooves of one tooth and what is cut along them. Works in (u, v): u from mesial to distal, v towards the cheek.
+class Planner
+{
+public:
+    Planner(Kind kind, int fdi, const teeth::PosteriorForm& form, const ToothDesign& design)
+        : m_kind(kind), m_fdi(fdi), m_form(form), m_design(design), m_radius(design.burRadiusMm),
+          m_half(0.5 * design.isthmusMm - design.burRadiusMm)
+    {
+        for (const glm::dvec2& point : form.outline(360))
+            m_silhouette.push_back(uv(point));
+        // Turned so that the mesial and the distal quarter are lines of their own.
+        for (std::size_t k = 0; k <= 90; ++k) {
+            m_distal.push_back(m_silhouette[(k + 315) % 360]);
+            m_mesial.push_back(m_silhouette[k + 135]);
+        }
+        m_silhouette.push_back(m_silhouette.front());
+        for (const glm::dvec2& point : obliqueCrest(fdi, form))
+            m_crest.push_back(uv(point));
+    }
+
+    Result<std::vector<OcclusalCavity>> plan()
+    {
+        Status status;
+        switch (m_fdi) {
+        case 26:
+        case 27:
+            status = planUpperMolar();
+            break;
+        case 34:
+            status = planTwoPits();
+            break;
+        default:
+            status = planCentralGroove();
+        }
+        if (!status)
+            return tl::unexpected(std::move(status).error());
+        return std::move(m_cavities);
+    }
+
+private:
+    using Lobes = std::vector<std::size_t>;
+
+    [[nodiscard]] glm::dvec2 uv(glm::dvec2 tooth) const { return {tooth.x, tooth.y * m_form.ySign}; }
+    [[nodiscard]] glm::dvec2 tooth(glm::dvec2 p) const { return {p.x, p.y * m_form.ySign}; }
+
+    /// Lobes of some groups whose tips lie between two lines from mesial to distal.
+    [[nodiscard]] Lobes lobes(std::initializer_list<int> groups, double lowY = -100.0, double highY = 100.0) const
+    {
+        Lobes found;
+        const auto& all = m_form.crown.design().lobes;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (std::find(groups.begin(), groups.end(), all[k].group) != groups.end() && all[k].y > lowY &&
+                all[k].y < highY)
+                found.push_back(k);
+        return found;
+    }
+
+    [[nodiscard]] double height(const Lobes& set, glm::dvec2 p) const
+    {
+        double highest = -1.0e9;
+        for (const std::size_t lobe : set)
+            highest = std::max(highest, m_form.lobeMm(lobe, tooth(p)));
+        return highest;
+    }
+    [[nodiscard]] double mouth(glm::dvec2 p) const { return m_form.mouthMm(tooth(p)); }
+
+    /// Where `over` comes to stand higher than `under` along one coordinate, nearest to a guess.
+    [[nodiscard]] std::optional<double> crossing(const std::function<glm::dvec2(double)>& at, const Lobes& under,
+                                                 const Lobes& over, double guess) const
+    {
+        constexpr double kScanMm = 0.1;
+        const auto rise = [&](double t) { return height(over, at(t)) - height(under, at(t)); };
+        std::optional<double> best;
+        double before = rise(-kSearchMm);
+        for (double t = -kSearchMm; t < kSearchMm; t += kScanMm) {
+            const double after = rise(t + kScanMm);
+            if (before < 0.0 && after >= 0.0 && (!best || std::abs(t - guess) < std::abs(*best - guess))) {
+                double low = t;
+                double high = t + kScanMm;
+                for (int k = 0; k < 30; ++k) {
+                    const double middle = 0.5 * (low + high);
+                    (rise(middle) < 0.0 ? low : high) = middle;
+                }
+                best = high;
+            }
+            before = after;
+        }
+        return best;
+    }
+
+    /// The groove between a lingual and a buccal set, from u to u.
+    [[nodiscard]] Line grooveAlongU(const Lobes& lingual, const Lobes& buccal, double fromU, double toU) const
+    {
+        Line line;
+        double v = 0.0;
+        for (double u = fromU; u <= toU; u += kStepMm)
+            if (const auto found = crossing([u](double t) { return glm::dvec2{u, t}; }, lingual, buccal, v)) {
+                v = *found;
+                line.emplace_back(u, v);
+            }
+        return line;
+    }
+
+    /// The groove between a mesial and a distal set, from v to v.
+    [[nodiscard]] Line grooveAlongV(const Lobes& mesial, const Lobes& distal, double fromV, double toV,
+                                    double guess) const
+    {
+        Line line;
+        const int steps = static_cast<int>(std::abs(toV - fromV) / kStepMm);
+        double u = guess;
+        for (int k = 0; k <= steps; ++k) {
+            const double v = fromV + (toV > fromV ? kStepMm : -kStepMm) * k;
+            if (const auto found = crossing([v](double t) { return glm::dvec2{t, v}; }, mesial, distal, u)) {
+                u = *found;
+                line.emplace_back(u, v);
+            }
+        }
+        return line;
+    }
+
+    [[nodiscard]] double ridgeLeft(glm::dvec2 axis, double half, double leanMm) const
+    {
+        return distanceToLine(axis.x < 0.0 ? m_mesial : m_distal, axis) - m_radius - half - leanMm;
+    }
+    /// A groove falls off the occlusal table towards the sides: pits are looked for within.
+    [[nodiscard]] bool isOnTable(glm::dvec2 p) const { return distanceToLine(m_silhouette, p) > 1.4 && p.y > -0.9; }
+    [[nodiscard]] bool sparesCrest(glm::dvec2 axis, double half) const
+    {
+        return m_crest.empty() || distanceToLine(m_crest, axis) >= m_design.obliqueMm + m_radius + half;
+    }
+
+    /// The ridge across the middle of a lower first premolar, between its two cavities.
+    [[nodiscard]] bool sparesTransverse(glm::dvec2 axis, double half) const
+    {
+        return m_fdi != 34 || std::abs(axis.x) >= m_design.obliqueMm + m_radius + half;
+    }
+
+    /// How much wider the outline gets from the floor to the surface where the wall leans.
+    [[nodiscard]] double leanMm(glm::dvec2 axis, double floorMm) const
+    {
+        const double tangent = std::tan(m_design.divergeDeg * std::numbers::pi / 180.0);
+        return std::max(0.0, mouth(axis) + 0.4 - floorMm) * tangent;
+    }
+
+    /// Where the tooth ends on its mesial or distal side, so far from its middle line.
+    [[nodiscard]] OcclusalCavity::Box proximalAt(double v, bool mesial) const
+    {
+        const std::size_t count = m_silhouette.size() - 1;
+        std::size_t nearest = mesial ? count / 2 : 0;
+        for (std::size_t k = 0; k < count; ++k)
+            if ((m_silhouette[k].x < 0.0) == mesial &&
+                std::abs(m_silhouette[k].y - v) < std::abs(m_silhouette[nearest].y - v))
+                nearest = k;
+        const std::size_t eighth = count / 30;
+        const glm::dvec2 along =
+            glm::normalize(m_silhouette[(nearest + eighth) % count] - m_silhouette[(nearest + count - eighth) % count]);
+        glm::dvec2 out{along.y, -along.x};
+        out *= (out.x < 0.0) == mesial ? 1.0 : -1.0;
+        return {m_silhouette[nearest], out};
+    }
+
+    /// From a place of the axis straight out through the box.
+    void openInto(OcclusalCavity& cavity, glm::dvec2 from, bool mesial) const
+    {
+        // Between the groove and the contact, which lies further towards the cheek, and nearly square to the tooth.
+        constexpr double kMostSkew = 0.2;
+        const Line& side = mesial ? m_mesial : m_distal;
+        const glm::dvec2 contact = *std::max_element(
+            side.begin(), side.end(), [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x) < std::abs(b.x); });
+        cavity.box = proximalAt(0.5 * (from.y + contact.y), mesial);
+        glm::dvec2& out = cavity.box->outwards;
+        out = glm::normalize(glm::dvec2{out.x, std::clamp(out.y, -kMostSkew, kMostSkew)});
+        std::vector<Spot> spots;
+        const double length = glm::distance(from, cavity.box->atMm);
+        for (double away = 0.0; away <= length; away += kStepMm)
+            spots.push_back({from + (cavity.box->atMm - from) * (away / length), m_half});
+        cavity.strokes.push_back(std::move(spots));
+    }
+
+    /// A bar across the end of the main stroke, parallel to the marginal ridge: the dovetail.
+    [[nodiscard]] std::vector<Spot> bar(glm::dvec2 middle) const
+    {
+        const double half = std::max(0.0, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius);
+        const glm::dvec2 out = proximalAt(middle.y, middle.x < 0.0).outwards;
+        glm::dvec2 along{-out.y, out.x};
+        along *= along.y < 0.0 ? -1.0 : 1.0;
+        // Half way between the ridge and square to the tooth: grooves fork like that.
+        along = glm::normalize(along + glm::dvec2{0.0, 1.0});
+        std::vector<Spot> spots;
+        const int steps = std::max(1, static_cast<int>(2.0 * half / kStepMm));
+        for (int k = 0; k <= steps; ++k)
+            spots.push_back({middle + along * (half * (2.0 * k / steps - 1.0)), 0.0});
+        return spots;
+    }
+
+    [[nodiscard]] bool fits(const Spot& spot, double floorMm) const
+    {
+        return ridgeLeft(spot.atMm, spot.halfMm, leanMm(spot.atMm, floorMm)) >= m_design.ridgeMm &&
+               sparesCrest(spot.atMm, spot.halfMm) && sparesTransverse(spot.atMm, spot.halfMm);
+    }
+    [[nodiscard]] bool fits(const std::vector<Spot>& spots, double floorMm) const
+    {
+        return std::all_of(spots.begin(), spots.end(), [&](const Spot& spot) { return fits(spot, floorMm); });
+    }
+
+    /// What of a bar keeps clear of the ridge: the tooth is hollow beside some. Empty if its middle does not, or less
+    /// than two thirds of it do.
+    [[nodiscard]] std::vector<Spot> fittingBar(glm::dvec2 middle, double floorMm) const
+    {
+        const std::vector<Spot> whole = bar(middle);
+        const std::size_t centre = whole.size() / 2;
+        std::size_t first = centre;
+        std::size_t last = centre;
+        if (!fits(whole[centre], floorMm))
+            return {};
+        while (first > 0 && fits(whole[first - 1], floorMm))
+            --first;
+        while (last + 1 < whole.size() && fits(whole[last + 1], floorMm))
+            ++last;
+        if (3 * (last - first) < 2 * (whole.size() - 1))
+            return {};
+        return {whole.begin() + static_cast<std::ptrdiff_t>(first),
+                whole.begin() + static_cast<std::ptrdiff_t>(last + 1)};
+    }
+
+    /// Mean height of the mouth along part of a line, less the depth.
+    [[nodiscard]] double floorBelow(const Line& line, double fromU, double toU) const
+    {
+        double sum = 0.0;
+        double count = 0.0;
+        for (const glm::dvec2& p : line)
+            if (p.x >= fromU && p.x <= toU) {
+                sum += mouth(p);
+                count += 1.0;
+            }
+        return sum / std::max(1.0, count) - m_design.depthMm;
+    }
+
+    [[nodiscard]] static tl::unexpected<Error> noRoom(const char* where, const char* figures)
+    {
+        return unexpected(ErrorCode::OutOfRange, std::string("there is no room for the ") + where +
+                                                     " on this tooth; make one of these less: " + figures);
+    }
+
+    [[nodiscard]] static std::size_t nearestTo(const Line& line, double u)
+    {
+        std::size_t best = 0;
+        for (std::size_t k = 0; k < line.size(); ++k)
+            if (std::abs(line[k].x - u) < std::abs(line[best].x - u))
+                best = k;
+        return best;
+    }
+
+    /// Where a ridge's lobe begins to stand above the cusps beside the groove, going along it from the middle.
+    [[nodiscard]] double pitTowards(const Line& line, const Lobes& cusps, const Lobes& ridge, bool mesial,
+                                    double fromU) const
+    {
+        double pit = fromU;
+        const int count = static_cast<int>(line.size());
+        for (int k = static_cast<int>(nearestTo(line, fromU)); k >= 0 && k < count; k += mesial ? -1 : 1) {
+            const glm::dvec2 p = line[static_cast<std::size_t>(k)];
+            pit = p.x;
+            if (height(ridge, p) >= height(cusps, p))
+                break;
+        }
+        return pit;
+    }
+
+    [[nodiscard]] bool boxIs(bool mesial) const
+    {
+        return m_kind == (mesial ? Kind::ClassTwoMesial : Kind::ClassTwoDistal);
+    }
+
+    /// A stroke along part of a line.
+    [[nodiscard]] std::vector<Spot> stroke(const Line& line, double fromU, double toU) const
+    {
+        std::vector<Spot> spots;
+        for (const glm::dvec2& p : line)
+            if (p.x >= fromU && p.x <= toU)
+                spots.push_back({p, m_half});
+        return spots;
+    }
+
+    /// Out of the main stroke into a groove towards the cheek or the tongue.
+    void extend(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, bool buccal,
+                double fromU, double toU) const
+    {
+        const double reach = 0.5 * m_design.isthmusMm + m_design.grooveMm - m_radius;
+        if (reach <= kJoinMm)
+            return;
+        // Where the groove leaves the main one.
+        std::optional<glm::dvec2> start;
+        for (const glm::dvec2& p : main)
+            if (p.x >= fromU && p.x <= toU && height(distal, p) >= height(mesial, p)) {
+                start = p;
+                break;
+            }
+        if (!start)
+            return;
+        const double sign = buccal ? 1.0 : -1.0;
+        Line groove = grooveAlongV(mesial, distal, start->y, start->y + sign * (reach + 1.0), start->x);
+        groove = smoothed(groove, kSmoothMm);
+        std::vector<Spot> spots;
+        for (const glm::dvec2& p : groove) {
+            const double away = distanceToLine(main, p);
+            if (away < kJoinMm || std::abs(p.x - start->x) > 1.5 * reach)
+                continue;
+            if (away > reach || !sparesCrest(p, 0.0))
+                break;
+            spots.push_back({p, 0.0});
+        }
+        if (!spots.empty())
+            cavity.strokes.push_back(std::move(spots));
+    }
+
+    /// Ends of the main stroke, dovetails at them, isthmus in the middle.
+    Status finishMain(OcclusalCavity& cavity, const Line& line, double mesialU, double distalU, bool mesialBar,
+                      bool distalBar)
+    {
+        const auto findEnd = [&](bool mesial, double& end, bool hasBar) {
+            const double middle = 0.5 * (mesialU + distalU);
+            if (boxIs(mesial))
+                return true;
+            for (int k = static_cast<int>(nearestTo(line, end));
+                 mesial ? line[static_cast<std::size_t>(k)].x < middle : line[static_cast<std::size_t>(k)].x > middle;
+                 k += mesial ? 1 : -1) {
+                const glm::dvec2 p = line[static_cast<std::size_t>(k)];
+                end = p.x;
+                if (hasBar ? !fittingBar(p, cavity.floorMm).empty()
+                           : ridgeLeft(p, m_half, 0.0) >= m_design.ridgeMm && sparesCrest(p, m_half))
+                    return true;
+            }
+            return false;
+        };
+        double mesialEnd = mesialU;
+        double distalEnd = distalU;
+        if (!findEnd(true, mesialEnd, mesialBar) || !findEnd(false, distalEnd, distalBar) ||
+            distalEnd - mesialEnd < kShortestMm)
+            return noRoom("occlusal outline", "ridge_mm, oblique_mm, dovetail_mm, isthmus_mm");
+        const auto addBar = [&](bool mesial, double end) {
+            std::vector<Spot> spots = fittingBar(line[nearestTo(line, end)], cavity.floorMm);
+            double outermost = spots.front().atMm.x;
+            for (const Spot& spot : spots)
+                outermost = mesial ? std::max(outermost, spot.atMm.x) : std::min(outermost, spot.atMm.x);
+            (mesial ? cavity.mesialEndX : cavity.distalEndX) = outermost;
+            cavity.strokes.push_back(std::move(spots));
+        };
+        // The main stroke stops short of a bar, or their round join would bulge towards the ridge.
+        const double shortOf = m_half + 0.25;
+        const bool mesialStop = mesialBar && !boxIs(true);
+        const bool distalStop = distalBar && !boxIs(false);
+        cavity.strokes.insert(cavity.strokes.begin(), stroke(line, mesialEnd + (mesialStop ? shortOf : 0.0),
+                                                             distalEnd - (distalStop ? shortOf : 0.0)));
+        for (const bool mesial : {true, false})
+            if (boxIs(mesial))
+                openInto(cavity, line[nearestTo(line, mesial ? mesialEnd : distalEnd)], mesial);
+        if (mesialStop)
+            addBar(true, mesialEnd);
+        if (distalStop)
+            addBar(false, distalEnd);
+        return {};
+    }
+
+    Status planCentralGroove()
+    {
+        Lobes buccal;
+        Lobes lingual;
+        Lobes mesialRidge;
+        Lobes distalRidge;
+        switch (m_fdi) {
+        case 36:
+            buccal = lobes({1, 2, 3});
+            lingual = lobes({4, 5});
+            mesialRidge = lobes({6});
+            distalRidge = lobes({7});
+            break;
+        case 37:
+            buccal = lobes({1, 2});
+            lingual = lobes({3, 4});
+            mesialRidge = lobes({5});
+            distalRidge = lobes({6});
+            break;
+        case 35:
+            buccal = lobes({1});
+            lingual = lobes({2, 3});
+            mesialRidge = lobes({4});
+            distalRidge = lobes({5});
+            break;
+        default:  // 24, 25
+            buccal = lobes({1});
+            lingual = lobes({2});
+            mesialRidge = lobes({3});
+            distalRidge = lobes({m_fdi == 24 ? 5 : 4});
+        }
+        const Line groove = grooveAlongU(lingual, buccal, -6.0, 6.0);
+        if (groove.size() < 10)
+            return noRoom("central groove", "none: the tooth has no such groove");
+        Lobes cusps = buccal;
+        cusps.insert(cusps.end(), lingual.begin(), lingual.end());
+        const double mesialPit = pitTowards(groove, cusps, mesialRidge, true, 0.0);
+        const double distalPit = pitTowards(groove, cusps, distalRidge, false, 0.0);
+        const Line line = smoothed(groove, kSmoothMm);
+        OcclusalCavity cavity;
+        cavity.floorMm = floorBelow(line, mesialPit, distalPit);
+        if (Status done = finishMain(cavity, line, mesialPit, distalPit, true, true); !done)
+            return done;
+        if (m_fdi == 36) {
+            extend(cavity, line, lobes({1}), lobes({2}), true, mesialPit, distalPit);
+            extend(cavity, line, lobes({2}), lobes({3}), true, mesialPit, distalPit);
+            extend(cavity, line, lobes({4}), lobes({5}), false, mesialPit, distalPit);
+        } else if (m_fdi == 37) {
+            extend(cavity, line, lobes({1}), lobes({2}), true, mesialPit, distalPit);
+            extend(cavity, line, lobes({3}), lobes({4}), false, mesialPit, distalPit);
+        } else if (m_fdi == 35 && !lobes({3}).empty()) {
+            extend(cavity, line, lobes({2}), lobes({3}), false, mesialPit, distalPit);
+        }
+        placeIsthmus(cavity);
+        add(std::move(cavity));
+        return {};
+    }
+
+    /// The central fossa mesial of the oblique ridge, and the distal pit behind it.
+    Status planUpperMolar()
+    {
+        const Lobes mesiobuccal = lobes({1});
+        const Lobes mesiolingual = lobes({2}, -100.0, -1.5);
+        const Lobes beyond = lobes({2}, -1.5, 100.0);  // oblique ridge and distobuccal cusp
+        Line groove = grooveAlongU(mesiolingual, mesiobuccal, -6.0, 2.0);
+        if (groove.size() < 10)
+            return noRoom("central groove", "none: the tooth has no such groove");
+        double centralPit = groove.back().x;
+        for (const glm::dvec2& p : groove)
+            if (p.x > -2.0 && height(beyond, p) >= height(mesiobuccal, p)) {
+                centralPit = p.x;
+                break;
+            }
+        const double mesialPit = pitTowards(groove, mesiobuccal, lobes({4}), true, centralPit);
+        const Line line = smoothed(groove, kSmoothMm);
+        OcclusalCavity cavity;
+        cavity.floorMm = floorBelow(line, mesialPit, centralPit);
+        if (!boxIs(false)) {
+            if (Status done = finishMain(cavity, line, mesialPit, centralPit, true, false); !done)
+                return done;
+            extend(cavity, line, mesiobuccal, beyond, true, mesialPit, centralPit + 1.0);
+            placeIsthmus(cavity);
+            add(std::move(cavity));
+        }
+        return boxIs(true) ? Status() : planDistalPit();
+    }
+
+    Status planDistalPit()
+    {
+        const Lobes ridge = lobes({2});
+        const Lobes distolingual = lobes({3});
+        const Lobes distalRidge = lobes({5});
+        Lobes behind = distolingual;
+        behind.insert(behind.end(), distalRidge.begin(), distalRidge.end());
+        const Line groove = grooveAlongV(ridge, behind, -3.0, 2.0, 2.0);
+        if (groove.size() < 10)
+            return noRoom("distal pit", "none: the tooth has no such groove");
+        std::size_t pit = 0;
+        for (std::size_t k = 0; k < groove.size(); ++k)
+            if (distolingual.empty()
+                    ? isOnTable(groove[k]) && (!isOnTable(groove[pit]) || mouth(groove[k]) < mouth(groove[pit]))
+                    : height(distalRidge, groove[k]) < height(distolingual, groove[k]))
+                pit = k;
+        const double lingually = 0.5 * m_design.isthmusMm + m_design.grooveMm;
+        return planShort(groove, pit, lingually, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius,
+                         "distal pit", false, 1.0);
+    }
+
+    /// Two pits on either side of a transverse ridge.
+    Status planTwoPits()
+    {
+        constexpr double kLingualV = -2.2;
+        constexpr double kBuccalV = 1.5;
+        for (const bool mesial : {true, false}) {
+            if (m_kind != Kind::ClassOne && !boxIs(mesial))
+                continue;
+            const Lobes cusps = lobes({1});
+            const Lobes ridge = lobes({mesial ? 3 : 4});
+            const Line groove = mesial ? grooveAlongV(ridge, cusps, kLingualV, kBuccalV, -2.0)
+                                       : grooveAlongV(cusps, ridge, kLingualV, kBuccalV, 2.0);
+            if (groove.size() < 10)
+                return noRoom("pits", "none: the tooth has no such groove");
+            std::size_t pit = 0;
+            for (std::size_t k = 0; k < groove.size(); ++k)
+                if (isOnTable(groove[k]) && (!isOnTable(groove[pit]) || mouth(groove[k]) < mouth(groove[pit])))
+                    pit = k;
+            // More of it towards the cheek: the lingual cusp is small.
+            const double half = 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius;
+            if (Status done =
+                    planShort(groove, pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit", mesial, 0.9);
+                !done)
+                return done;
+        }
+        return {};
+    }
+
+    /// A short stroke across the tooth through a pit, moved away from the marginal ridge as far as that has to stay.
+    /// @param lingualMm, buccalMm  how far the axis goes to either side of the pit
+    /// @param mostShiftMm  a transverse ridge behind it has to stay as well
+    Status planShort(const Line& groove, std::size_t pit, double lingualMm, double buccalMm, const char* name,
+                     bool mesial, double mostShiftMm)
+    {
+        Line line = smoothed(groove, kSmoothMm);
+        const double pitV = line[pit].y;
+        std::erase_if(line, [&](const glm::dvec2& p) { return p.y < pitV - lingualMm || p.y > pitV + buccalMm; });
+        OcclusalCavity cavity;
+        double sum = 0.0;
+        for (const glm::dvec2& p : line)
+            sum += mouth(p);
+        cavity.floorMm = std::min(sum / static_cast<double>(line.size()), mouth(groove[pit])) - m_design.depthMm;
+        // It keeps its place and shape as far as it can: what is changed least comes first.
+        struct Change
+        {
+            double shift;
+            double lingually;  ///< shorter
+            double buccally;
+            double half;
+            [[nodiscard]] double cost(double wide) const { return shift + 0.6 * (lingually + buccally) + wide - half; }
+        };
+        std::vector<Change> changes;
+        for (double shift = 0.0; shift <= mostShiftMm; shift += 0.08)
+            for (double lingually = 0.0; lingually <= lingualMm; lingually += 0.12)
+                for (double buccally = 0.0; buccally <= buccalMm; buccally += 0.12)
+                    for (const double half : {m_half, 0.5 * m_half, 0.0})
+                        changes.push_back({shift, lingually, buccally, half});
+        std::stable_sort(changes.begin(), changes.end(),
+                         [&](const Change& a, const Change& b) { return a.cost(m_half) < b.cost(m_half); });
+        for (const Change& change : changes) {
+            std::vector<Spot> spots;
+            bool fit = true;
+            for (const glm::dvec2& p : line)
+                if (p.y >= pitV - lingualMm + change.lingually && p.y <= pitV + buccalMm - change.buccally && fit) {
+                    spots.push_back({p + glm::dvec2{mesial ? change.shift : -change.shift, 0.0}, change.half});
+                    fit = fits(spots.back(), cavity.floorMm);
+                }
+            if (spots.empty() || !fit)
+                continue;
+            finishShort(cavity, std::move(spots), mesial);
+            add(std::move(cavity));
+            return {};
+        }
+        return noRoom(name, "ridge_mm, oblique_mm, isthmus_mm, dovetail_mm");
+    }
+
+    /// On into the box of a Class II, or with an end wall that leans.
+    void finishShort(OcclusalCavity& cavity, std::vector<Spot> spots, bool mesial) const
+    {
+        if (boxIs(mesial)) {
+            openInto(cavity, spots[spots.size() / 2].atMm, mesial);
+        } else {
+            double end = spots.front().atMm.x;
+            for (const Spot& spot : spots)
+                end = mesial ? std::max(end, spot.atMm.x) : std::min(end, spot.atMm.x);
+            (mesial ? cavity.mesialEndX : cavity.distalEndX) = end;
+        }
+        cavity.strokes.push_back(std::move(spots));
+    }
+
+    /// On the main stroke, as far from all others as it can be: there it is as narrow as was asked for.
+    static void placeIsthmus(OcclusalCavity& cavity)
+    {
+        const std::vector<Spot>& main = cavity.strokes.front();
+        const std::size_t aside = std::min<std::size_t>(8, main.size() / 4);
+        std::size_t best = main.size() / 2;
+        double furthest = 0.0;
+        for (std::size_t k = aside; k + aside < main.size(); ++k) {
+            double away = std::numeric_limits<double>::max();
+            for (std::size_t n = 1; n < cavity.strokes.size(); ++n)
+                for (const Spot& spot : cavity.strokes[n])
+                    away = std::min(away, glm::distance(spot.atMm, main[k].atMm));
+            if (away > furthest) {
+                furthest = away;
+                best = k;
+            }
+        }
+        const glm::dvec2 along = glm::normalize(main[std::min(best + aside, main.size() - 1)].atMm -
+                                                main[best - std::min(best, aside)].atMm);
+        cavity.isthmus =
+            OcclusalCavity::Isthmus{main[best].atMm, {-along.y, along.x}, kStepMm * static_cast<double>(aside)};
+    }
+
+    /// Keeps it, in the tooth frame.
+    void add(OcclusalCavity cavity)
+    {
+        for (std::vector<Spot>& spots : cavity.strokes)
+            for (Spot& spot : spots)
+                spot.atMm = tooth(spot.atMm);
+        if (cavity.isthmus) {
+            cavity.isthmus->atMm = tooth(cavity.isthmus->atMm);
+            cavity.isthmus->across = tooth(cavity.isthmus->across);
+        }
+        if (cavity.box) {
+            cavity.box->atMm = tooth(cavity.box->atMm);
+            cavity.box->outwards = tooth(cavity.box->outwards);
+        }
+        m_cavities.push_back(std::move(cavity));
+    }
+
+    Kind m_kind;
+    int m_fdi;
+    const teeth::PosteriorForm& m_form;
+    const ToothDesign& m_design;
+    double m_radius;
+    double m_half;  ///< the axis goes so far beside the groove in the main stroke
+    Line m_silhouette;
+    Line m_mesial;  ///< of it, the proximal surfaces
+    Line m_distal;
+    Line m_crest;
+    std::vector<OcclusalCavity> m_cavities;
+};
+
+}  // namespace
+
+Result<std::vector<OcclusalCavity>> occlusalCavities(Kind kind, int fdi, const teeth::PosteriorForm& form,
+                                                     const ToothDesign& design)
+{
+    return Planner(kind, fdi, form, design).plan();
+}
+
+std::vector<glm::dvec2> obliqueCrest(int fdi, const teeth::PosteriorForm& form)
+{
+    if (fdi != 26 && fdi != 27)
+        return {};
+    // Tips of the mesiolingual cusp, the ridge and the distobuccal cusp, lingual first.
+    std::vector<glm::dvec2> tips;
+    for (const teeth::Lobe& lobe : form.crown.design().lobes)
+        if (lobe.group == 2)
+            tips.emplace_back(lobe.x, lobe.y);
+    std::sort(tips.begin(), tips.end(), [](glm::dvec2 a, glm::dvec2 b) { return a.y < b.y; });
+    Line crest;
+    for (std::size_t k = 0; k + 1 < tips.size(); ++k) {
+        const glm::dvec2 from = form.toTooth(tips[k]);
+        const glm::dvec2 to = form.toTooth(tips[k + 1]);
+        const glm::dvec2 along = glm::normalize(to - from);
+        const int steps = static_cast<int>(glm::length(to - from) / kStepMm);
+        for (int n = 0; n < steps; ++n) {
+            // The ridge wanders off the straight line between its tips: its highest place beside it counts.
+            const glm::dvec2 middle = from + along * (kStepMm * n);
+            glm::dvec2 highest = middle;
+            for (double aside = -0.6; aside <= 0.6; aside += 0.02) {
+                const glm::dvec2 p = middle + glm::dvec2{-along.y, along.x} * aside;
+                if (form.mouthMm(p) > form.mouthMm(highest))
+                    highest = p;
+            }
+            crest.push_back(highest);
+        }
+    }
+    return smoothed(crest, 0.3);
+}
+
+}  // namespace core::preparation

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/NumberField.h"
+#include "core/base/Result.h"
+
+namespace core::preparation {
+
+/// The preparations of a tooth that are made by rule.
+enum class Kind : std::uint8_t {
+    ClassOne,
+    ClassTwoMesial,  ///< as far as a height field goes, see notModelled()
+    ClassTwoDistal,
+    Access  ///< opening of the pulp chamber
+};
+
+/// "class1", "class2-mesial", "class2-distal", "access".
+[[nodiscard]] std::string_view kindId(Kind kind);
+/// UnknownName lists those there are.
+[[nodiscard]] Result<Kind> findKind(std::string_view id);
+
+/// The figures of a preparation. Those of a Class I are the ideals of teeth.md section 7 (Sturdevant and the courses
+/// named there); boxes, and everything marked [W] there, are estimates that a teacher may set.
+struct ToothDesign
+{
+    double isthmusMm = 1.0;        ///< width across the central groove
+    double depthMm = 1.5;          ///< of the floor below the mouth of the central groove, on average along it
+    double dovetailMm = 0.35;      ///< the ends are so much wider than the isthmus, on each side
+    double grooveMm = 0.4;         ///< the outline runs so far from the isthmus into a buccal or lingual groove
+    double ridgeMm = 1.6;          ///< of marginal ridge that is left at least, from outline to proximal surface
+    double obliqueMm = 0.4;        ///< the same on each side of an oblique (26, 27) or transverse (34) ridge
+    double divergeDeg = 7.0;       ///< the mesial and distal wall lean outwards from upright
+    double burRadiusMm = 0.4;      ///< no inner corner is tighter: No. 330 and 245
+    double lineAngleMm = 0.2;      ///< radius between floor and wall: the end of a No. 245
+    double followsJunction = 0.0;  ///< 1: the floor runs along the enamel-dentin junction; 0: it is flat
+    double intoDentinMm = 0.3;     ///< then so deep below it
+    double boxFloorMm = 1.5;       ///< Class II: gingival floor below the pulpal floor
+    double boxAxialMm = 1.8;       ///< Class II: axial wall behind the proximal surface's greatest bulge
+    double boxWidthMm = 3.0;       ///< Class II: between the buccal and the lingual wall
+    double accessLeanDeg = 4.0;    ///< access: the walls lean outwards from upright
+    double accessMarginMm = 0.1;   ///< access: the floor's outline stands so far outside the chamber's
+    bool operator==(const ToothDesign&) const = default;
+};
+
+/// The numbers that count for a kind.
+[[nodiscard]] std::vector<NumberField<ToothDesign>> fieldsOf(Kind kind);
+
+/// What is usual for this kind on this tooth. UnknownName where the kind is not made for the tooth: Class I and II for
+/// 24, 25, 26, 27, 34, 35, 36, 37; access for 21 and 36.
+[[nodiscard]] Result<ToothDesign> usualDesign(Kind kind, int fdi);
+
+/// Whether each number lies in its range and they go together.
+[[nodiscard]] Status validate(Kind kind, const ToothDesign& design);
+
+/// One English sentence: what a height map cannot show of this preparation.
+[[nodiscard]] std::string_view notModelled(Kind kind);
+
+}  // namespace core::preparation

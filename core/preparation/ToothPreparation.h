@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/grading/Preparation.h"
+#include "core/preparation/ToothDesign.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::preparation {
+
+/// usualDesign(), with as much less marginal ridge as a small tooth needs for any outline at all, in tenths of a
+/// millimetre and not under 0.8 (teeth.md section 7: under 1.0 to 1.2 a ridge fails); where that does not do, with end
+/// walls that stand upright and half of the ridge across. The same on every grid.
+[[nodiscard]] Result<ToothDesign> fittedDesign(Kind kind, const terrain::ToothAnatomy& anatomy);
+
+/// The ideal preparation of a generated tooth by rule. Its outline follows the tooth's own grooves and is the same in
+/// millimetres on every grid.
+///
+/// Some tens of milliseconds; any thread that may wait. An error is one sentence: a scan, whose fissures nobody knows;
+/// a tooth that the kind is not made for; a figure out of range, or one that leaves no room or would open the pulp.
+[[nodiscard]] Result<grading::Preparation> makePreparation(Kind kind, const ToothDesign& design,
+                                                           const terrain::ToothAnatomy& anatomy);
+
+}  // namespace core::preparation
