@@ -211,6 +211,7 @@ std::vector<fs::path> journalsIn(const fs::path& folder)
         entry->second = std::max(entry->second, time);
     }
     std::vector<fs::path> paths;
+    paths.reserve(found.size());
     for (const auto& [path, time] : found)
         paths.push_back(path);
     std::stable_sort(paths.rbegin(), paths.rend(),
