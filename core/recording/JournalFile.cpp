@@ -113,18 +113,15 @@ Result<std::shared_ptr<JournalFile>> JournalFile::create(const fs::path& path, c
     // Never one that another program is making.
     if (file < 0 || (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK))
         return unwritable(path, errno);
-    if (::ftruncate(file, 0) != 0 || !journal->write(headBytes(soFar, begunUtcMs))) {
-        const auto why = unwritable(path, errno);
-        journal->remove();
-        return why;
-    }
-    for (std::vector<ServoEvent> events; !(events = soFar.eventsSince(journal->events())).empty();) {
-        if (const Status appended = journal->append(events); !appended) {
-            journal->remove();
-            return tl::unexpected(appended.error());
-        }
-    }
-    return journal;
+    Status written;
+    if (::ftruncate(file, 0) != 0 || !journal->write(headBytes(soFar, begunUtcMs)))
+        written = unwritable(path, errno);
+    for (std::vector<ServoEvent> events; written && !(events = soFar.eventsSince(journal->events())).empty();)
+        written = journal->append(events);
+    if (written)
+        return journal;
+    fs::remove(partOf(path), failure);  // an older one of that name stays
+    return tl::unexpected(written.error());
 }
 
 JournalFile::~JournalFile()
@@ -211,6 +208,7 @@ std::vector<fs::path> journalsIn(const fs::path& folder)
         entry->second = std::max(entry->second, time);
     }
     std::vector<fs::path> paths;
+    paths.reserve(found.size());
     for (const auto& [path, time] : found)
         paths.push_back(path);
     std::stable_sort(paths.rbegin(), paths.rend(),

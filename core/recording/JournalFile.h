@@ -60,7 +60,7 @@ public:
     [[nodiscard]] Status append(std::span<const session::ServoEvent> events);
     /// How many events it holds.
     [[nodiscard]] std::uint64_t events() const { return m_events.load(std::memory_order_acquire); }
-    /// Deletes the file. Nothing is to be written any more.
+    /// Deletes the file, and an older one of its name. Nothing is to be written any more.
     void remove();
 
     /// Waits until the disk has all that was written before: from then on a cut of power cannot undo it either.

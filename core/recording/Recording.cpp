@@ -187,7 +187,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
             anatomy = raw ? toothFrom(*raw) : nullptr;
             if (!anatomy || !settings || recording)
                 return damaged("in its tooth");
-            recording.emplace(*settings, anatomy, std::move(lesson));
+            recording.emplace(*settings, anatomy, lesson);
             break;
         }
         case Section::Events: {

@@ -49,13 +49,13 @@ Status JournalLoop::bringUpToDate()
     for (;;) {
         const RecordedPart part = m_session.recordedSince(m_generation, m_file ? m_file->events() : 0);
         if (part.generation != m_generation) {
-            begin(part.generation);
+            beginWith(part.generation);
             continue;
         }
         if (m_file) {
             if (part.events.empty())
                 return {};
-            if (const Status written = m_file->append(part.events); !written)
+            if (Status written = m_file->append(part.events); !written)
                 return written;
         } else {
             if (!part.isWorthKeeping)
@@ -96,7 +96,7 @@ void JournalLoop::sync()
 }
 
 /// Another attempt. Who takes another tooth has been asked about the one on the table.
-void JournalLoop::begin(std::uint64_t generation)
+void JournalLoop::beginWith(std::uint64_t generation)
 {
     setFile(nullptr);
     m_older.reset();

@@ -57,7 +57,7 @@ private:
     };
 
     [[nodiscard]] Status bringUpToDate();
-    void begin(std::uint64_t generation);
+    void beginWith(std::uint64_t generation);
     void sync();
     void setFile(std::shared_ptr<recording::JournalFile> file);
     void tell(const Error& error);

@@ -372,6 +372,25 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
     QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
     const auto read = recording::attemptFrom(bytesOf(files().front()));
     QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
+    // Taken up where there is no room, the old file is all there is, and stays.
+    journal.end();
+    const std::string old = bytesOf(files().front());
+    const fs::path path = m_path / "taken up" / "1-1.cuspjournal";
+    fs::create_directories(path.parent_path());
+    fs::copy_file(files().front(), path);
+    {
+        FoundAttempt found = std::move(recording::findAttempt(path).value().value());
+        support::Rig again;
+        JournalLoop second(*again.session, path.parent_path());
+        const Recording leftOff = found.recording;
+        second.takeUp(2, std::move(found));
+        const support::FullDisk full(2000);
+        again.resume(leftOff, 2);
+        cut(again, second, 100);
+        QVERIFY(second.failure());
+    }
+    QCOMPARE(recording::journalsIn(path.parent_path()), std::vector<fs::path>{path});
+    QVERIFY(bytesOf(path) == old);
     // From the beginning on there was no room.
     support::Rig other;
     JournalLoop nowhere(*other.session, m_path / "other");
