@@ -594,6 +594,10 @@
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
         <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
     </message>
+    <message>
+        <source>Making a practice block …</source>
+        <translation>Übungsblock wird erzeugt …</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>

@@ -594,6 +594,10 @@
         <source>Nothing has been cut yet, so there is nothing to grade.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Making a practice block …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>
