@@ -39,7 +39,8 @@ void addOptions(QCommandLineParser& parser)
     const auto option = [&](const char* name, const char* help, const char* value) {
         parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
     };
-    option("tooth", "The tooth to begin with: a mesh file or an FDI number.", "FILE|FDI");
+    option("tooth", "The tooth to begin with: a mesh file, an FDI number or a practice block such as block:line.",
+           "FILE|FDI");
     option("recording", "Plays a recording.", "FILE");
     option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
     option("db", "Keeps grades in this file instead of the user's own.", "FILE");

@@ -5,6 +5,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/preparation/BlockPreparation.h"
+#include "core/preparation/ToothPreparation.h"
 #include "lessons/LessonReader.h"
 
 namespace lessons {
@@ -48,6 +49,22 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
     return core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
 }
 
+/// The usual preparation of its kind for this tooth, with the sizes that the lesson sets otherwise.
+core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core::terrain::ToothAnatomy& anatomy)
+{
+    const auto kind = core::preparation::findKind(ideal.kind);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    auto design = core::preparation::fittedDesign(*kind, anatomy);
+    if (!design)
+        return tl::unexpected(design.error());
+    const auto fields = core::preparation::fieldsOf(*kind);
+    for (const auto& [id, value] : ideal.sizes)
+        if (auto set = core::setNumber(std::span(fields), *design, id, value); !set)
+            return tl::unexpected(set.error());
+    return core::preparation::makePreparation(*kind, *design, anatomy);
+}
+
 /// What a lesson asks of a tooth that is there.
 core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
 {
@@ -57,6 +74,12 @@ core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const cor
     assignment.lesson = lesson;
     if (lesson.leeway)
         assignment.leeway = core::grading::Leeway{lesson.leeway->sidesMm, lesson.leeway->bottomMm};
+    if (lesson.task == Task::CutIdeal) {
+        auto ideal = idealOf(*lesson.ideal, *assignment.anatomy);
+        if (!ideal)
+            return tl::unexpected(ideal.error());
+        assignment.ideal = std::move(*ideal);
+    }
     if (lesson.task == Task::TraceShape) {
         const auto design = designOf(std::get<Block>(lesson.tooth));
         if (!design)

@@ -54,13 +54,11 @@ struct Lesion
     bool operator==(const Lesion&) const = default;
 };
 
-/// The preparation that is asked for: made by a rule whose numbers have names, or captured from an instructor's cut.
+/// The preparation that is asked for, made by a rule whose numbers have names (core::preparation).
 struct Ideal
 {
-    std::string kind;                     ///< "class1", "class2", "access", "block"; "captured" for a file
-    std::map<std::string, double> sizes;  ///< what differs from the kind's own figures
-    std::string file;                     ///< of a captured one, absolute path
-    std::string hash;                     ///< SHA-256 of its content
+    std::string kind;                     ///< "class1", "class2-mesial", "class2-distal", "access"
+    std::map<std::string, double> sizes;  ///< by id, what differs from what is usual for the tooth
     bool operator==(const Ideal&) const = default;
 };
 

@@ -16,6 +16,7 @@
 #include "core/drilling/Bur.h"
 #include "core/grading/MeasureTable.h"
 #include "core/mesh/Placement.h"
+#include "core/preparation/ToothDesign.h"
 #include "core/teeth/ToothTable.h"
 #include "core/terrain/Grid.h"
 #include "lessons/Assignment.h"
@@ -450,15 +451,11 @@ private:
         }
         if (auto ideal = m_keys.object("ideal")) {
             Ideal asked;
-            if (ideal->has("captured")) {
-                asked.kind = "captured";
-                takeFile(*ideal, "captured", QStringLiteral("ideal"),
-                         QString::fromStdString(ideal->neededText("captured")), asked.file, asked.hash);
-            } else {
-                asked.kind = ideal->neededText("kind", 40);
-                if (auto sizes = ideal->object("sizes"))
-                    asked.sizes = sizes->allNumbers(-1000.0, 1000.0);
-            }
+            asked.kind = ideal->neededText("kind", 40);
+            if (const auto kind = core::preparation::findKind(asked.kind); !kind && !asked.kind.empty())
+                ideal->fault("kind", QString::fromStdString(kind.error().detail));
+            if (auto sizes = ideal->object("sizes"))
+                asked.sizes = sizes->allNumbers(-1000.0, 1000.0);
             lesson.ideal = asked;
             ideal->nameTheRest();
         }

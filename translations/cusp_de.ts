@@ -343,8 +343,22 @@
         <translation>Die Datei bleibt sieben Tage im Ordner „discarded“ liegen.</translation>
     </message>
     <message>
+        <source>Ask who made the lesson, or choose another one.</source>
+        <translation>Frage, wer die Aufgabe gemacht hat, oder wähle eine andere.</translation>
+    </message>
+    <message>
         <source>This Cusp did not write the file, or an older one did.</source>
         <translation>Die Datei stammt nicht von diesem Cusp oder von einem älteren.</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Aufgabe kann nicht gestellt werden; was auf dem Tisch lag, liegt noch da. %1</translation>
+    </message>
+    <message>
+        <source>The work cannot be marked; it is as it was. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Arbeit kann nicht bewertet werden; sie ist, wie sie war. %1</translation>
     </message>
     <message>
         <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
@@ -359,20 +373,6 @@
         <source>An attempt that was not finished cannot be taken up again. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Ein Versuch, der nicht beendet wurde, kann nicht wieder aufgenommen werden. %1</translation>
-    </message>
-    <message>
-        <source>Ask who made the lesson, or choose another one.</source>
-        <translation>Frage, wer die Aufgabe gemacht hat, oder wähle eine andere.</translation>
-    </message>
-    <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
-        <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Aufgabe kann nicht gestellt werden; was auf dem Tisch lag, liegt noch da. %1</translation>
-    </message>
-    <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
-        <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Arbeit kann nicht bewertet werden; sie ist, wie sie war. %1</translation>
     </message>
 </context>
 <context>
@@ -408,10 +408,6 @@
 </context>
 <context>
     <name>Lesson</name>
-    <message>
-        <source>First steps</source>
-        <translation>Erste Schritte</translation>
-    </message>
     <message>
         <source>Practice block</source>
         <translation>Übungsblock</translation>
@@ -760,6 +756,14 @@
         <translation>Es wurde noch nichts abgetragen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
+        <source>Making a practice block …</source>
+        <translation>Übungsblock wird erzeugt …</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>Die Aufgabe wird vorbereitet …</translation>
+    </message>
+    <message>
         <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
         <translation>Bei diesem Versuch schnitt der Bohrer anders oder fühlte sich anders an als heute, deshalb kann er nicht fortgesetzt werden. Er bleibt aufbewahrt.</translation>
     </message>
@@ -770,14 +774,6 @@
     <message>
         <source>Your attempt goes on where it was left.</source>
         <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
-    </message>
-    <message>
-        <source>Making a practice block …</source>
-        <translation>Ein Übungsblock wird gemacht …</translation>
-    </message>
-    <message>
-        <source>Preparing the lesson …</source>
-        <translation>Die Aufgabe wird vorbereitet …</translation>
     </message>
 </context>
 <context>
@@ -1641,6 +1637,10 @@
         <translation>Nur ein Zahn mit Karies hat eine ideale Präparation.</translation>
     </message>
     <message>
+        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
+        <translation>Die Zeit für diese Aufgabe ist um. Arbeite weiter, solange du magst, oder drücke G.</translation>
+    </message>
+    <message>
         <source>An attempt at %1 of %2 was not finished.</source>
         <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation>Ein Versuch an %1 von %2 wurde nicht beendet.</translation>
@@ -1652,10 +1652,6 @@
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>Die Zeit für diese Aufgabe ist um. Arbeite weiter, solange du magst, oder drücke G.</translation>
     </message>
 </context>
 <context>

@@ -343,7 +343,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Ask who made the lesson, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This Cusp did not write the file, or an older one did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work cannot be marked; it is as it was. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -357,20 +371,6 @@
     </message>
     <message>
         <source>An attempt that was not finished cannot be taken up again. %1</source>
-        <extracomment>%1: why, and what to do</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ask who made the lesson, or choose another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The lesson cannot be given; what was on the table still is. %1</source>
-        <extracomment>%1: why, and what to do</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The work cannot be marked; it is as it was. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
@@ -408,10 +408,6 @@
 </context>
 <context>
     <name>Lesson</name>
-    <message>
-        <source>First steps</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Practice block</source>
         <translation type="unfinished"></translation>
@@ -760,6 +756,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Making a practice block …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -769,14 +773,6 @@
     </message>
     <message>
         <source>Your attempt goes on where it was left.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Making a practice block …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preparing the lesson …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1641,6 +1637,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>An attempt at %1 of %2 was not finished.</source>
         <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation type="unfinished"></translation>
@@ -1651,10 +1651,6 @@
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

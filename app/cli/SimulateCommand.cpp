@@ -121,7 +121,8 @@ void addOptions(QCommandLineParser& parser)
     const auto option = [&](const char* name, const char* help, const char* value) {
         parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
     };
-    option("tooth", "The tooth to work on: a mesh file or an FDI number.", "FILE|FDI");
+    option("tooth", "The tooth to work on: a mesh file, an FDI number or a practice block such as block:line.",
+           "FILE|FDI");
     option("path", "Device path: CSV with t_s,x_mm,y_mm,z_mm,drill.", "P.csv");
     option("out",
            "Where the trace goes, one row a tick: a file, a pipe, or - for standard output; the figures then go to "

@@ -142,8 +142,9 @@ int toothCommand(const QStringList& arguments)
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral(
         "Reads a mesh (OBJ, STL, PLY) or makes one of our teeth, and says what it is and what the model makes of it."));
-    parser.addPositionalArgument(QStringLiteral("FILE|FDI"),
-                                 QStringLiteral("A mesh file, or the number of a tooth: 21-28, 31-38."));
+    parser.addPositionalArgument(
+        QStringLiteral("FILE|FDI"),
+        QStringLiteral("A mesh file, the number of a tooth (21-28, 31-38) or a practice block such as block:line."));
     addToothOptions(parser);
     parser.addOption({QStringLiteral("export"), QStringLiteral("Writes the mesh in the tooth frame, in mm."),
                       QStringLiteral("FILE.obj")});

@@ -44,18 +44,18 @@ template <class Design>
 {
     for (const NumberField<Design>& field : fields) {
         const double value = design.*field.value;
-        std::string unit(field.unit);
-        if (!unit.empty())
-            unit.insert(0, 1, ' ');
-        const std::string subject = std::string("the ") + field.name + " (" + field.id + ")";
+        std::string sentence = "the ";
+        sentence.append(field.name).append(" (").append(field.id).append(") ");
         if (!std::isfinite(value))
-            return unexpected(ErrorCode::BadNumber, subject + " is not a number");
-        if (value < field.minimum || value > field.maximum)
-            return unexpected(ErrorCode::OutOfRange, subject + " must be from " + plainNumber(field.minimum) + " to " +
-                                                         plainNumber(field.maximum) + unit + ", not " +
-                                                         plainNumber(value));
+            return unexpected(ErrorCode::BadNumber, sentence.append("is not a number"));
+        if (value < field.minimum || value > field.maximum) {
+            sentence.append("must be from ").append(plainNumber(field.minimum)).append(" to ");
+            sentence.append(plainNumber(field.maximum)).append(*field.unit == '\0' ? "" : " ").append(field.unit);
+            return unexpected(ErrorCode::OutOfRange, sentence.append(", not ").append(plainNumber(value)));
+        }
         if (field.whole && value != std::floor(value))
-            return unexpected(ErrorCode::OutOfRange, subject + " must be a whole number, not " + plainNumber(value));
+            return unexpected(ErrorCode::OutOfRange,
+                              sentence.append("must be a whole number, not ").append(plainNumber(value)));
     }
     return {};
 }

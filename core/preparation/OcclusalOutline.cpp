@@ -16,10 +16,11 @@ namespace {
 using Spot = OcclusalCavity::Spot;
 using Line = std::vector<glm::dvec2>;
 
-constexpr double kStepMm = 0.04;     ///< between the points of a line
-constexpr double kSmoothMm = 0.45;   ///< over which a line forgets the small bends of its groove
-constexpr double kSearchMm = 4.5;    ///< from the middle of the tooth: grooves are looked for so far
-constexpr double kJoinMm = 0.4;      ///< a stroke out of another one begins so far beside it
+constexpr double kStepMm = 0.04;    ///< between the points of a line
+constexpr double kSmoothMm = 0.45;  ///< over which a line forgets the small bends of its groove
+constexpr double kSearchMm = 4.5;   ///< from the middle of the tooth: grooves are looked for so far
+constexpr double kJoinMm = 0.4;     ///< a stroke out of another one begins so far beside it
+constexpr std::size_t kOutlinePoints = 360;
 constexpr double kShortestMm = 0.8;  ///< of a main stroke
 
 /// Weighted means along a line; beyond its ends it is taken to go straight on.
@@ -72,12 +73,12 @@ public:
         : m_kind(kind), m_fdi(fdi), m_form(form), m_design(design), m_radius(design.burRadiusMm),
           m_half(0.5 * design.isthmusMm - design.burRadiusMm)
     {
-        for (const glm::dvec2& point : form.outline(360))
+        for (const glm::dvec2& point : form.outline(static_cast<int>(kOutlinePoints)))
             m_silhouette.push_back(uv(point));
         // Turned so that the mesial and the distal quarter are lines of their own.
-        for (std::size_t k = 0; k <= 90; ++k) {
-            m_distal.push_back(m_silhouette[(k + 315) % 360]);
-            m_mesial.push_back(m_silhouette[k + 135]);
+        for (std::size_t k = 0; k <= kOutlinePoints / 4; ++k) {
+            m_distal.push_back(m_silhouette[(k + kOutlinePoints * 7 / 8) % kOutlinePoints]);
+            m_mesial.push_back(m_silhouette[k + kOutlinePoints * 3 / 8]);
         }
         m_silhouette.push_back(m_silhouette.front());
         for (const glm::dvec2& point : obliqueCrest(fdi, form))
@@ -211,15 +212,14 @@ private:
     /// Where the tooth ends on its mesial or distal side, so far from its middle line.
     [[nodiscard]] OcclusalCavity::Box proximalAt(double v, bool mesial) const
     {
-        const std::size_t count = m_silhouette.size() - 1;
-        std::size_t nearest = mesial ? count / 2 : 0;
-        for (std::size_t k = 0; k < count; ++k)
+        std::size_t nearest = mesial ? kOutlinePoints / 2 : 0;
+        for (std::size_t k = 0; k < kOutlinePoints; ++k)
             if ((m_silhouette[k].x < 0.0) == mesial &&
                 std::abs(m_silhouette[k].y - v) < std::abs(m_silhouette[nearest].y - v))
                 nearest = k;
-        const std::size_t eighth = count / 30;
-        const glm::dvec2 along =
-            glm::normalize(m_silhouette[(nearest + eighth) % count] - m_silhouette[(nearest + count - eighth) % count]);
+        constexpr std::size_t kAside = kOutlinePoints / 30;
+        const glm::dvec2 along = glm::normalize(m_silhouette[(nearest + kAside) % kOutlinePoints] -
+                                                m_silhouette[(nearest + kOutlinePoints - kAside) % kOutlinePoints]);
         glm::dvec2 out{along.y, -along.x};
         out *= (out.x < 0.0) == mesial ? 1.0 : -1.0;
         return {m_silhouette[nearest], out};

@@ -60,7 +60,7 @@ void addRenderOptions(QCommandLineParser& parser)
     const auto option = [&](const char* name, const char* help, const char* value) {
         parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value)});
     };
-    option("tooth", "A mesh file or an FDI number.", "FILE|FDI");
+    option("tooth", "A mesh file, an FDI number or a practice block such as block:line.", "FILE|FDI");
     option(
         "recording",
         "Draws what this attempt left of its tooth, and its bur. A --tooth beside it must be the one it was made on.",
@@ -94,8 +94,8 @@ void addRenderOptions(QCommandLineParser& parser)
         "WHAT");
     option(
         "ideal",
-        "What ought to be cut, for --show ideal and prepared: "
-        "class1, class2-mesial, class2-distal or access. If not given, the shape of a block, and on a tooth the decay.",
+        "What ought to be cut, for --show ideal and prepared: class1, class2-mesial, class2-distal or access. If not "
+        "given, the shape of a block, and on a tooth the decay.",
         "NAME");
     option("out", "The picture.", "FILE.png");
     addToothOptions(parser);

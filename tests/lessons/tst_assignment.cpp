@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
+
+using namespace lessons;
+
+namespace {
+
+std::vector<Lesson> withIdeal()
+{
+    std::vector<Lesson> found;
+    for (const CatalogEntry& entry : readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->task != Task::RemoveDecay)
+            found.push_back(*entry.read.lesson);
+    return found;
+}
+
+core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float>& top)
+{
+    return core::terrain::restored(assignment.anatomy, top);
+}
+
+}  // namespace
+
+class TestAssignment : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyIdealEarnsFullPoints_data();
+    void everyIdealEarnsFullPoints();
+    void everyClassOneIsThereAndNothingDonePassesNone();
+    void tooDeepCostsDepthAlone();
+    void aRecordingIsMarkedForItsLesson();
+    void theSchemaKnowsTheKeysThatAreRead();
+};
+
+void TestAssignment::everyIdealEarnsFullPoints_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const Lesson& lesson : withIdeal())
+        QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
+}
+
+/// Whoever cuts exactly what is asked for loses nothing, and whoever does nothing does not pass.
+void TestAssignment::everyIdealEarnsFullPoints()
+{
+    QFETCH(QString, id);
+    for (const Lesson& lesson : withIdeal()) {
+        if (QString::fromStdString(lesson.id) != id)
+            continue;
+        const auto assigned = assign(lesson);
+        QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+        const Assignment& assignment = assigned->assignment;
+        QVERIFY(assignment.ideal.has_value());
+        const auto perfect = mark(assignment, cutTo(assignment, *assignment.ideal->top));
+        QVERIFY(perfect.has_value());
+        for (const Criterion& line : perfect->sheet.criteria)
+            QVERIFY2(line.lostTenths == 0,
+                     qPrintable(QStringLiteral("%1 loses %2 with %3")
+                                    .arg(QString::fromStdString(line.id))
+                                    .arg(0.1 * line.lostTenths)
+                                    .arg(line.measured ? QString::number(*line.measured) : QStringLiteral("nothing"))));
+        QVERIFY(perfect->sheet.passed());
+        const auto nothing = mark(assignment, core::terrain::Tooth(assignment.anatomy));
+        QVERIFY(nothing.has_value());
+        QVERIFY2(!nothing->sheet.passed(), qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
+    }
+}
+
+void TestAssignment::everyClassOneIsThereAndNothingDonePassesNone()
+{
+    QSet<int> teeth;
+    for (const Lesson& lesson : withIdeal())
+        if (lesson.ideal && lesson.ideal->kind == "class1")
+            teeth << std::get<MadeTooth>(lesson.tooth).fdi;
+    QCOMPARE(teeth, (QSet<int>{24, 25, 26, 27, 34, 35, 36, 37}));
+}
+
+void TestAssignment::tooDeepCostsDepthAlone()
+{
+    for (const Lesson& lesson : withIdeal()) {
+        if (lesson.id != "class1-36")
+            continue;
+        const auto assigned = assign(lesson);
+        QVERIFY(assigned.has_value());
+        const Assignment& assignment = assigned->assignment;
+        std::vector<float> top = *assignment.ideal->top;
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (assignment.ideal->parts[k] == core::grading::Part::Floor)
+                top[k] -= 0.5F;
+        const auto marked = mark(assignment, cutTo(assignment, top));
+        QVERIFY(marked.has_value());
+        for (const Criterion& line : marked->sheet.criteria) {
+            if (line.id == "depth") {
+                QVERIFY(std::abs(line.measured.value() - 0.5) < 0.01);
+                QCOMPARE(line.lostTenths, 67);  // 20 points * (0.5 - 0.25) / 0.75
+            } else if (line.id == "outline" || line.id == "isthmus" || line.id == "ridge" || line.id == "floor") {
+                QCOMPARE(line.lostTenths, 0);
+            }
+        }
+    }
+}
+
+void TestAssignment::aRecordingIsMarkedForItsLesson()
+{
+    for (const Lesson& lesson : withIdeal()) {
+        if (lesson.id != "block-line")
+            continue;
+        const auto assigned = assign(lesson);
+        QVERIFY(assigned.has_value());
+        const core::recording::Recording recording({}, assigned->assignment.anatomy, lesson.json);
+        const auto remarked = markAgain(recording);
+        QVERIFY2(remarked.has_value(), remarked ? "" : remarked.error().detail.c_str());
+        QCOMPARE(remarked->mark.sheet.rubricHash, lesson.rubric.hash);
+        QVERIFY(remarked->mark.measured.deviation->zones.has_value());
+    }
+    const auto anatomy = assign(withIdeal().front())->assignment.anatomy;
+    QVERIFY(!markAgain(core::recording::Recording({}, anatomy, "{\"format\": 99}")).has_value());
+    QCOMPARE(markAgain(core::recording::Recording({}, anatomy))->mark.sheet.rubricId, std::string("decay_removal"));
+}
+
+namespace {
+
+/// Every key of an object and of those in it, with the names of texts and sizes left out.
+void keysOf(const QJsonObject& object, const QString& before, QSet<QString>& keys)
+{
+    static const QSet<QString> kOpen{"title", "goal", "not_modelled", "text", "hint", "sizes"};
+    for (const QString& key : object.keys()) {
+        keys << before + key;
+        if (kOpen.contains(key))
+            continue;
+        if (object[key].isObject())
+            keysOf(object[key].toObject(), before + key + '.', keys);
+        for (const QJsonValue item : object[key].toArray())
+            if (item.isObject())
+                keysOf(item.toObject(), before + key + '.', keys);
+    }
+}
+
+void schemaKeysOf(const QJsonObject& schema, const QJsonObject& definitions, const QString& before, QSet<QString>& keys)
+{
+    const QString name = schema["$ref"].toString().section('/', -1);
+    if (name == "text" || name == "id")
+        return;
+    if (!name.isEmpty())
+        schemaKeysOf(definitions[name].toObject(), definitions, before, keys);
+    for (const QJsonValue choice : schema["oneOf"].toArray())
+        schemaKeysOf(choice.toObject(), definitions, before, keys);
+    if (schema["items"].isObject())
+        schemaKeysOf(schema["items"].toObject(), definitions, before, keys);
+    const QJsonObject properties = schema["properties"].toObject();
+    for (const QString& key : properties.keys()) {
+        keys << before + key;
+        schemaKeysOf(properties[key].toObject(), definitions, before + key + '.', keys);
+    }
+}
+
+}  // namespace
+
+/// Each key of a shipped file stands in the schema, and each of the schema's is one that the reader knows.
+void TestAssignment::theSchemaKnowsTheKeysThatAreRead()
+{
+    QFile file(QStringLiteral(CUSP_SOURCE_DIR "/lessons/schema/lesson.schema.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonObject schema = QJsonDocument::fromJson(file.readAll()).object();
+    QVERIFY(!schema.isEmpty());
+    QSet<QString> inSchema;
+    schemaKeysOf(schema, schema["$defs"].toObject(), {}, inSchema);
+    QSet<QString> used;
+    for (const CatalogEntry& entry : readCatalog({}))
+        keysOf(QJsonDocument::fromJson(QByteArray::fromStdString(entry.read.lesson->json)).object(), {}, used);
+    QVERIFY2((used - inSchema).isEmpty(), qPrintable(QStringList((used - inSchema).values()).join(' ')));
+
+    // An object that holds every key of the schema: the reader may complain of values, but it knows each key.
+    QSet<QString> unknown;
+    for (const QString& path : inSchema) {
+        const QStringList parts = path.split('.');
+        QJsonValue value = 1;
+        // Some keys belong to one kind of tooth alone.
+        if (parts.size() == 2 && parts[0] == "tooth") {
+            const QString kind = path == "tooth.seed" || path == "tooth.sizes" ? "block" : "scan";
+            const ReadLesson read = readLessonText(
+                QJsonDocument(QJsonObject{{"format", 1}, {"tooth", QJsonObject{{kind, "line"}, {parts[1], 1}}}})
+                    .toJson(),
+                QStringLiteral("probe"));
+            for (const Fault& fault : read.faults)
+                if (!fault.grave)
+                    unknown << path;
+            continue;
+        }
+        for (qsizetype k = parts.size() - 1; k > 0; --k) {
+            value = QJsonObject{{parts[k], value}};
+            if (parts[k - 1] == "steps" || parts[k - 1] == "criteria")
+                value = QJsonArray{value};
+        }
+        QJsonObject object{{"format", 1}, {parts[0], value}};
+        if (parts[0] == "based_on" || path == "rubric.based_on")
+            continue;  // looked up before keys are read
+        const ReadLesson read = readLessonText(QJsonDocument(object).toJson(), QStringLiteral("probe"));
+        for (const Fault& fault : read.faults)
+            if (!fault.grave)
+                unknown << path;
+    }
+    QVERIFY2(unknown.isEmpty(), qPrintable(QStringList(unknown.values()).join(' ')));
+}
+
+QTEST_GUILESS_MAIN(TestAssignment)
+#include "tst_assignment.moc"
