@@ -108,7 +108,7 @@ private:
         if (way.size() >= kMostFiles)
             return complain(QStringLiteral("more than %1 files are based on one another").arg(kMostFiles));
         way << file;
-        const auto object = read(file, complain);
+        auto object = read(file, complain);
         if (!object || !object->contains(QLatin1String(kBasedOn)))
             return object;
         const QJsonValue base = object->value(QLatin1String(kBasedOn));
@@ -207,7 +207,7 @@ int takeTenths(JsonKeys& keys, const char* key, int otherwise)
 /// The id of a measure that exists, with its unit.
 std::string takeMeasure(JsonKeys& keys, const char* key, std::string* unit)
 {
-    const std::string id = keys.neededText(key, 80);
+    std::string id = keys.neededText(key, 80);
     if (id.empty())
         return id;
     const auto measure = core::grading::findMeasure(id);

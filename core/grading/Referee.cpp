@@ -65,7 +65,7 @@ std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
 
 }  // namespace
 
-Referee::Referee(const Rules& rules, std::shared_ptr<const ToothAnatomy> anatomy, IdealTop ideal)
+Referee::Referee(const Rules& rules, std::shared_ptr<const ToothAnatomy> anatomy, const IdealTop& ideal)
     : m_rules(rules), m_anatomy(std::move(anatomy))
 {
     if (m_rules.besideLimitMm && ideal != nullptr)

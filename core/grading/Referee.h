@@ -66,7 +66,7 @@ class Referee
 {
 public:
     /// @param ideal  what is to be cut; null: nothing is, so no place is wrong
-    Referee(const Rules& rules, std::shared_ptr<const terrain::ToothAnatomy> anatomy, IdealTop ideal);
+    Referee(const Rules& rules, std::shared_ptr<const terrain::ToothAnatomy> anatomy, const IdealTop& ideal);
 
     /// After a step: the new infractions, few if any.
     /// @param changed  columns that the step lowered

@@ -33,7 +33,7 @@ void Follower::tick(std::chrono::microseconds)
             const auto recording = m_session.recordingSoFar();
             if (!recording)
                 return;
-            begin(*recording, part.generation);
+            startOver(*recording, part.generation);
             continue;
         }
         if (part.events.empty())
@@ -50,7 +50,7 @@ std::optional<Concluded> Follower::conclude()
         return std::nullopt;
     // Another tooth than the one followed: there is one only since a moment ago.
     if (const std::uint64_t generation = m_session.recordedSince(0, 0).generation; generation != m_generation)
-        begin(*recording, generation);
+        startOver(*recording, generation);
     while (m_generation != 0 && m_events < recording->events()) {
         std::vector<ServoEvent> events = recording->eventsSince(m_events);
         take(events);
@@ -63,7 +63,7 @@ std::optional<Concluded> Follower::conclude()
 }
 
 /// From the beginning of a recording: what is on it already will be replayed.
-void Follower::begin(const recording::Recording& recording, std::uint64_t generation)
+void Follower::startOver(const recording::Recording& recording, std::uint64_t generation)
 {
     m_events = 0;
     m_replayer.reset();
@@ -82,7 +82,7 @@ void Follower::take(const std::vector<ServoEvent>& events)
 {
     for (const ServoEvent& event : events) {
         if (!play(event)) {
-            m_generation = 0;  // begin() knows all moments that are on the recording by now
+            m_generation = 0;  // startOver() knows all moments that are on the recording by now
             return;
         }
         ++m_events;

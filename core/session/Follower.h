@@ -53,7 +53,7 @@ public:
     [[nodiscard]] std::optional<Concluded> conclude();
 
 private:
-    void begin(const recording::Recording& recording, std::uint64_t generation);
+    void startOver(const recording::Recording& recording, std::uint64_t generation);
     void take(const std::vector<ServoEvent>& events);
     [[nodiscard]] bool play(const ServoEvent& event);
 

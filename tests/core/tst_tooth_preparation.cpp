@@ -251,7 +251,7 @@ void TestToothPreparation::classOneIsWhatTheBooksAskFor()
 void TestToothPreparation::obliqueRidgeIsNeverCrossed()
 {
     for (const int fdi : {26, 27})
-        for (const std::uint64_t seed : {0, 1, 2, 3, 7, 11, 42}) {
+        for (const std::uint64_t seed : {0U, 1U, 2U, 3U, 7U, 11U, 42U}) {
             const auto anatomy = anatomyOf(fdi, seed);
             const auto ideal = usual(Kind::ClassOne, fdi, seed);
             QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
@@ -464,7 +464,7 @@ void TestToothPreparation::boxOpensOutOfTheTooth()
 
 void TestToothPreparation::accessTakesTheWholeRoofAndNoFloor()
 {
-    for (const std::uint64_t seed : {0, 1, 2, 3})
+    for (const std::uint64_t seed : {0U, 1U, 2U, 3U})
         for (const int side : {100, 150, 300}) {
             const auto anatomy = anatomyOf(36, seed, side);
             const auto ideal = usual(Kind::Access, 36, seed, side);
@@ -501,7 +501,7 @@ void TestToothPreparation::accessTakesTheWholeRoofAndNoFloor()
 
 void TestToothPreparation::accessOfAnIncisorSparesItsEdge()
 {
-    for (const std::uint64_t seed : {0, 1, 2, 3}) {
+    for (const std::uint64_t seed : {0U, 1U, 2U, 3U}) {
         const auto anatomy = anatomyOf(21, seed);
         const auto ideal = usual(Kind::Access, 21, seed);
         QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
