@@ -396,8 +396,10 @@ void Application::finish(std::optional<int> expectedTenths)
     const auto done = m_follower.conclude();
     if (!done)
         return;
-    const auto marked = lessons::mark(m_assignment, done->tooth, done->findings.process,
-                                      static_cast<int>(done->findings.infractions.size()));
+    const core::session::Findings& found = done->findings;
+    const auto marked =
+        lessons::mark(m_assignment, done->tooth,
+                      lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids});
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/Assignment.h"
 
+#include <bit>
 #include <filesystem>
 
 #include "core/drilling/Bur.h"
@@ -185,20 +186,23 @@ markAgain(const core::recording::Recording& recording,
         });
     if (!outcome)
         return tl::unexpected(outcome.error());
-    auto marked =
-        mark(*assignment, outcome->tooth, examiner.process(), static_cast<int>(examiner.infractions().size()));
+    auto marked = mark(*assignment, outcome->tooth,
+                       Conduct{examiner.process(), static_cast<int>(examiner.infractions().size()), examiner.aids()});
     if (!marked)
         return tl::unexpected(marked.error());
     return Remarked{std::move(*outcome), std::move(*marked), examiner.infractions()};
 }
 
 core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
-                        const std::optional<core::grading::Process>& process, const std::optional<int>& infractions)
+                        const std::optional<Conduct>& conduct)
 {
     Mark result;
     result.measured.measures = core::grading::measure(tooth);
-    result.measured.process = process;
-    result.measured.infractions = infractions;
+    if (conduct) {
+        result.measured.process = conduct->process;
+        result.measured.infractions = conduct->infractions;
+        result.measured.aidsUsed = std::popcount(conduct->aids);
+    }
     if (assignment.ideal) {
         auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);
         if (!deviation)

@@ -56,16 +56,22 @@ struct Mark
     ScoreSheet sheet;
 };
 
+/// How an attempt went, as an examiner found it.
+struct Conduct
+{
+    core::grading::Process process;
+    int infractions = 0;
+    std::uint8_t aids = 0;  ///< bits of core::session::Aid that were in use
+};
+
 /// What an examiner of this assignment watches.
 [[nodiscard]] core::session::Examination examinationOf(const Assignment& assignment);
 
 /// Measures a tooth of the assignment's anatomy and marks it. A few milliseconds at 150 x 150. Any thread that owns the
 /// tooth.
-/// @param process      how the attempt went, where that is known
-/// @param infractions  how many, where that is known
+/// @param conduct  nothing where only the tooth is known: what is about the way is not measured then
 [[nodiscard]] core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
-                                      const std::optional<core::grading::Process>& process = {},
-                                      const std::optional<int>& infractions = {});
+                                      const std::optional<Conduct>& conduct = {});
 
 /// What replaying a recording came to.
 struct Remarked

@@ -496,6 +496,8 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.undos; }); }, nullptr},
     {"infractions", "", "Breaches of the lesson's rules.", kMetrics,
      [](const Measured& m) -> Value { return m.infractions; }, nullptr},
+    {"aids_used", "", "Aids to seeing that were used at any time: section, depth gauge, X-ray, colours, mirror, ideal.",
+     kMetrics, [](const Measured& m) -> Value { return m.aidsUsed; }, nullptr},
 });
 
 }  // namespace

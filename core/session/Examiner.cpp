@@ -17,6 +17,8 @@ void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed
         m_meter->undone();
         m_referee.restored(tooth);
     }
+    if (event.kind == ServoEvent::Kind::Aids)
+        m_aids |= static_cast<std::uint8_t>(event.value);
     if (!recording::isStep(event))
         return;
     const std::chrono::microseconds dt(event.dtUs);

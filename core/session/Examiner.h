@@ -32,12 +32,15 @@ public:
     /// An event of the recording, after the replay has played it.
     void take(const ServoEvent& event, const recording::Replayer& replayed);
 
+    /// Bits of session::Aid: those that were in use at any time.
+    [[nodiscard]] std::uint8_t aids() const { return m_aids; }
     [[nodiscard]] grading::Process process() const { return m_meter->process(); }
     [[nodiscard]] const std::vector<grading::Infraction>& infractions() const { return m_infractions; }
 
 private:
     std::unique_ptr<grading::ProcessMeter> m_meter;
     grading::Referee m_referee;
+    std::uint8_t m_aids = 0;
     std::vector<grading::Infraction> m_infractions;
 };
 

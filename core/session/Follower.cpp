@@ -18,7 +18,7 @@ Findings Follower::findings() const
     const std::lock_guard lock(m_mutex);
     if (m_generation == 0 || !m_examiner)
         return {};
-    return {m_generation, m_replayer->tick(), m_examiner->process(), m_examiner->infractions()};
+    return {m_generation, m_replayer->tick(), m_examiner->process(), m_examiner->infractions(), m_examiner->aids()};
 }
 
 void Follower::tick(std::chrono::microseconds)
@@ -58,7 +58,8 @@ std::optional<Concluded> Follower::conclude()
     if (!m_replayer || !m_examiner)
         return std::nullopt;
     terrain::Tooth tooth = m_replayer->tooth().tooth();
-    Findings findings{m_generation, m_replayer->tick(), m_examiner->process(), m_examiner->infractions()};
+    Findings findings{m_generation, m_replayer->tick(), m_examiner->process(), m_examiner->infractions(),
+                      m_examiner->aids()};
     return Concluded{std::move(*recording), std::move(tooth), std::move(findings)};
 }
 

@@ -20,6 +20,7 @@ struct Findings
     std::uint64_t ticks = 0;
     grading::Process process;
     std::vector<grading::Infraction> infractions;
+    std::uint8_t aids = 0;  ///< bits of Aid: in use at any time
 };
 
 /// An attempt at one tick, whole: what it is marked by, and what a replay of the recording comes to.

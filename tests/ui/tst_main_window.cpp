@@ -54,6 +54,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
+#include "ui/study/InfractionCard.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace core::session;
@@ -92,6 +93,8 @@ private slots:
     void aMessageKeepsToTheView();
     void theXrayPageOpensAndSaves();
     void oneOfTheDepthColoursIsShown();
+    void theAidsInUseAreNoted();
+    void aBreachStopsTheBurAndIsExplained();
     void whatALessonLocksRests();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
@@ -165,12 +168,23 @@ private:
         QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
                         modifiers);
     }
+    /// What the person has asked for since the last call. Which aids are in use is noted unasked.
     QList<SessionCommand> sent() const
     {
         QList<SessionCommand> all;
         for (SessionCommand c; m_links->commands.tryPop(c);)
-            all << c;
+            if (!std::holds_alternative<SetAids>(c))
+                all << c;
         return all;
+    }
+    /// The aids that were noted last; nothing if none were since the last call.
+    std::optional<int> aidsNoted() const
+    {
+        std::optional<int> last;
+        for (SessionCommand c; m_links->commands.tryPop(c);)
+            if (const auto* aids = std::get_if<SetAids>(&c))
+                last = aids->aids;
+        return last;
     }
     void publish(const ServoState& servo, const SessionState& session) const
     {
@@ -690,6 +704,52 @@ void TestMainWindow::oneOfTheDepthColoursIsShown()
     QVERIFY(actions().idealColours->toolTip().contains("decay"));
     press(Qt::Key_K, Qt::ShiftModifier);
     QCOMPARE(shown(), DepthColours::Off);
+}
+
+void TestMainWindow::theAidsInUseAreNoted()
+{
+    QTest::qWait(250);
+    const auto first = aidsNoted();
+    QVERIFY(first.has_value());
+    QVERIFY((*first & kDepthGaugeAid) != 0 && (*first & kSectionAid) == 0);
+    press(Qt::Key_X);
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(0) & kSectionAid) != 0);
+    press(Qt::Key_F);
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(0) & kRadiographAid) != 0);
+    press(Qt::Key_Escape);
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
+    QTest::qWait(250);
+    QVERIFY2(!aidsNoted().has_value(), "said once");
+}
+
+void TestMainWindow::aBreachStopsTheBurAndIsExplained()
+{
+    core::grading::Infraction infraction;
+    infraction.breach = core::grading::Breach::TooDeep;
+    infraction.limit = 2.5;
+    infraction.tick = 4321;
+    static_cast<void>(sent());
+    QSignalSpy back(m_window.get(), &MainWindow::takeBackWanted);
+    m_window->tellInfraction(infraction, true);
+    QVERIFY(child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(child<QLabel>("infraction")->text(), QString("Deeper than 2.50 mm"));
+    QVERIFY2(child<ui::inside::SectionView>()->isVisible(), "the section shows where");
+    const auto stopped = sent();
+    QVERIFY(!stopped.isEmpty() && std::holds_alternative<SetDrill>(stopped.front()));
+    QVERIFY(!std::get<SetDrill>(stopped.front()).on);
+    press(Qt::Key_Return);
+    QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(back.count(), 1);
+    QCOMPARE(back.front().front().toULongLong(), qulonglong{4321});
+    // Where there is nothing to go back to, only going on is offered.
+    m_window->tellInfraction(infraction, false);
+    QVERIFY(!child<QPushButton>("takeBack")->isVisible());
+    press(Qt::Key_Escape);
+    QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(back.count(), 1);
 }
 
 void TestMainWindow::whatALessonLocksRests()

@@ -175,6 +175,11 @@ void SectionView::setIdeal(core::grading::IdealTop ideal)
     m_canvas->update();
 }
 
+void SectionView::setHeld(std::optional<glm::dvec3> tipMm)
+{
+    m_held = tipMm;
+}
+
 void SectionView::setFiguresShown(bool shown)
 {
     m_figures->setVisible(shown);
@@ -212,9 +217,10 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     if (tooth == nullptr || !isVisible())
         return;
     const bool otherTooth = tooth->anatomy != m_anatomy;
+    const glm::dvec3 tipMm = m_held.value_or(servo.anchorMm);
     const bool hasBur = servo.tick > 0 && servo.burIndex < core::drilling::burs().size();
     const bool stirred = otherTooth || revision != m_revision || hasBur != m_hasBur || servo.burIndex != m_bur ||
-                         (hasBur && glm::length(servo.anchorMm - m_tipMm) > kStirMm);
+                         (hasBur && glm::length(tipMm - m_tipMm) > kStirMm);
     if (!m_sinceFigures.isValid() || m_sinceFigures.elapsed() >= kFiguresEveryMs) {
         m_sinceFigures.start();
         showFigures(servo, reading);
@@ -233,12 +239,12 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     m_revision = revision;
     m_hasBur = hasBur;
     m_bur = servo.burIndex;
-    m_tipMm = servo.anchorMm;
+    m_tipMm = tipMm;
     scene.bur = hasBur ? &core::drilling::burs()[servo.burIndex] : nullptr;
-    scene.tipMm = servo.anchorMm;
+    scene.tipMm = tipMm;
     // Without a hand the cut goes through the middle of the tooth.
-    scene.plane.throughMm = hasBur ? glm::dvec2(servo.anchorMm) : tooth->grid().middleMm();
-    scene.downToPulpMm = hasBur ? reading.downToPulpMm : std::nullopt;
+    scene.plane.throughMm = hasBur ? glm::dvec2(tipMm) : tooth->grid().middleMm();
+    scene.downToPulpMm = hasBur && !m_held ? reading.downToPulpMm : std::nullopt;
     m_canvas->update();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QElapsedTimer>
 #include <QFrame>
@@ -39,6 +40,9 @@ public:
     void setColours(render::Palette colours);
     /// What the lesson asks for, over the grid of the tooth followed next; null: nothing.
     void setIdeal(core::grading::IdealTop ideal);
+    /// Shows the cut through this place, with the bur as it stood there, and not where the bur is now; nothing: goes
+    /// with the bur again.
+    void setHeld(std::optional<glm::dvec3> tipMm);
     /// Without them the picture alone is there.
     void setFiguresShown(bool shown);
     /// Turns the plane about the bur, +15 degrees.
@@ -62,6 +66,7 @@ private:
     shell::TabularLabel* m_nearest;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< whose sides are named
     std::uint64_t m_revision = 0;
+    std::optional<glm::dvec3> m_held;
     glm::dvec3 m_tipMm{0.0};
     std::uint8_t m_bur = 0;
     bool m_hasBur = false;

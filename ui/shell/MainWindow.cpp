@@ -119,6 +119,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     });
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     const auto workOn = [this] {
+        m_room->section().setHeld({});
         if (m_infractionStopped)
             wishDrill(true);
         m_view->setFocus();
@@ -129,8 +130,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         workOn();
     });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
-    connect(&m_room->lesson(), &study::LessonStrip::timeOver, this,
-            [this] { showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G.")); });
+    connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
+        if (m_assignment && m_assignment->lesson && m_assignment->lesson->exam)
+            emit gradeRequested();
+        else
+            showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G."));
+    });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
         askForFile(
             tr("Save the X-ray pictures"), FileKind::Picture,
@@ -389,12 +394,34 @@ void MainWindow::takeSession()
         m_room->lesson().setTime(m_session.recordedS);
     if (moved)
         enableActions();
+    tellAids();
+}
+
+/// Which aids are in use goes on the recording.
+void MainWindow::tellAids()
+{
+    using namespace core::session;
+    if (m_replaying || m_tooth == nullptr)
+        return;
+    const auto inUse = [](bool used, Aid aid) { return static_cast<std::uint8_t>(used ? aid : 0); };
+    const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
+    const std::uint8_t aids = static_cast<std::uint8_t>(
+        inUse(m_actions->section->isChecked(), kSectionAid) |
+        inUse(m_aids.depthGauge && m_actions->panel->isChecked(), kDepthGaugeAid) |
+        inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
+        inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
+        inUse(m_actions->mirror->isChecked(), kMirrorAid) |
+        inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
+    if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
+        m_aidsTold = {m_ownGeneration, aids};
 }
 
 /// Told when it happens, not when a tooth is shown to which it has happened before.
 void MainWindow::tellHarm(const core::session::SessionState& now)
 {
-    if (now.toothGeneration != m_session.toothGeneration)
+    // A lesson says by its rules what is told, and an exam tells nothing.
+    const bool inLesson = m_assignment && m_assignment->lesson && !m_replaying;
+    if (now.toothGeneration != m_session.toothGeneration || inLesson)
         return;
     const auto isOpen = [](const core::session::SessionState& state) {
         return state.removedMm3.at(static_cast<std::size_t>(core::terrain::Material::Pulp)) > 0.0;
@@ -456,6 +483,8 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
+    } else if (m_infractionCard->isVisible()) {
+        m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
     } else if (m_replaying) {
@@ -519,6 +548,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
 {
     m_busy->done();
     m_room->hideNotice();
+    m_room->section().setHeld({});
     m_infractionCard->hide();
     // Where a tooth was refused before there was any, another one stands in for it: that stays said.
     if (!std::exchange(m_standsIn, false))
@@ -621,6 +651,7 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
     if (m_infractionCard->isHidden())
         m_infractionStopped = m_actions->drill->isChecked();
     wishDrill(false);
+    m_room->section().setHeld(infraction.placeMm);
     if (m_aids.section && !m_actions->section->isChecked())
         m_actions->section->trigger();
     goTo(m_room);

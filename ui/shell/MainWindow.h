@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <QDateTime>
 #include <QElapsedTimer>
@@ -156,6 +157,7 @@ private:
     void connectView();
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
+    void tellAids();
     void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
@@ -212,7 +214,8 @@ private:
     std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     lessons::Aids m_aids;
-    std::optional<lessons::Assignment> m_assignment;  ///< of the student's tooth
+    std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
+    std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth
     Wish m_drillWish;
     Wish m_burWish;
     bool m_infractionStopped = false;    ///< the bur turned when it was told

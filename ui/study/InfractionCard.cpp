@@ -110,12 +110,12 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     m_takeBack->setProperty("kind", "filled");
     m_takeBack->setAccessibleName(m_takeBack->text());
     m_takeBack->setObjectName(QStringLiteral("takeBack"));
-    m_goOn = new QPushButton(tr("Go on"), this);
-    m_goOn->setToolTip(tr("Leave it as it is and work on (Esc)"));
-    m_goOn->setAccessibleName(m_goOn->text());
-    m_goOn->setObjectName(QStringLiteral("goOn"));
+    m_goOnButton = new QPushButton(tr("Go on"), this);
+    m_goOnButton->setToolTip(tr("Leave it as it is and work on (Esc)"));
+    m_goOnButton->setAccessibleName(m_goOnButton->text());
+    m_goOnButton->setObjectName(QStringLiteral("goOn"));
     buttons->addWidget(m_takeBack);
-    buttons->addWidget(m_goOn);
+    buttons->addWidget(m_goOnButton);
     buttons->addStretch(1);
     column->addLayout(buttons);
     row->addLayout(column, 1);
@@ -123,11 +123,14 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
         hide();
         emit takeBackWanted();
     });
-    connect(m_goOn, &QPushButton::clicked, this, [this] {
-        hide();
-        emit goOnWanted();
-    });
+    connect(m_goOnButton, &QPushButton::clicked, this, &InfractionCard::goOn);
     hide();
+}
+
+void InfractionCard::goOn()
+{
+    hide();
+    emit goOnWanted();
 }
 
 void InfractionCard::tell(const core::grading::Infraction& infraction, bool canTakeBack)
@@ -139,7 +142,7 @@ void InfractionCard::tell(const core::grading::Infraction& infraction, bool canT
     setAccessibleDescription(m_why->text());
     show();
     raise();
-    (canTakeBack ? m_takeBack : m_goOn)->setFocus();
+    (canTakeBack ? m_takeBack : m_goOnButton)->setFocus();
 }
 
 void InfractionCard::placeIn(const QRect& area)
@@ -151,10 +154,8 @@ void InfractionCard::placeIn(const QRect& area)
 
 void InfractionCard::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape)
-        m_goOn->click();
-    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
-        (m_goOn->hasFocus() || m_takeBack->isHidden() ? m_goOn : m_takeBack)->click();
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        (m_goOnButton->hasFocus() || m_takeBack->isHidden() ? m_goOnButton : m_takeBack)->click();
     else
         QFrame::keyPressEvent(event);
 }

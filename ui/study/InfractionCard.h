@@ -20,6 +20,8 @@ public:
 
     /// @param canTakeBack  there is a moment before it to go back to
     void tell(const core::grading::Infraction& infraction, bool canTakeBack);
+    /// As its button: leaves it as it is.
+    void goOn();
     /// In the middle of the lower part of `area`.
     void placeIn(const QRect& area);
 
@@ -34,7 +36,7 @@ private:
     QLabel* m_what = nullptr;
     QLabel* m_why = nullptr;
     QPushButton* m_takeBack = nullptr;
-    QPushButton* m_goOn = nullptr;
+    QPushButton* m_goOnButton = nullptr;
 };
 
 /// "Pulp opened", with the value against the limit where there is one.
