@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
 
-#include <algorithm>
-
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
@@ -350,22 +348,15 @@ void Application::watchAttempt()
     if (m_assignment.lesson->exam)
         return;
     const core::grading::Infraction& newest = findings.infractions.back();
-    const std::vector<core::history::MomentInfo> history = m_session.historySoFar();
-    const bool canTakeBack = std::any_of(history.begin(), history.end(), [&](const core::history::MomentInfo& moment) {
-        return moment.tick < newest.tick;
-    });
+    const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), newest.tick).has_value();
     m_window->tellInfraction(newest, canTakeBack);
 }
 
-/// To the last moment before a tick.
+/// To the last moment before a tick, on the way that led here.
 void Application::takeBack(std::uint64_t tick)
 {
-    std::optional<core::history::MomentInfo> last;
-    for (const core::history::MomentInfo& moment : m_session.historySoFar())
-        if (moment.tick < tick && (!last || moment.tick >= last->tick))
-            last = moment;
-    if (last)
-        static_cast<void>(m_links.commands.tryPush(core::session::GoTo{last->id}));
+    if (const auto last = core::history::lastBefore(m_session.historySoFar(), tick))
+        static_cast<void>(m_links.commands.tryPush(core::session::GoTo{*last}));
 }
 
 void Application::grade()

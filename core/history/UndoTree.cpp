@@ -157,4 +157,13 @@ bool UndoTree::forgetOne()
     return false;
 }
 
+std::optional<MomentId> lastBefore(std::span<const MomentInfo> moments, std::uint64_t tick)
+{
+    auto at = std::find_if(moments.begin(), moments.end(), [](const MomentInfo& moment) { return moment.isCurrent; });
+    while (at != moments.end() && at->tick >= tick)
+        at = std::find_if(moments.begin(), moments.end(),
+                          [parent = at->parent](const MomentInfo& moment) { return moment.id == parent; });
+    return at == moments.end() ? std::nullopt : std::optional(at->id);
+}
+
 }  // namespace core::history

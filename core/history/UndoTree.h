@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -33,6 +35,10 @@ struct MomentInfo
     Removed removed{};
     bool operator==(const MomentInfo&) const = default;
 };
+
+/// Of a tree's moments (UndoTree::list), the last on the way to the present one at which fewer ticks were over; nothing
+/// where there is none. A moment of another branch is never meant, be it ever so recent.
+[[nodiscard]] std::optional<MomentId> lastBefore(std::span<const MomentInfo> moments, std::uint64_t tick);
 
 /// The moments between strokes and a place among them. Every moment but the first follows from another; a stroke after
 /// an undo begins a branch, and what was undone stays beside it.

@@ -68,6 +68,7 @@ private slots:
     void patchesAreTheWholeDifference();
     void goesBackAndForth();
     void strokeAfterUndoBeginsABranch();
+    void theLastBeforeATickLiesOnTheWayHere();
     void redoFollowsTheWayLastGone();
     void goesToAnyMoment();
     void countsSharedTilesOnce();
@@ -177,6 +178,24 @@ void TestUndoTree::strokeAfterUndoBeginsABranch()
     // Nothing is lost: the other branch is as it was.
     QCOMPARE(tree.find(MomentId{5})->top.flat(), flat(-4.0F).flat());
     QVERIFY(tree.find(MomentId{7}) == nullptr);
+}
+
+void TestUndoTree::theLastBeforeATickLiesOnTheWayHere()
+{
+    UndoTree tree;
+    tree.restart({TiledHeights{}, 0});
+    tree.push({TiledHeights{}, 100});
+    const auto left = tree.currentId();
+    QVERIFY(tree.undo());
+    const auto first = tree.currentId();
+    tree.push({TiledHeights{}, 300});
+    const auto here = tree.currentId();
+    // At tick 250 the tooth had been whole again: what was cut at 100 lies on another branch, though it is more recent.
+    QCOMPARE(history::lastBefore(tree.list(), 250), std::optional(first));
+    QVERIFY(history::lastBefore(tree.list(), 250) != std::optional(left));
+    QCOMPARE(history::lastBefore(tree.list(), 301), std::optional(here));
+    QVERIFY(!history::lastBefore(tree.list(), 0).has_value());
+    QVERIFY(!history::lastBefore({}, 5).has_value());
 }
 
 void TestUndoTree::redoFollowsTheWayLastGone()
