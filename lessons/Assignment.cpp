@@ -97,10 +97,11 @@ core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const cor
 
 core::Result<core::teeth::BlockDesign> designOf(const Block& block)
 {
-    auto found = core::teeth::findBlock("block:" + block.shape);
-    if (!found || !*found)
-        return tl::unexpected(found->error());
-    core::teeth::BlockDesign design = **found;
+    // What begins like this is a block or an error, never nothing.
+    auto found = core::teeth::findBlock("block:" + block.shape).value();
+    if (!found)
+        return tl::unexpected(found.error());
+    core::teeth::BlockDesign design = *found;
     for (const auto& [id, value] : block.sizes)
         if (auto set = core::setNumber(core::teeth::blockFields(), design, id, value); !set)
             return tl::unexpected(set.error());

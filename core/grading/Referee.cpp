@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/grading/Columns.h"
 #include "core/teeth/Lattice.h"
 
 namespace core::grading {
@@ -19,11 +20,6 @@ using terrain::ToothAnatomy;
 constexpr float kScratchMm = 0.1F;
 /// Looking for holes floods the whole tooth, so it is done this often at most.
 constexpr std::uint64_t kTicksBetweenHoles = 50;
-
-bool isSolid(const ToothAnatomy& anatomy, std::size_t k)
-{
-    return anatomy.top[k] > anatomy.bottom[k];
-}
 
 /// How far each column lies outside what the ideal cuts; 0 inside.
 std::vector<float> besideOf(const ToothAnatomy& anatomy, const std::vector<float>& ideal)
@@ -43,7 +39,7 @@ std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
     int last = -1;
     for (int j = 0; j < grid.side; ++j)
         for (int i = 0; i < grid.side; ++i)
-            if (isSolid(anatomy, grid.index(i, j))) {
+            if (wasSolid(anatomy, grid.index(i, j))) {
                 first = std::min(first, j);
                 last = std::max(last, j);
             }
@@ -52,7 +48,7 @@ std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
         int low = grid.side;
         int high = -1;
         for (int i = 0; i < grid.side; ++i)
-            if (isSolid(anatomy, grid.index(i, j))) {
+            if (wasSolid(anatomy, grid.index(i, j))) {
                 low = std::min(low, i);
                 high = std::max(high, i);
             }
@@ -132,9 +128,9 @@ void Referee::lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth&
     for (int j = rect.j0; j <= rect.j1; ++j) {
         for (int i = rect.i0; i <= rect.i1; ++i) {
             const std::size_t k = grid.index(i, j);
-            if (!isSolid(*m_anatomy, k))
+            if (!wasSolid(*m_anatomy, k))
                 continue;
-            const float end = tooth.isSolid(k) ? tooth.top[k] : m_anatomy->bottom[k];
+            const float end = endOf(tooth, k);
             if (m_rules.perforated && !tooth.isSolid(k) && !standing(Breach::Perforated))
                 m_mayBeHole = true;
             if (m_rules.pulpExposed && terrain::hasPulp(*m_anatomy, k) && end <= m_anatomy->layers[k].pulpRoof)
