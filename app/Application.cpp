@@ -13,6 +13,7 @@
 
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
+#include "core/guidance/Fixture.h"
 #include "core/recording/Replay.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -136,6 +137,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
             m_replay->setSpeed(times);
     });
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
+    connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
@@ -334,6 +336,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_settings = settings;
     m_window->setAssignment(m_assignment);
     m_window->setHandpieces(m_settings.handpieces);
+    holdHand(false);
     m_ownGeneration = ++m_generation;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
@@ -362,6 +365,17 @@ void Application::watchAttempt()
     const core::grading::Infraction& newest = findings.infractions.back();
     const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), newest.tick).has_value();
     m_window->tellInfraction(newest, canTakeBack);
+}
+
+/// Within the outline of what is to be cut, or nowhere.
+void Application::holdHand(bool wanted)
+{
+    const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
+    std::unique_ptr<const core::guidance::Fixture> fixture;
+    if (ideal)
+        fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
+    if (m_links.commands.tryPush(core::session::SetFixture{fixture.get()}))
+        static_cast<void>(fixture.release());  // the session owns it now
 }
 
 /// To the last moment before a tick, on the way that led here.

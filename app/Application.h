@@ -60,6 +60,7 @@ private:
     void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
              const QStringList& notes, bool unitInDoubt);
     void watchAttempt();
+    void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);

@@ -421,6 +421,10 @@
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
         <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
     </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation>Der Umriss hält Ihre Hand: Q lässt sie los.</translation>
+    </message>
 </context>
 <context>
     <name>Lesson</name>
@@ -1300,6 +1304,23 @@
         <source>Take this handpiece</source>
         <translation>Dieses Handstück nehmen</translation>
     </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation>Bohrer färben</translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation>Den Bohrer danach färben, wie nah er dem ist, was bleiben soll</translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation>Geführte Hand</translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
+        <translation>Eine sanfte Kraft hält die Hand im Umriss</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1906,6 +1927,7 @@
     </message>
     <message>
         <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
         <translation>Restkaries</translation>
     </message>
     <message>
@@ -1957,7 +1979,6 @@
     </message>
     <message>
         <source>beside the decay</source>
-        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
         <translation>neben der Karies</translation>
     </message>
     <message>
@@ -1984,6 +2005,23 @@
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
         <translation>U/min</translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation>Bis zur Grenze</translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation>Noch abzutragen</translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
+        <translation>über das Ideal hinaus</translation>
     </message>
 </context>
 <context>

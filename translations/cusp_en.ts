@@ -421,6 +421,10 @@
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Lesson</name>
@@ -1300,6 +1304,23 @@
         <source>Take this handpiece</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1906,6 +1927,7 @@
     </message>
     <message>
         <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1957,7 +1979,6 @@
     </message>
     <message>
         <source>beside the decay</source>
-        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1983,6 +2004,23 @@
     <message>
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -95,6 +95,8 @@ private slots:
     void theXrayPageOpensAndSaves();
     void oneOfTheDepthColoursIsShown();
     void theAidsInUseAreNoted();
+    void theBurTellsHowNearItIs();
+    void aHandIsHeldOnRequest();
     void aBreachStopsTheBurAndIsExplained();
     void whatALessonLocksRests();
     void helpListsEveryAction();
@@ -742,6 +744,51 @@ void TestMainWindow::theAidsInUseAreNoted()
     QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
     QTest::qWait(250);
     QVERIFY2(!aidsNoted().has_value(), "said once");
+}
+
+void TestMainWindow::theBurTellsHowNearItIs()
+{
+    const auto shown = [this] { return child<TabularLabel>("marginFigure")->text(); };
+    ServoState servo;
+    servo.tick = 1;
+    servo.toothGeneration = 1;
+    servo.anchorMm = {support::kLesionX, support::kLesionY, 20.0};
+    const auto whenAt = [&](double z) {
+        servo.anchorMm.z = z;
+        publish(servo, {});
+        QTest::qWait(250);
+        return shown();
+    };
+    const QString nothing = whenAt(20.0);
+    press(Qt::Key_A);
+    QCOMPARE(whenAt(20.0), nothing);
+    // Deep in what is to be kept beside the decay.
+    servo.anchorMm.x += 3.0;
+    const QString inside = whenAt(-3.0);
+    QVERIFY2(inside.startsWith(QChar(0x2212)), qPrintable(inside));
+    QVERIFY((aidsNoted().value_or(0) & kBurColourAid) != 0);
+    lessons::Aids aids;
+    aids.burColour = false;
+    m_window->setAids(aids);
+    QCOMPARE(whenAt(-3.0), nothing);
+    QVERIFY(!actions().burColour->isEnabled());
+    m_window->setAids({});
+    press(Qt::Key_A);
+    QCOMPARE(whenAt(-3.0), nothing);
+}
+
+void TestMainWindow::aHandIsHeldOnRequest()
+{
+    QSignalSpy wanted(m_window.get(), &MainWindow::fixtureWanted);
+    press(Qt::Key_Q);
+    press(Qt::Key_Q);
+    QCOMPARE(wanted.count(), 2);
+    QVERIFY(wanted.front().front().toBool() && !wanted.back().front().toBool());
+    lessons::Aids aids;
+    aids.fixture = false;
+    m_window->setAids(aids);
+    press(Qt::Key_Q);
+    QCOMPARE(wanted.count(), 2);
 }
 
 void TestMainWindow::aBreachStopsTheBurAndIsExplained()

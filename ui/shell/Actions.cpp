@@ -98,6 +98,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     idealColours = choice("ideal", tr("Colours against the ideal"),
                           tr("Colour what is too deep and what is still to go, and tell it under the pointer"),
                           {Qt::SHIFT | Qt::Key_K});
+    //: The bur tells by its colour how near it is to what is to be kept
+    burColour = choice("target", tr("Colour the bur"), tr("Colour the bur by how near it is to what is to be kept"),
+                       {Qt::Key_A});
+    fixture = choice("rail", tr("Guided hand"), tr("Let a gentle force hold the hand within the outline"), {Qt::Key_Q});
     neighbours =
         choice("mouth", tr("Neighbouring teeth"), tr("Show the teeth beside this one, and the gum"), {Qt::Key_N});
     handPlace = choice("ghost", tr("Where the hand is"), tr("Show faintly where the hand holds the bur"), {Qt::Key_B});

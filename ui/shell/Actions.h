@@ -60,6 +60,8 @@ public:
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;
     QAction* idealColours = nullptr;
+    QAction* burColour = nullptr;
+    QAction* fixture = nullptr;  ///< checkable: the outline holds the hand
     QAction* handPlace = nullptr;
     QAction* neighbours = nullptr;
     QAction* distinctColours = nullptr;

@@ -43,12 +43,14 @@
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
+#include "ui/study/Limit.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
 namespace {
 
 /// How long the servo may take to follow a wish before its own word counts again.
+constexpr qint64 kGuideEveryMs = 100;
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
@@ -184,6 +186,7 @@ void MainWindow::connectActions()
     on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
+    on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
     on(m_actions->otherHand, [this](bool left) {
@@ -275,6 +278,8 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->radiograph, aids.radiograph);
     Actions::setAllowed(m_actions->depthColours, aids.heatMap);
     Actions::setAllowed(m_actions->mirror, aids.mirror);
+    Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
+    Actions::setAllowed(m_actions->fixture, aids.fixture);
     m_room->panel().setDepthGauge(aids.depthGauge);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -366,6 +371,7 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
         reading.dentinOverPulpMm.reset();
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
+    guide(servo);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -385,6 +391,26 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     if (servo.handpieceIndex < m_handpieces.size() && mayAnswer(m_handpieceWish, servo.handpieceIndex))
         if (const int shipped = m_handpieces[servo.handpieceIndex]; shipped >= 0)
             m_actions->handpieces[shipped]->setChecked(true);
+}
+
+/// How near the bur is to what is to be kept, and how far the work has come, ten times a second.
+void MainWindow::guide(const core::session::ServoState& servo)
+{
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    if (tooth == nullptr || m_ideal == nullptr || !m_aids.ideal || servo.tick == 0) {
+        m_view->setBurTint({});
+        m_room->panel().setGuide({}, {});
+        return;
+    }
+    std::optional<double> marginMm;
+    if (m_viewMenu->settings().showsMargin && servo.burIndex < core::drilling::burs().size())
+        marginMm =
+            core::guidance::marginMm(*tooth->anatomy, *m_ideal, core::drilling::burs()[servo.burIndex], servo.anchorMm);
+    m_view->setBurTint(study::limitColour(marginMm));
+    if (m_sinceGuide.isValid() && m_sinceGuide.elapsed() < kGuideEveryMs)
+        return;
+    m_sinceGuide.start();
+    m_room->panel().setGuide(marginMm, core::guidance::progressOf(*tooth->anatomy, *m_ideal, tooth->top));
 }
 
 void MainWindow::takeSession()
@@ -416,6 +442,8 @@ void MainWindow::tellAids()
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
         inUse(m_actions->mirror->isChecked(), kMirrorAid) |
+        inUse(m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
+        inUse(m_actions->fixture->isChecked(), kFixtureAid) |
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
@@ -543,6 +571,9 @@ void MainWindow::enableActions()
     m_actions->idealColours->setEnabled(m_actions->idealColours->isEnabled() && m_aids.heatMap && m_aids.ideal &&
                                         m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
+    const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
+    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && m_aids.burColour && seesIdeal);
+    m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
@@ -711,6 +742,8 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
+    m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
+    m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     if (!assignment.lesson)
         return;

@@ -133,6 +133,8 @@ signals:
     void resumeRequested();
     void discardRequested();
     void replayStopRequested();
+    /// Whether a force shall hold the hand within what is to be cut. Off with every new tooth.
+    void fixtureWanted(bool wanted);
     void replayPauseRequested(bool paused);
     /// So many times as fast as the recording was made. Every replay begins with 1.
     void replaySpeedChosen(int times);
@@ -160,6 +162,7 @@ private:
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
     void tellAids();
+    void guide(const core::session::ServoState& servo);
     void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
@@ -222,8 +225,9 @@ private:
     Wish m_drillWish;
     Wish m_burWish;
     Wish m_handpieceWish;
-    std::vector<int> m_handpieces;     ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
-    bool m_infractionStopped = false;  ///< the bur turned when it was told
+    std::vector<int> m_handpieces;  ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
+    QElapsedTimer m_sinceGuide;
+    bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
