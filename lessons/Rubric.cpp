@@ -91,11 +91,6 @@ Criterion judge(const CriterionRule& rule, const Values& values)
     return line;
 }
 
-int tenths(double points)
-{
-    return static_cast<int>(std::lround(points));
-}
-
 }  // namespace
 
 Values valuesOf(const core::grading::Measured& measured)
@@ -134,6 +129,12 @@ core::Status check(const Rubric& rubric)
     return {};
 }
 
+int lostAlone(const Criterion& line, Verdict verdict)
+{
+    const int stake = verdict == Verdict::SumOfErrors ? line.weightTenths : kFullTenths;
+    return static_cast<int>(std::lround(stake * line.share));
+}
+
 ScoreSheet grade(const Rubric& rubric, const Values& values)
 {
     ScoreSheet sheet;
@@ -150,12 +151,12 @@ ScoreSheet grade(const Rubric& rubric, const Values& values)
         if (line.critical)
             continue;
         if (rubric.verdict == Verdict::SumOfErrors)
-            line.lostTenths = tenths(line.weightTenths * line.share);
+            line.lostTenths = lostAlone(line, rubric.verdict);
         else if (worst == nullptr || line.share > worst->share)
             worst = &line;
     }
     if (worst != nullptr)
-        worst->lostTenths = tenths(kFullTenths * worst->share);
+        worst->lostTenths = lostAlone(*worst, rubric.verdict);
     int left = kFullTenths;
     for (const Criterion& line : sheet.criteria)
         left -= line.lostTenths;
