@@ -13,8 +13,8 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/TabularLabel.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using ui::shell::MainWindow;
@@ -176,12 +176,12 @@ void TestApplication::theSameWorkIsGradedOnce()
     };
     const auto grade = [this] {
         actions().grade->trigger();
-        QVERIFY(child<ui::shell::ScorePage>()->isVisible());
+        QVERIFY(child<ui::study::ScorePage>()->isVisible());
         actions().back->trigger();
     };
     // A whole tooth is no attempt.
     actions().grade->trigger();
-    QVERIFY(!child<ui::shell::ScorePage>()->isVisible());
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
     QVERIFY(message().contains("not ready") || message().contains("Nothing has been cut"));
     QCOMPARE(rows(), std::size_t(0));
     drillAt({-2.0, 1.0, -1.0});

@@ -13,7 +13,7 @@ class HistoryChart : public QWidget
 public:
     explicit HistoryChart(QWidget* parent);
     void setScores(const QList<int>& tenthsOldestFirst, int passMarkTenths);
-    [[nodiscard]] QSize sizeHint() const override { return {240, 200}; }
+    [[nodiscard]] QSize sizeHint() const override { return {240, 104}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/ScorePage.h"
+#include "ui/study/ScorePage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include <QDateTime>
@@ -10,26 +11,30 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
 #include "ui/shell/LineIcon.h"
-#include "ui/shell/PictureFrame.h"
 #include "ui/shell/ScoreBar.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/CriterionRow.h"
+#include "ui/study/HeatMap.h"
+#include "ui/study/WorstSection.h"
 #include "ui/text/Texts.h"
 
-namespace ui::shell {
+namespace ui::study {
 namespace {
 
-constexpr int kResultWidthPx = 320;
-constexpr int kWidestPx = 1160;
-constexpr int kNarrowestBesidePx = 940;
-constexpr qsizetype kListed = 5;
+using namespace ui::shell;
+
+constexpr int kWidestPx = 1720;
+constexpr int kNarrowestBesidePx = 1180;
+constexpr qsizetype kListed = 4;
 constexpr std::size_t kShownHash = 12;
 constexpr qsizetype kCharted = 12;
 
@@ -48,11 +53,6 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
-QString signedPoints(int lostTenths)
-{
-    return lostTenths == 0 ? QStringLiteral("0") : QChar(0x2212) + text::points(lostTenths);
-}
-
 QString expectation(int expectedTenths, int totalTenths)
 {
     const int gap = expectedTenths - totalTenths;
@@ -65,9 +65,10 @@ QString expectation(int expectedTenths, int totalTenths)
 }
 
 /// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
-QString rubricWords(const lessons::ScoreSheet& sheet)
+QString rubricWords(const ::lessons::ScoreSheet& sheet)
 {
-    const QString name = QString::fromStdString(lessons::inLanguage(sheet.rubricTitle, QLocale().name().toStdString()));
+    const QString name =
+        QString::fromStdString(::lessons::inLanguage(sheet.rubricTitle, QLocale().name().toStdString()));
     //: %1 is the name of a rubric, %2 its version, %3 the beginning of its hash
     return ScorePage::tr("Marked by \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured: the "
                          "model is a height field.")
@@ -85,11 +86,24 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
     m_cards = new QGridLayout(block);
     m_cards->setContentsMargins(0, 0, 0, 0);
     m_cards->setSpacing(kSpace4);
-    m_cards->setColumnStretch(1, 1);
     m_resultCard = makeResult();
     m_criteriaCard = makeCriteria();
+    m_placeCard = makePlace();
     m_historyCard = makeHistory();
-    arrange(true);
+    connect(actions.distinctColours, &QAction::toggled, this, [this](bool distinct) {
+        m_heat->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
+        m_section->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
+    });
+    arrange();
+
+    auto* content = new QWidget(this);
+    auto* row = new QHBoxLayout(content);
+    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    row->addStretch(1);
+    row->addWidget(block, 1000);
+    row->addStretch(1);
+    body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
     buttons->addStretch(1);
@@ -97,45 +111,34 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
     buttons->addWidget(pageButton(actions.reload, "", this));
     m_back = pageButton(actions.back, "filled", this);
     buttons->addWidget(m_back);
-    m_cards->addLayout(buttons, 3, 0, 1, 2);
-
-    auto* content = new QWidget(this);
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(kSpace6, 0, kSpace6, kSpace2);
-    column->addStretch(1);
-    auto* row = new QHBoxLayout;
-    row->addStretch(1);
-    row->addWidget(block, 1000);
-    row->addStretch(1);
-    column->addLayout(row);
-    column->addStretch(2);
-
-    body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+    body()->addLayout(buttons);
 }
 
-void ScorePage::arrange(bool beside)
+void ScorePage::arrange()
 {
-    for (QWidget* card : {m_resultCard, m_criteriaCard, m_historyCard})
+    const bool beside = width() >= kNarrowestBesidePx && m_scored;
+    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard})
         m_cards->removeWidget(card);
+    m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside) {
-        m_cards->addWidget(m_resultCard, 0, 0, 2, 1);
-        m_cards->addWidget(m_criteriaCard, 0, 1);
-        m_cards->addWidget(m_historyCard, 1, 1);
+        m_cards->addWidget(m_criteriaCard, 1, 0, 2, 1);
+        m_cards->addWidget(m_placeCard, 1, 1);
+        m_cards->addWidget(m_historyCard, 2, 1);
     } else {
-        m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
         m_cards->addWidget(m_criteriaCard, 1, 0, 1, 2);
-        m_cards->addWidget(m_historyCard, 2, 0, 1, 2);
+        m_cards->addWidget(m_placeCard, 2, 0, 1, 2);
+        m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
     }
+    m_placeCard->setVisible(m_scored.has_value());
+    m_cards->setColumnStretch(0, beside ? 4 : 1);
+    m_cards->setColumnStretch(1, beside ? 5 : 0);
     m_cards->setRowStretch(1, beside ? 1 : 0);
-    m_result->setDirection(beside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    m_resultCard->setMinimumWidth(beside ? kResultWidthPx : 0);
-    m_resultCard->setMaximumWidth(beside ? kResultWidthPx : QWIDGETSIZE_MAX);
 }
 
 void ScorePage::resizeEvent(QResizeEvent* event)
 {
     Page::resizeEvent(event);
-    arrange(width() >= kNarrowestBesidePx);
+    arrange();
 }
 
 void ScorePage::showEvent(QShowEvent* event)
@@ -144,41 +147,43 @@ void ScorePage::showEvent(QShowEvent* event)
     m_back->setFocus();
 }
 
+/// What it came to, in one line: points, verdict, how near the pass mark, what was expected.
 QWidget* ScorePage::makeResult()
 {
     QFrame* frame = card(this);
-    m_result = new QBoxLayout(QBoxLayout::TopToBottom, frame);
-    m_result->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
-    m_result->setSpacing(kSpace4);
-    auto* column = new QVBoxLayout;
-    column->setSpacing(kSpace2);
-    m_result->addLayout(column);
-
+    auto* row = new QHBoxLayout(frame);
+    row->setContentsMargins(kSpace6, kSpace2, kSpace6, kSpace2);
+    row->setSpacing(2 * kSpace6);
     m_total = new TabularLabel(frame);
     m_total->setFont(typeface(kHero, QFont::DemiBold));
     m_total->setObjectName(QStringLiteral("total"));
-    column->addWidget(m_total);
+    row->addWidget(m_total);
 
+    auto* verdictColumn = new QVBoxLayout;
+    verdictColumn->setSpacing(kSpace2);
     auto* verdict = new QHBoxLayout;
     verdict->setSpacing(kSpace2);
     m_verdictIcon = new QLabel(frame);
     m_verdict = label({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
-    m_verdict->setWordWrap(true);
     m_verdict->setObjectName(QStringLiteral("verdict"));
     verdict->addWidget(m_verdictIcon);
     verdict->addWidget(m_verdict, 1);
-    column->addLayout(verdict);
-    column->addSpacing(kSpace2);
+    verdictColumn->addStretch(1);
+    verdictColumn->addLayout(verdict);
     m_bar = new ScoreBar(frame);
-    column->addWidget(m_bar);
+    verdictColumn->addWidget(m_bar);
+    verdictColumn->addStretch(1);
+    row->addLayout(verdictColumn, 2);
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(kSpace1);
     m_expected = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     m_expected->setWordWrap(true);
     m_expected->setObjectName(QStringLiteral("expectation"));
-    column->addWidget(m_expected);
-    column->addStretch(1);
-    m_picture = new PictureFrame(frame);
-    m_picture->setAccessibleName(tr("Picture of the tooth as graded"));
-    m_result->addWidget(m_picture, 1);
+    words->addStretch(1);
+    words->addWidget(m_expected);
+    words->addStretch(1);
+    row->addLayout(words, 3);
     return frame;
 }
 
@@ -186,24 +191,61 @@ QWidget* ScorePage::makeCriteria()
 {
     QFrame* frame = card(this);
     auto* column = new QVBoxLayout(frame);
-    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    column->addWidget(label(tr("How the grade was worked out"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    QLabel* title = label(tr("Where the points went"), kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    title->setContentsMargins(kSpace2, 0, 0, 0);
+    column->addWidget(title);
     m_criteriaSlot = new QVBoxLayout;
     column->addLayout(m_criteriaSlot);
+
+    m_looking = new QWidget(frame);
+    auto* looking = new QVBoxLayout(m_looking);
+    looking->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    looking->setSpacing(kSpace1);
+    looking->addWidget(label(tr("Finding the moment of each lost point …"), kSmall, QFont::Normal,
+                             QPalette::PlaceholderText, m_looking));
+    m_progress = new QProgressBar(m_looking);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Finding the moment of each lost point"));
+    looking->addWidget(m_progress);
+    m_looking->hide();
+    column->addWidget(m_looking);
+
+    column->addStretch(1);
     column->addWidget(line(frame));
-    auto* sum = new QHBoxLayout;
-    sum->addWidget(label(tr("Sum"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
-    sum->addStretch(1);
-    m_sum = label({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
+    m_sum = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    m_sum->setWordWrap(true);
+    m_sum->setAlignment(Qt::AlignRight);
+    m_sum->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_sum->setObjectName(QStringLiteral("sum"));
-    sum->addWidget(m_sum);
-    column->addLayout(sum);
+    column->addWidget(m_sum);
     m_rubric = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
     m_rubric->setWordWrap(true);
+    m_rubric->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_rubric->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_rubric->setObjectName(QStringLiteral("rubric"));
     column->addWidget(m_rubric);
+    return frame;
+}
+
+QWidget* ScorePage::makePlace()
+{
+    QFrame* frame = card(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
+    m_place = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    m_place->setWordWrap(true);
+    m_place->setObjectName(QStringLiteral("place"));
+    column->addWidget(m_place);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace2);
+    m_heat = new HeatMap(frame);
+    m_section = new WorstSection(frame);
+    row->addWidget(m_heat, 1);
+    row->addWidget(m_section, 1);
+    column->addLayout(row, 1);
     return frame;
 }
 
@@ -211,8 +253,8 @@ QWidget* ScorePage::makeHistory()
 {
     QFrame* frame = card(this);
     auto* column = new QVBoxLayout(frame);
-    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
-    column->setSpacing(kSpace4);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
     column->addWidget(label(tr("Grades before"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
     m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
@@ -228,9 +270,9 @@ QWidget* ScorePage::makeHistory()
     return frame;
 }
 
-void ScorePage::setScore(const QString& work, const lessons::ScoreSheet& sheet,
-                         const QList<database::AttemptRecord>& history, const QImage& picture,
-                         std::optional<int> expectedTenths)
+void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
+                         const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
+                         const std::optional<ScoredWork>& scored)
 {
     //: %1 is a lesson, "Tooth 36" or a file name
     setTitle(tr("Grade: %1").arg(work));
@@ -250,60 +292,82 @@ void ScorePage::setScore(const QString& work, const lessons::ScoreSheet& sheet,
                                                                    : tone.attention,
                                         26, devicePixelRatioF()));
     m_bar->setScore(sheet.totalTenths, sheet.passMarkTenths);
-    m_picture->setPicture(picture);
+    m_scored = scored;
+    if (m_scored) {
+        m_heat->setWork(*m_scored);
+        m_section->setWork(*m_scored);
+    }
+    arrange();
+    setMomentsProgress({});
     fillCriteria(sheet);
     fillHistory(history, sheet.totalTenths, sheet.passMarkTenths);
 }
 
-void ScorePage::fillCriteria(const lessons::ScoreSheet& sheet)
+void ScorePage::setMomentsProgress(std::optional<double> share)
+{
+    m_looking->setVisible(share.has_value());
+    if (share)
+        m_progress->setValue(static_cast<int>(std::lround(100.0 * *share)));
+}
+
+void ScorePage::setMoments(const std::vector<std::vector<::lessons::Moment>>& moments)
+{
+    setMomentsProgress({});
+    for (qsizetype k = 0; k < std::min(m_rows.size(), static_cast<qsizetype>(moments.size())); ++k)
+        m_rows[k]->setMoments(moments[static_cast<std::size_t>(k)]);
+}
+
+void ScorePage::fillCriteria(const ::lessons::ScoreSheet& sheet)
 {
     delete m_criteria;
+    m_rows.clear();
     m_criteria = new QWidget(this);
-    auto* grid = new QGridLayout(m_criteria);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kSpace6);
-    grid->setVerticalSpacing(kSpace1);
-    grid->setColumnStretch(0, 1);
-    const Tones tone = tones(palette());
-    int row = 0;
-    for (const lessons::Criterion& criterion : sheet.criteria) {
-        grid->addWidget(line(m_criteria), row++, 0, 1, 3);
-        auto* measured = new TabularLabel(m_criteria);
-        measured->setFont(typeface(kBody));
-        measured->setAlignment(Qt::AlignRight);
-        measured->setText(text::criterionMeasured(criterion));
-        if (criterion.measure == "sound_overcut_mm3")
-            measured->setToolTip(brokenIntoLines(text::soundTissueCounted()));
-        if (criterion.measure == "pulp_exposed_mm2")
-            measured->setToolTip(
-                brokenIntoLines(tr("The area that lies open, seen from above. The volume that was cut away stands "
-                                   "beside the tooth, in mm³.")));
-        auto* lost = new TabularLabel(m_criteria);
-        lost->setFont(typeface(kTitle, QFont::DemiBold));
-        lost->setAlignment(Qt::AlignRight);
-        lost->setMinimumWidth(48);
-        lost->setText(signedPoints(criterion.lostTenths));
-        lost->setColour(criterion.lostTenths > 0 ? criterion.critical ? tone.harmText : tone.attentionText
-                                                 : palette().color(QPalette::PlaceholderText));
-        lost->setObjectName(QStringLiteral("lost_") + QString::fromStdString(criterion.id));
-        //: Tooltip on the points of one criterion
-        lost->setToolTip(criterion.critical
-                             ? tr("Fails the attempt and takes all points that are left")
-                             : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
-        grid->addWidget(label(text::criterionName(criterion), kBody, QFont::Medium, QPalette::WindowText, m_criteria),
-                        row, 0);
-        grid->addWidget(measured, row, 1);
-        grid->addWidget(lost, row, 2, 2, 1, Qt::AlignVCenter | Qt::AlignRight);
-        auto* worked = label(text::criterionWorked(criterion, sheet.verdict), kSmall, QFont::Normal,
-                             QPalette::PlaceholderText, m_criteria);
-        worked->setWordWrap(true);
-        worked->setObjectName(QStringLiteral("worked_") + QString::fromStdString(criterion.id));
-        grid->addWidget(worked, row + 1, 0, 1, 2);
-        grid->setRowMinimumHeight(row + 1, 24);
-        row += 2;
+    auto* column = new QVBoxLayout(m_criteria);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    CriterionRow* worst = nullptr;
+    for (const ::lessons::Criterion& criterion : sheet.criteria) {
+        auto* row = new CriterionRow(criterion, sheet.verdict, m_criteria);
+        connect(row, &CriterionRow::momentWanted, this, &ScorePage::momentWanted);
+        connect(row, &CriterionRow::toggled, this, [this, row](bool chosen) {
+            if (chosen)
+                showPlace(*row);
+        });
+        column->addWidget(row);
+        m_rows << row;
+        if (worst == nullptr || criterion.lostTenths > worst->criterion().lostTenths)
+            worst = row;
     }
     m_criteriaSlot->addWidget(m_criteria);
     m_sum->setText(text::scoreSum(sheet));
+    if (worst != nullptr)
+        worst->setChecked(true);
+}
+
+/// Where this criterion is worst; where it has no place, where the work is farthest off the ideal.
+void ScorePage::showPlace(const CriterionRow& row)
+{
+    if (!m_scored)
+        return;
+    const auto measure = core::grading::findMeasure(row.criterion().measure);
+    const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
+    const auto node = own ? own : farthestOff(*m_scored);
+    const QString name = text::criterionName(row.criterion());
+    if (!node) {
+        m_place->setText(tr("The work is everywhere as it ought to be"));
+    } else {
+        const double above = static_cast<double>(aboveIdeal(*m_scored, *node));
+        const QString mm = text::number(std::abs(above), 2);
+        const QString off = above < 0.0 ? tr("%1 mm too deep").arg(mm) : tr("%1 mm still to go").arg(mm);
+        //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
+        m_place->setText(own ? tr("%1: the worst place, %2").arg(name, off)
+                             //: The same for a criterion like time, which has no place on the tooth
+                             : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
+    }
+    const core::imaging::SectionPlane plane =
+        node ? planeThrough(*m_scored, *node) : core::imaging::SectionPlane{m_scored->tooth->grid().middleMm(), 0.0};
+    m_heat->setMark(node, plane);
+    m_section->setMark(node, plane);
 }
 
 void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int total, int passMark)
@@ -344,4 +408,4 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int t
     m_listSlot->addWidget(m_list);
 }
 
-}  // namespace ui::shell
+}  // namespace ui::study
