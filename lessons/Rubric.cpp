@@ -8,6 +8,10 @@
 namespace lessons {
 namespace {
 
+/// What is no larger comes from rounding and is no error: in units of the measure, and of the numbers that went in.
+constexpr double kRoundingUnits = 1.0e-9;
+constexpr double kRoundingShare = 1.0e-14;
+
 std::string in(const Rubric& rubric, const CriterionRule& rule, const char* key)
 {
     return "rubric " + rubric.id + ", criterion " + rule.id + ", " + key + ": ";
@@ -85,7 +89,11 @@ Criterion judge(const CriterionRule& rule, const Values& values)
         return line;
     }
     line.measured = value->second;
-    line.error = std::max(0.0, offTarget(rule, value->second) - line.tolerance);
+    const double error = offTarget(rule, value->second) - line.tolerance;
+    const double rounding =
+        std::max(kRoundingUnits, kRoundingShare * (std::abs(value->second) + std::abs(rule.target) + line.tolerance));
+    if (error > rounding)
+        line.error = error;
     if (line.error > 0.0)
         line.share = rule.span > 0.0 ? std::min(1.0, line.error / rule.span) : 1.0;
     return line;

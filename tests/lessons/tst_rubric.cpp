@@ -55,6 +55,7 @@ private slots:
     void theExampleOfTheDocumentIsRight();
     void eachSideCountsItsOwnErrors_data();
     void eachSideCountsItsOwnErrors();
+    void whatComesFromRoundingIsNoError();
     void halfATenthGoesUp();
     void whatWasNotMeasuredEarnsNothing();
     void anAllowanceGrowsWithItsMeasure();
@@ -108,6 +109,42 @@ void TestRubric::eachSideCountsItsOwnErrors()
     const ScoreSheet sheet = grade(rubric, {{"a", value}});
     QCOMPARE(sheet.criteria[0].error, error);
     QCOMPARE(sheet.criteria[0].lostTenths, static_cast<int>(1000 * error));
+}
+
+/// Limits that no binary fraction can be: a value exactly on one is not beyond it, and a little more is.
+void TestRubric::whatComesFromRoundingIsNoError()
+{
+    Rubric rubric = decayRemoval();
+    CriterionRule& rule = rubric.criteria[2];
+    QVERIFY(rule.critical);
+    for (const Side side : {Side::Over, Side::Under, Side::Both})
+        for (int target = -30; target <= 30; ++target)
+            for (int tolerance = 0; tolerance <= 30; ++tolerance) {
+                rule.side = side;
+                rule.target = 0.1 * target;
+                rule.tolerance = 0.1 * tolerance;
+                const int sign = side == Side::Under ? -1 : 1;
+                const double limit = 0.1 * (target + sign * tolerance);
+                const auto failedAt = [&](double value) {
+                    return grade(rubric, {{"caries_left_percent", 0.0},
+                                          {"sound_overcut_mm3", 0.0},
+                                          {"pulp_exposed_mm2", value},
+                                          {"perforated_mm2", 0.0}})
+                        .failedCritically();
+                };
+                QVERIFY(!failedAt(limit));
+                QVERIFY(!failedAt(limit + sign * 1.0e-10));
+                QVERIFY(failedAt(limit + sign * 1.0e-8));
+            }
+    // Of large numbers the last bits are larger.
+    rule.side = Side::Over;
+    rule.target = 600000.7;
+    rule.tolerance = 200000.1;
+    const ScoreSheet large = grade(rubric, {{"caries_left_percent", 0.0},
+                                            {"sound_overcut_mm3", 0.0},
+                                            {"pulp_exposed_mm2", 0.1 * 8000008},
+                                            {"perforated_mm2", 0.0}});
+    QVERIFY(!large.failedCritically());
 }
 
 void TestRubric::halfATenthGoesUp()
