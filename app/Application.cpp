@@ -139,6 +139,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
     ui::study::ScorePage& page = m_window->scorePage();
+    connect(&m_explainer, &Explainer::noiseFound, &page, &ui::study::ScorePage::setNoise);
     connect(&m_explainer, &Explainer::momentsProgress, &page, &ui::study::ScorePage::setMomentsProgress);
     connect(&m_explainer, &Explainer::momentsFound, &page,
             [&page](const lessons::Moments& moments) { page.setMoments(moments.ofCriteria); });
@@ -399,9 +400,8 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    auto marked =
-        lessons::mark(m_assignment, done->tooth,
-                      lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids});
+    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids};
+    const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;
@@ -444,7 +444,7 @@ void Application::finish(std::optional<int> expectedTenths)
         done->recording,
         isKept};
     m_window->showScore(sheet, history, expectedTenths, m_graded->work);
-    m_explainer.explain(m_assignment, m_graded->recording);
+    m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
 
 /// Plays the attempt that was graded, from that moment on.

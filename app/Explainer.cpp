@@ -28,16 +28,18 @@ void Explainer::forget()
         m_goOn->store(false, std::memory_order_relaxed);
     m_goOn.reset();
     m_share = 0.0;
+    m_noise.reset();
     m_moments.reset();
 }
 
-void Explainer::explain(const lessons::Assignment& assignment, const core::recording::Recording& recording)
+void Explainer::explain(const lessons::Assignment& assignment, const core::recording::Recording& recording,
+                        std::shared_ptr<const core::terrain::Tooth> tooth, const lessons::Conduct& conduct)
 {
     forget();
     m_goOn = std::make_shared<std::atomic<bool>>(true);
     emit momentsProgress(0.0);
     // This outlives the pool's work, which waits in the destructor; whether the work is still wanted says goOn.
-    m_pool.start([this, goOn = m_goOn, assignment, recording] {
+    m_pool.start([this, goOn = m_goOn, assignment, recording, tooth = std::move(tooth), conduct] {
         const auto tell = [this, goOn](auto what) {
             QMetaObject::invokeMethod(
                 this,
@@ -47,6 +49,7 @@ void Explainer::explain(const lessons::Assignment& assignment, const core::recor
                 },
                 Qt::QueuedConnection);
         };
+        tell([this, noise = lessons::gridNoise(assignment, *tooth, conduct)] { takeNoise(noise); });
         double told = 0.0;
         auto found = lessons::momentsOf(assignment, recording, [&](double share) {
             if (share >= told + kShareAStep) {
@@ -55,11 +58,19 @@ void Explainer::explain(const lessons::Assignment& assignment, const core::recor
             }
             return goOn->load(std::memory_order_relaxed);
         });
-        tell([this, found = std::move(found)] { take(found); });
+        tell([this, found = std::move(found)] { takeMoments(found); });
     });
 }
 
-void Explainer::take(const core::Result<std::optional<lessons::Moments>>& found)
+void Explainer::takeNoise(const core::Result<lessons::GridNoise>& found)
+{
+    if (found)
+        emit noiseFound(*(m_noise = *found));
+    else
+        emit failed(found.error());
+}
+
+void Explainer::takeMoments(const core::Result<std::optional<lessons::Moments>>& found)
 {
     m_share = 1.0;
     if (!found) {
@@ -72,6 +83,8 @@ void Explainer::take(const core::Result<std::optional<lessons::Moments>>& found)
 
 void Explainer::tellAgain()
 {
+    if (m_noise)
+        emit noiseFound(*m_noise);
     if (m_moments)
         emit momentsFound(*m_moments);
     else if (m_goOn && m_share < 1.0)

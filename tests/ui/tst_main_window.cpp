@@ -1640,8 +1640,8 @@ void TestMainWindow::nothingIsClipped()
             if (!scrolls && !window.rect().contains(QRect(widget->mapTo(&window, QPoint()), widget->size())))
                 return QString("%1: %2 '%3' lies outside")
                     .arg(page, widget->metaObject()->className(), widget->accessibleName());
-            const bool wraps = label != nullptr && label->wordWrap();
-            const QSize wanted = wraps ? QSize(0, label->heightForWidth(widget->width())) : widget->sizeHint();
+            const QSize wanted =
+                widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
             if (widget->width() < wanted.width() || widget->height() < wanted.height())
                 return QString("%1: %2 '%3' is %4x%5, wants %6x%7")
                     .arg(page, widget->metaObject()->className(),

@@ -105,6 +105,7 @@ private slots:
     void aMomentLeadsThere();
     void manyMomentsAreFoldedAway();
     void neighboursAreReadAsOne();
+    void itSaysWhenTheGridDecides();
     void theFirstViewNeedsNoScrolling_data();
     void theFirstViewNeedsNoScrolling();
     void keysReachRowsAndMoments();
@@ -139,6 +140,7 @@ void TestScorePage::show(const Faulty& made)
     now.finishedUtc = "2026-11-20T10:15:00Z";
     m_page->setScore(QStringLiteral("Class I, tooth 36"), made.sheet, {now, now, now, now}, 900, made.work);
     m_page->setMoments(parts(made.sheet));
+    m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
     QTest::qWait(20);
     // To be looked at.
     if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
@@ -242,6 +244,19 @@ void TestScorePage::neighboursAreReadAsOne()
                                         {Kind::Stroke, 4, 12000, 12.0, 1},
                                         {Kind::Stroke, 5, 13000, 13.0, 2},
                                         {Kind::Way, 2, 14000, 14.0, 0}}));
+}
+
+void TestScorePage::itSaysWhenTheGridDecides()
+{
+    const auto* words = m_page->findChild<QLabel*>("noise");
+    m_page->setScore({}, faulty("decay-36-moderate").sheet, {}, {}, {});
+    QVERIFY(!words->isVisible());
+    m_page->setNoise({{834, true}, {829, true}, {{836, true}}});
+    QVERIFY2(words->text().contains("82.9") && words->text().contains("83.6") && words->text().contains("Not within"),
+             qPrintable(words->text()));
+    m_page->setNoise({{752, true}, {749, false}, {{753, true}}});
+    QVERIFY2(words->text().contains("74.9") && words->text().contains("pass mark lies between"),
+             qPrintable(words->text()));
 }
 
 void TestScorePage::theFirstViewNeedsNoScrolling_data()

@@ -180,8 +180,16 @@ QWidget* ScorePage::makeResult()
     m_expected = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     m_expected->setWordWrap(true);
     m_expected->setObjectName(QStringLiteral("expectation"));
+    m_noise = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    m_noise->setWordWrap(true);
+    m_noise->setObjectName(QStringLiteral("noise"));
+    m_noise->setToolTip(
+        brokenIntoLines(tr("The finished tooth is measured again with half and with double the number of columns along "
+                           "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
+                           "or about what you would do on another day.")));
     words->addStretch(1);
     words->addWidget(m_expected);
+    words->addWidget(m_noise);
     words->addStretch(1);
     row->addLayout(words, 3);
     return frame;
@@ -279,6 +287,7 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     m_expected->setVisible(expectedTenths.has_value());
     if (expectedTenths)
         m_expected->setText(expectation(*expectedTenths, sheet.totalTenths));
+    m_noise->hide();
     m_rubric->setText(rubricWords(sheet));
     const Tones tone = tones(palette());
     m_total->setText(text::points(sheet.totalTenths), tr("of 100"));
@@ -301,6 +310,24 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     setMomentsProgress({});
     fillCriteria(sheet);
     fillHistory(history, sheet.totalTenths, sheet.passMarkTenths);
+}
+
+void ScorePage::setNoise(const ::lessons::GridNoise& noise)
+{
+    const QString half = text::points(noise.half.totalTenths);
+    QString words = noise.twice
+                        //: %1 and %2 are points; the grid is that on which the tooth is measured
+                        ? tr("At half the grid %1, at double %2.").arg(half, text::points(noise.twice->totalTenths))
+                        : tr("At half the grid %1.").arg(half);
+    words += u' ';
+    words += noise.isUncertain() ? tr("The pass mark lies between: this result is within the noise.")
+                                 : tr("Not within the noise of the pass mark.");
+    m_noise->setText(words);
+    QPalette colours = palette();
+    if (noise.isUncertain())
+        colours.setColor(QPalette::WindowText, tones(palette()).attentionText);
+    m_noise->setPalette(colours);
+    m_noise->show();
 }
 
 void ScorePage::setMomentsProgress(std::optional<double> share)

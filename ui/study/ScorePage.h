@@ -7,6 +7,7 @@
 #include <QList>
 
 #include "database/records.h"
+#include "lessons/GridNoise.h"
 #include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/shell/Page.h"
@@ -46,6 +47,8 @@ public:
     void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
                   const std::optional<ScoredWork>& scored);
+    /// What the score comes to on other grids.
+    void setNoise(const ::lessons::GridNoise& noise);
     /// The moments are being looked for, and so far this share of the attempt, 0 .. 1, has been looked at; nothing:
     /// nobody looks any more.
     void setMomentsProgress(std::optional<double> share);
@@ -82,6 +85,7 @@ private:
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
     QLabel* m_expected = nullptr;
+    QLabel* m_noise = nullptr;
     QLabel* m_rubric = nullptr;
     shell::ScoreBar* m_bar = nullptr;
     QWidget* m_criteria = nullptr;
