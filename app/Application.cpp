@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
@@ -380,6 +383,7 @@ void Application::grade()
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
     if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
+        compareWithClass();
         m_explainer.tellAgain();
         return;
     }
@@ -444,6 +448,7 @@ void Application::finish(std::optional<int> expectedTenths)
         done->recording,
         isKept};
     m_window->showScore(sheet, history, expectedTenths, m_graded->work);
+    compareWithClass();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
 
@@ -459,6 +464,19 @@ void Application::showMoment(double seconds)
     m_replay->tick(std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::duration<double>(seconds)));
     m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
     m_replayThread->start();
+}
+
+/// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
+/// one person's.
+void Application::compareWithClass()
+{
+    if (m_graded->history.isEmpty())
+        return;
+    int best = m_graded->sheet.totalTenths;
+    for (const database::AttemptRecord& attempt : m_graded->history)
+        if (attempt.rubricHash == m_graded->sheet.rubricHash)
+            best = std::max(best, attempt.scoreTenths);
+    m_window->scorePage().setClass(lessons::classStanding(m_graded->sheet.totalTenths, std::array{best}));
 }
 
 /// Of the same lesson, or without one of the same tooth.

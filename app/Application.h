@@ -64,6 +64,7 @@ private:
     void grade();
     void finish(std::optional<int> expectedTenths);
     void showMoment(double seconds);
+    void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);

@@ -1770,88 +1770,6 @@
     </message>
 </context>
 <context>
-    <name>ui::shell::ScorePage</name>
-    <message>
-        <source>Grade</source>
-        <translation>Bewertung</translation>
-    </message>
-    <message>
-        <source>Picture of the tooth as graded</source>
-        <translation>Bild des bewerteten Zahns</translation>
-    </message>
-    <message>
-        <source>How the grade was worked out</source>
-        <translation>So kommt die Bewertung zustande</translation>
-    </message>
-    <message>
-        <source>Sum</source>
-        <translation>Summe</translation>
-    </message>
-    <message>
-        <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
-        <translation>Bewertung: %1</translation>
-    </message>
-    <message>
-        <source>of 100</source>
-        <translation>von 100</translation>
-    </message>
-    <message>
-        <source>Passed</source>
-        <translation>Bestanden</translation>
-    </message>
-    <message>
-        <source>Not passed: harm done</source>
-        <translation>Nicht bestanden: Zahn geschädigt</translation>
-    </message>
-    <message>
-        <source>Not passed yet</source>
-        <translation>Noch nicht bestanden</translation>
-    </message>
-    <message>
-        <source>At most %1 points can be lost here</source>
-        <translation>Hier sind höchstens %1 Punkte zu verlieren</translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
-    </message>
-    <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen in mm³ steht in der Seitenleiste.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
-    </message>
-    <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
-        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
-    </message>
-    <message>
-        <source>Grades before</source>
-        <translation>Frühere Noten</translation>
-    </message>
-    <message>
-        <source>Fails the attempt and takes all points that are left</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation>Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
-    </message>
-    <message>
-        <source>This is the first grade here.</source>
-        <translation>Das ist hier die erste Note.</translation>
-    </message>
-</context>
-<context>
     <name>ui::shell::SidePanel</name>
     <message>
         <source>Live figures and handpiece</source>
@@ -2056,6 +1974,74 @@
     </message>
 </context>
 <context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation type="unfinished">Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen in mm³ steht in der Seitenleiste.</translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation type="unfinished">Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation type="unfinished">Hier sind höchstens %1 Punkte zu verlieren</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2085,6 +2071,33 @@
     <message>
         <source>Nothing: I expect all points</source>
         <translation>Nichts: Ich erwarte alle Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2263,6 +2276,123 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation type="unfinished">Erwartet hattest du %1 Punkte: genau so ist es.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation type="unfinished">Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation type="unfinished">Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation type="unfinished">Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades before</source>
+        <translation type="unfinished">Frühere Noten</translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation type="unfinished">Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation type="unfinished">von 100</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished">Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation type="unfinished">Nicht bestanden: Zahn geschädigt</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation type="unfinished">Noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation type="unfinished">Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation type="unfinished">Das ist hier die erste Note.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

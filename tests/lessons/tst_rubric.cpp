@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/Rng.h"
+#include "lessons/ClassStanding.h"
 #include "lessons/LessonReader.h"
 #include "lessons/Rubric.h"
 #include "lessons/ScoreSheetJson.h"
@@ -63,6 +64,7 @@ private slots:
     void aCriticalErrorTakesWhatIsLeft();
     void theSumIsAlwaysExact();
     void moreErrorNeverEarnsPoints();
+    void aClassIsComparedFromFivePeopleOn();
     void refusesWhatCannotMark_data();
     void refusesWhatCannotMark();
     void jsonHoldsEveryNumberBitForBit();
@@ -250,6 +252,16 @@ void TestRubric::moreErrorNeverEarnsPoints()
         const int worse = grade(rubric, {{"a", value + rng.uniform()}, {"b", 1.5}}).totalTenths;
         QVERIFY(worse <= better);
     }
+}
+
+void TestRubric::aClassIsComparedFromFivePeopleOn()
+{
+    QCOMPARE(classStanding(800, {}), (ClassStanding{0, {}}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900}), (ClassStanding{4, {}}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900, 950}), (ClassStanding{5, 60.0}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 60.0}));
+    QCOMPARE(classStanding(0, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 0.0}));
+    QCOMPARE(classStanding(1000, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 100.0}));
 }
 
 void TestRubric::refusesWhatCannotMark_data()

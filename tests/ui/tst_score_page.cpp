@@ -13,6 +13,7 @@
 
 #include "lessons/LessonCatalog.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/HistoryChart.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/CriterionRow.h"
@@ -106,6 +107,8 @@ private slots:
     void manyMomentsAreFoldedAway();
     void neighboursAreReadAsOne();
     void itSaysWhenTheGridDecides();
+    void otherRubricsAreShownApart();
+    void aClassOfFewIsNotShown();
     void theFirstViewNeedsNoScrolling_data();
     void theFirstViewNeedsNoScrolling();
     void keysReachRowsAndMoments();
@@ -138,8 +141,13 @@ void TestScorePage::show(const Faulty& made)
     database::AttemptRecord now;
     now.scoreTenths = made.sheet.totalTenths;
     now.finishedUtc = "2026-11-20T10:15:00Z";
-    m_page->setScore(QStringLiteral("Class I, tooth 36"), made.sheet, {now, now, now, now}, 900, made.work);
+    now.rubricHash = made.sheet.rubricHash;
+    database::AttemptRecord old = now;
+    old.scoreTenths = 612;
+    old.rubricHash = "another";
+    m_page->setScore(QStringLiteral("Class I, tooth 36"), made.sheet, {now, now, now, old}, 900, made.work);
     m_page->setMoments(parts(made.sheet));
+    m_page->setClass({1, {}});
     m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
     QTest::qWait(20);
     // To be looked at.
@@ -257,6 +265,38 @@ void TestScorePage::itSaysWhenTheGridDecides()
     m_page->setNoise({{752, true}, {749, false}, {{753, true}}});
     QVERIFY2(words->text().contains("74.9") && words->text().contains("pass mark lies between"),
              qPrintable(words->text()));
+}
+
+void TestScorePage::otherRubricsAreShownApart()
+{
+    const Faulty made = faulty("decay-36-moderate");
+    database::AttemptRecord now;
+    now.scoreTenths = made.sheet.totalTenths;
+    now.finishedUtc = "2026-11-20T10:15:00Z";
+    now.rubricHash = made.sheet.rubricHash;
+    database::AttemptRecord old = now;
+    old.scoreTenths = 612;
+    old.rubricHash = "another";
+    m_page->setScore({}, made.sheet, {now, old}, {}, {});
+    const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
+    QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
+             qPrintable(spoken));
+    int apart = 0;
+    for (const QLabel* label : m_page->findChildren<QLabel*>())
+        apart += label->text() == "other rubric" ? 1 : 0;
+    QCOMPARE(apart, 1);
+}
+
+void TestScorePage::aClassOfFewIsNotShown()
+{
+    const auto* words = m_page->findChild<QLabel*>("class");
+    m_page->setScore({}, faulty("decay-36-moderate").sheet, {}, {}, {});
+    QVERIFY(!words->isVisible());
+    m_page->setClass({4, {}});
+    QVERIFY2(words->text().contains("takes 5 people"), qPrintable(words->text()));
+    QVERIFY(!words->text().contains("%"));
+    m_page->setClass({12, 41.7});
+    QVERIFY2(words->text().contains("42 % are below"), qPrintable(words->text()));
 }
 
 void TestScorePage::theFirstViewNeedsNoScrolling_data()

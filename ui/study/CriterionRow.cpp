@@ -95,6 +95,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     m_slot->setColumnStretch(0, 1);
     QLabel* name = words(text::criterionName(criterion), kBody, QFont::Medium, QPalette::WindowText, this);
     name->setWordWrap(true);
+    name->setMinimumHeight(1);  // as its width asks for, and no more
     m_slot->addWidget(name, 0, 0);
     auto* measured = new TabularLabel(this);
     measured->setFont(typeface(kBody));
@@ -121,6 +122,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     m_slot->addWidget(lost, 0, 2);
     m_worked = words(text::criterionWorked(criterion, verdict), kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_worked->setWordWrap(true);
+    m_worked->setMinimumHeight(1);
     m_worked->setObjectName(QStringLiteral("worked_") + id);
     m_worked->hide();
     m_slot->addWidget(m_worked, 2, 0, 1, 3);

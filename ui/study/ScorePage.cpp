@@ -53,6 +53,13 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
+/// Words that fold: they take the height that their width asks for, and claim no more than that beforehand.
+void fold(QLabel* words)
+{
+    words->setWordWrap(true);
+    words->setMinimumHeight(1);
+}
+
 QString expectation(int expectedTenths, int totalTenths)
 {
     const int gap = expectedTenths - totalTenths;
@@ -178,10 +185,10 @@ QWidget* ScorePage::makeResult()
     auto* words = new QVBoxLayout;
     words->setSpacing(kSpace1);
     m_expected = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
-    m_expected->setWordWrap(true);
+    fold(m_expected);
     m_expected->setObjectName(QStringLiteral("expectation"));
     m_noise = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
-    m_noise->setWordWrap(true);
+    fold(m_noise);
     m_noise->setObjectName(QStringLiteral("noise"));
     m_noise->setToolTip(
         brokenIntoLines(tr("The finished tooth is measured again with half and with double the number of columns along "
@@ -223,13 +230,13 @@ QWidget* ScorePage::makeCriteria()
     column->addStretch(1);
     column->addWidget(line(frame));
     m_sum = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    m_sum->setWordWrap(true);
+    fold(m_sum);
     m_sum->setAlignment(Qt::AlignRight);
     m_sum->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_sum->setObjectName(QStringLiteral("sum"));
     column->addWidget(m_sum);
     m_rubric = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
-    m_rubric->setWordWrap(true);
+    fold(m_rubric);
     m_rubric->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_rubric->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_rubric->setObjectName(QStringLiteral("rubric"));
@@ -244,7 +251,7 @@ QWidget* ScorePage::makePlace()
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
     m_place = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    m_place->setWordWrap(true);
+    fold(m_place);
     m_place->setObjectName(QStringLiteral("place"));
     column->addWidget(m_place);
     auto* row = new QHBoxLayout;
@@ -263,7 +270,7 @@ QWidget* ScorePage::makeHistory()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    column->addWidget(label(tr("Grades before"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    column->addWidget(label(tr("Your attempts"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
     m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
     column->addWidget(m_remark);
@@ -275,6 +282,10 @@ QWidget* ScorePage::makeHistory()
     row->addLayout(m_listSlot, 2);
     row->setAlignment(m_listSlot, Qt::AlignTop);
     column->addLayout(row, 1);
+    m_class = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_class->setObjectName(QStringLiteral("class"));
+    fold(m_class);
+    column->addWidget(m_class);
     return frame;
 }
 
@@ -309,7 +320,8 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     arrange();
     setMomentsProgress({});
     fillCriteria(sheet);
-    fillHistory(history, sheet.totalTenths, sheet.passMarkTenths);
+    fillHistory(history, sheet);
+    m_class->hide();
 }
 
 void ScorePage::setNoise(const ::lessons::GridNoise& noise)
@@ -397,14 +409,32 @@ void ScorePage::showPlace(const CriterionRow& row)
     m_section->setMark(node, plane);
 }
 
-void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int total, int passMark)
+void ScorePage::setClass(const ::lessons::ClassStanding& standing)
 {
-    QList<int> scores;
+    if (standing.percentBelow)
+        //: %1 is a number of per cent
+        m_class->setText(tr("Of the best results of %n people in your class, %1 % are below this.", "", standing.people)
+                             .arg(text::number(*standing.percentBelow, 0)));
+    else
+        //: %1 is a number of people
+        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and here "
+                            "are the results of %n.",
+                            "", standing.people)
+                             .arg(::lessons::kFewestPeople));
+    m_class->show();
+}
+
+void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet)
+{
+    const auto isComparable = [&](const database::AttemptRecord& attempt) {
+        return attempt.rubricHash == sheet.rubricHash;
+    };
+    QList<HistoryChart::Score> scores;
     for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
-        scores << history[k - 1].scoreTenths;
+        scores << HistoryChart::Score{history[k - 1].scoreTenths, isComparable(history[k - 1])};
     if (scores.isEmpty())
-        scores << total;
-    m_chart->setScores(scores, passMark);
+        scores << HistoryChart::Score{sheet.totalTenths, true};
+    m_chart->setScores(scores, sheet.passMarkTenths);
 
     delete m_list;
     m_list = new QWidget(this);
@@ -422,11 +452,15 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, int t
         score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
         score->setAlignment(Qt::AlignRight);
         score->setText(text::points(attempt.scoreTenths));
-        const int line = static_cast<int>(k);
+        const int row = static_cast<int>(k);
         grid->addWidget(
-            label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), line,
+            label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), row,
             0);
-        grid->addWidget(score, line, 1);
+        if (!isComparable(attempt))
+            //: Beside an earlier grade that cannot be compared with this one
+            grid->addWidget(label(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list), row,
+                            1);
+        grid->addWidget(score, row, 2);
     }
     m_remark->setText(history.isEmpty()     ? tr("Grades are not being kept; this one will not be here next time.")
                       : history.size() == 1 ? tr("This is the first grade here.")

@@ -7,6 +7,7 @@
 #include <QList>
 
 #include "database/records.h"
+#include "lessons/ClassStanding.h"
 #include "lessons/GridNoise.h"
 #include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
@@ -47,6 +48,8 @@ public:
     void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
                   const std::optional<ScoredWork>& scored);
+    /// Where the score stands among those of a class.
+    void setClass(const ::lessons::ClassStanding& standing);
     /// What the score comes to on other grids.
     void setNoise(const ::lessons::GridNoise& noise);
     /// The moments are being looked for, and so far this share of the attempt, 0 .. 1, has been looked at; nothing:
@@ -72,7 +75,7 @@ private:
     void arrange();
     void fillCriteria(const ::lessons::ScoreSheet& sheet);
     void showPlace(const CriterionRow& row);
-    void fillHistory(const QList<database::AttemptRecord>& history, int total, int passMark);
+    void fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet);
 
     std::optional<ScoredWork> m_scored;
     QGridLayout* m_cards = nullptr;
@@ -99,6 +102,7 @@ private:
     WorstSection* m_section = nullptr;
     QPushButton* m_back = nullptr;
     QLabel* m_remark = nullptr;
+    QLabel* m_class = nullptr;
     shell::HistoryChart* m_chart = nullptr;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot = nullptr;
