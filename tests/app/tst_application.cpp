@@ -27,6 +27,7 @@ private slots:
     void cleanup() { m_application.reset(); }
 
     void theSameWorkIsGradedOnce();
+    void aScoreIsExplainedInTheBackground();
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
@@ -192,6 +193,35 @@ void TestApplication::theSameWorkIsGradedOnce()
     grade();
     grade();
     QCOMPARE(rows(), std::size_t(2));
+}
+
+/// Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a moment
+/// plays the attempt from there.
+void TestApplication::aScoreIsExplainedInTheBackground()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    actions().grade->trigger();
+    const auto moments = [this] {
+        QList<QPushButton*> found;
+        for (QPushButton* button : child<ui::study::ScorePage>()->findChildren<QPushButton*>())
+            if (button->text().contains("never removed"))
+                found << button;
+        return found;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(moments().size(), 1, 30000);
+    QVERIFY(child<QLabel>("noise")->isVisible());
+    QVERIFY2(child<QLabel>("noise")->text().contains("At half the grid"), qPrintable(child<QLabel>("noise")->text()));
+    QVERIFY(child<QLabel>("class")->isVisible());
+    actions().back->trigger();
+    actions().grade->trigger();
+    QCOMPARE(moments().size(), 1);
+    QVERIFY(child<QLabel>("noise")->isVisible());
+    QTest::mouseClick(moments().front(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), 30000);
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);  // how it ended
 }
 
 void TestApplication::stoppingAReplayBringsTheOwnWorkBack()

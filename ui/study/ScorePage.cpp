@@ -418,7 +418,7 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
     else
         //: %1 is a number of people
         m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and here "
-                            "are the results of %n.",
+                            "are the results of %n person(s).",
                             "", standing.people)
                              .arg(::lessons::kFewestPeople));
     m_class->show();
