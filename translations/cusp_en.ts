@@ -1524,6 +1524,10 @@
         <source>pass mark %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
@@ -2075,9 +2079,9 @@
     <message numerus="yes">
         <source>%n more</source>
         <comment>moments at which points were lost</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
         </translation>
     </message>
     <message>
@@ -2362,10 +2366,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Grades before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Grade: %1</source>
         <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
         <translation type="unfinished"></translation>
@@ -2429,6 +2429,31 @@
     </message>
     <message>
         <source>This is the first grade here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>Of the best result of %n person in your class, %1 % are below this.</numerusform>
+            <numerusform>Of the best results of %n people in your class, %1 % are below this.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person.</numerusform>
+            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n people.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
