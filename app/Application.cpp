@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
@@ -21,6 +24,7 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -138,6 +142,16 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     });
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
+    connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
+    ui::study::ScorePage& page = m_window->scorePage();
+    connect(&m_explainer, &Explainer::noiseFound, &page, &ui::study::ScorePage::setNoise);
+    connect(&m_explainer, &Explainer::momentsProgress, &page, &ui::study::ScorePage::setMomentsProgress);
+    connect(&m_explainer, &Explainer::momentsFound, &page,
+            [&page](const lessons::Moments& moments) { page.setMoments(moments.ofCriteria); });
+    connect(&m_explainer, &Explainer::failed, this, [this, &page](const core::Error& error) {
+        page.setMomentsProgress({});
+        m_window->showError(error, Failed::Marking);
+    });
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
@@ -393,8 +407,10 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
-        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths);
+    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
+        compareWithClass();
+        m_explainer.tellAgain();
         return;
     }
     if (tooth->top == tooth->anatomy->top) {
@@ -414,9 +430,8 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    const auto marked =
-        lessons::mark(m_assignment, done->tooth,
-                      lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids});
+    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids};
+    const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;
@@ -424,6 +439,7 @@ void Application::finish(std::optional<int> expectedTenths)
     const lessons::ScoreSheet& sheet = marked->sheet;
     const std::uint64_t hash = core::terrain::stateHash(done->tooth);
     QList<database::AttemptRecord> history;
+    bool isKept = !m_attempts;
     if (m_attempts) {
         database::AttemptRecord record;
         record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -442,14 +458,51 @@ void Application::finish(std::optional<int> expectedTenths)
         const auto kept = m_attempts->add(record);
         const auto last = kept ? lastGrades(record)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
-        if (last) {
+        isKept = last.has_value();
+        if (last)
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-            m_graded = {m_ownGeneration, hash, sheet, history, expectedTenths};
-        } else {
+        else
             m_window->showError(last.error(), Failed::KeepingGrades);
-        }
     }
-    m_window->showScore(sheet, history, expectedTenths);
+    m_graded = {
+        m_ownGeneration,
+        hash,
+        sheet,
+        history,
+        expectedTenths,
+        {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured},
+        done->recording,
+        isKept};
+    m_window->showScore(sheet, history, expectedTenths, m_graded->work);
+    compareWithClass();
+    m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
+}
+
+/// Plays the attempt that was graded, from that moment on.
+void Application::showMoment(double seconds)
+{
+    if (!m_graded)
+        return;
+    play(m_graded->recording);
+    if (!m_replay)
+        return;
+    m_replayThread.reset();
+    m_replay->tick(std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::duration<double>(seconds)));
+    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
+    m_replayThread->start();
+}
+
+/// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
+/// one person's.
+void Application::compareWithClass()
+{
+    if (m_graded->history.isEmpty())
+        return;
+    int best = m_graded->sheet.totalTenths;
+    for (const database::AttemptRecord& attempt : m_graded->history)
+        if (attempt.rubricHash == m_graded->sheet.rubricHash)
+            best = std::max(best, attempt.scoreTenths);
+    m_window->scorePage().setClass(lessons::classStanding(m_graded->sheet.totalTenths, std::array{best}));
 }
 
 /// Of the same lesson, or without one of the same tooth.

@@ -7,6 +7,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/Explainer.h"
 #include "app/LoopThread.h"
 #include "app/ReplayLoop.h"
 #include "core/session/Follower.h"
@@ -64,6 +65,8 @@ private:
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);
+    void showMoment(double seconds);
+    void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
@@ -110,8 +113,12 @@ private:
         lessons::ScoreSheet sheet;
         QList<database::AttemptRecord> history;
         std::optional<int> expectedTenths;
+        ui::study::ScoredWork work;
+        core::recording::Recording recording;
+        bool isKept = false;  ///< or nowhere to keep it
     };
     std::optional<Graded> m_graded;
+    Explainer m_explainer;  ///< of m_graded
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered

@@ -1545,6 +1545,10 @@
         <source>pass mark %1</source>
         <translation>bestanden ab %1</translation>
     </message>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation>%1 nach anderer Regel</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
@@ -1826,88 +1830,6 @@
     </message>
 </context>
 <context>
-    <name>ui::shell::ScorePage</name>
-    <message>
-        <source>Grade</source>
-        <translation>Bewertung</translation>
-    </message>
-    <message>
-        <source>Picture of the tooth as graded</source>
-        <translation>Bild des bewerteten Zahns</translation>
-    </message>
-    <message>
-        <source>How the grade was worked out</source>
-        <translation>So kommt die Bewertung zustande</translation>
-    </message>
-    <message>
-        <source>Sum</source>
-        <translation>Summe</translation>
-    </message>
-    <message>
-        <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
-        <translation>Bewertung: %1</translation>
-    </message>
-    <message>
-        <source>of 100</source>
-        <translation>von 100</translation>
-    </message>
-    <message>
-        <source>Passed</source>
-        <translation>Bestanden</translation>
-    </message>
-    <message>
-        <source>Not passed: harm done</source>
-        <translation>Nicht bestanden: Zahn geschädigt</translation>
-    </message>
-    <message>
-        <source>Not passed yet</source>
-        <translation>Noch nicht bestanden</translation>
-    </message>
-    <message>
-        <source>At most %1 points can be lost here</source>
-        <translation>Hier sind höchstens %1 Punkte zu verlieren</translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
-    </message>
-    <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen in mm³ steht in der Seitenleiste.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
-    </message>
-    <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
-        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
-    </message>
-    <message>
-        <source>Grades before</source>
-        <translation>Frühere Noten</translation>
-    </message>
-    <message>
-        <source>Fails the attempt and takes all points that are left</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation>Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
-    </message>
-    <message>
-        <source>This is the first grade here.</source>
-        <translation>Das ist hier die erste Note.</translation>
-    </message>
-</context>
-<context>
     <name>ui::shell::SidePanel</name>
     <message>
         <source>Live figures and handpiece</source>
@@ -2138,6 +2060,74 @@
     </message>
 </context>
 <context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation>%1 nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation>%1 nie entfernt</translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation>%1 nie verdient</translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation>%1 bei %2, Zug %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation>Die Fläche, die offen liegt, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation>Der Versuch ist nicht bestanden, alle übrigen Punkte sind verloren</translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation>Hier gehen höchstens %1 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation>%1: %2, %3 Punkte</translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation>Zeigen, wo das am schlimmsten war</translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation>Kein Zug hat das verursacht: sehen, wie der Versuch endete</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>Zusehen, wie es geschah: den Versuch von hier an abspielen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation>
+            <numerusform>%n weiterer</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
+        <translation>Jeden Zeitpunkt zeigen</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2167,6 +2157,33 @@
     <message>
         <source>Nothing: I expect all points</source>
         <translation>Nichts: Ich erwarte alle Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation>Der Zahn von oben, gefärbt nach dem, was zu tief ist und was noch fehlt</translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation>wie es sein soll</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm zu tief</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>%1 mm fehlen noch</translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation>fehlt noch</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>zu tief</translation>
     </message>
 </context>
 <context>
@@ -2345,6 +2362,144 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation>Der fertige Zahn wird noch einmal mit halb und mit doppelt so vielen Säulen je Seite gemessen. Das sagt, wie sehr die Zahl am Raster hängt. Über die Hand, oder darüber, was an einem anderen Tag herauskäme, sagt es nichts.</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>Wo die Punkte geblieben sind</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation>Der Zeitpunkt jedes verlorenen Punkts wird gesucht …</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation>Der Zeitpunkt jedes verlorenen Punkts wird gesucht</translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation>von 100</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation>Nicht bestanden: Zahn geschädigt</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation>Bei halbem Raster %1, bei doppeltem %2.</translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation>Bei halbem Raster %1.</translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation>Die Bestehensgrenze liegt dazwischen: Das Ergebnis liegt im Rauschen.</translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation>Klar neben der Bestehensgrenze.</translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation>Die Arbeit ist überall, wie sie sein soll</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm zu tief</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>%1 mm fehlen noch</translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
+        <translation>%1: die schlimmste Stelle, %2</translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation>%1 hat keine Stelle; am weitesten neben dem Ideal: %2</translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation>Das ist hier die erste Note.</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>Deine Versuche</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>Von %n Person deiner Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
+            <numerusform>Von den besten Ergebnissen von %n Personen deiner Gruppe liegen %1 % darunter.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Person.</numerusform>
+            <numerusform>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Personen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>andere Regel</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
+        <translation>Schnitt durch die schlimmste Stelle</translation>
     </message>
 </context>
 <context>

@@ -1545,6 +1545,10 @@
         <source>pass mark %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
@@ -1826,88 +1830,6 @@
     </message>
 </context>
 <context>
-    <name>ui::shell::ScorePage</name>
-    <message>
-        <source>Grade</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture of the tooth as graded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the grade was worked out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of 100</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Passed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not passed: harm done</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not passed yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At most %1 points can be lost here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
-        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grades before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fails the attempt and takes all points that are left</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the first grade here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>ui::shell::SidePanel</name>
     <message>
         <source>Live figures and handpiece</source>
@@ -2138,6 +2060,74 @@
     </message>
 </context>
 <context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2166,6 +2156,33 @@
     </message>
     <message>
         <source>Nothing: I expect all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2344,6 +2361,144 @@
     </message>
     <message>
         <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>Of the best result of %n person in your class, %1 % are below this.</numerusform>
+            <numerusform>Of the best results of %n people in your class, %1 % are below this.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person.</numerusform>
+            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n people.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -13,8 +13,8 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/TabularLabel.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using ui::shell::MainWindow;
@@ -27,6 +27,7 @@ private slots:
     void cleanup() { m_application.reset(); }
 
     void theSameWorkIsGradedOnce();
+    void aScoreIsExplainedInTheBackground();
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
@@ -176,12 +177,12 @@ void TestApplication::theSameWorkIsGradedOnce()
     };
     const auto grade = [this] {
         actions().grade->trigger();
-        QVERIFY(child<ui::shell::ScorePage>()->isVisible());
+        QVERIFY(child<ui::study::ScorePage>()->isVisible());
         actions().back->trigger();
     };
     // A whole tooth is no attempt.
     actions().grade->trigger();
-    QVERIFY(!child<ui::shell::ScorePage>()->isVisible());
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
     QVERIFY(message().contains("not ready") || message().contains("Nothing has been cut"));
     QCOMPARE(rows(), std::size_t(0));
     drillAt({-2.0, 1.0, -1.0});
@@ -192,6 +193,35 @@ void TestApplication::theSameWorkIsGradedOnce()
     grade();
     grade();
     QCOMPARE(rows(), std::size_t(2));
+}
+
+/// Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a moment
+/// plays the attempt from there.
+void TestApplication::aScoreIsExplainedInTheBackground()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    actions().grade->trigger();
+    const auto moments = [this] {
+        QList<QPushButton*> found;
+        for (QPushButton* button : child<ui::study::ScorePage>()->findChildren<QPushButton*>())
+            if (button->text().contains("never removed"))
+                found << button;
+        return found;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(moments().size(), 1, 30000);
+    QVERIFY(child<QLabel>("noise")->isVisible());
+    QVERIFY2(child<QLabel>("noise")->text().contains("At half the grid"), qPrintable(child<QLabel>("noise")->text()));
+    QVERIFY(child<QLabel>("class")->isVisible());
+    actions().back->trigger();
+    actions().grade->trigger();
+    QCOMPARE(moments().size(), 1);
+    QVERIFY(child<QLabel>("noise")->isVisible());
+    QTest::mouseClick(moments().front(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), 30000);
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);  // how it ended
 }
 
 void TestApplication::stoppingAReplayBringsTheOwnWorkBack()

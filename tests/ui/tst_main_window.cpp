@@ -47,7 +47,6 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
@@ -55,11 +54,13 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace core::session;
 using namespace ui::shell;
 using core::terrain::Material;
+using ui::study::ScorePage;
 using ui::text::Failed;
 
 class TestMainWindow : public QObject
@@ -1705,8 +1706,8 @@ void TestMainWindow::nothingIsClipped()
             if (!scrolls && !window.rect().contains(QRect(widget->mapTo(&window, QPoint()), widget->size())))
                 return QString("%1: %2 '%3' lies outside")
                     .arg(page, widget->metaObject()->className(), widget->accessibleName());
-            const bool wraps = label != nullptr && label->wordWrap();
-            const QSize wanted = wraps ? QSize(0, label->heightForWidth(widget->width())) : widget->sizeHint();
+            const QSize wanted =
+                widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
             if (widget->width() < wanted.width() || widget->height() < wanted.height())
                 return QString("%1: %2 '%3' is %4x%5, wants %6x%7")
                     .arg(page, widget->metaObject()->className(),
@@ -1777,7 +1778,14 @@ void TestMainWindow::nothingIsClipped()
     window.askForecast();
     check("forecast");
     a->back->trigger();
-    window.showScore(sheet(3.2, 40, 0.5), {});
+    ui::study::ScoredWork scored;
+    scored.tooth = std::make_shared<const core::terrain::Tooth>(assignment.anatomy);
+    scored.ideal = assignment.shownIdeal();
+    scored.measured.measures = core::grading::measure(*scored.tooth);
+    window.showScore(sheet(3.2, 40, 0.5), {}, 900, scored);
+    const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
+    const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
+    window.scorePage().setMoments({{never, moment}, {moment}, {moment}});
     check("score");
     for (const QScrollArea* area : window.findChildren<QScrollArea*>())
         if (area->isVisible())

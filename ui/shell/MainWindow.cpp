@@ -33,7 +33,6 @@
 #include "ui/shell/Memory.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
 #include "ui/shell/Theme.h"
@@ -44,6 +43,7 @@
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/Limit.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -89,7 +89,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new Actions(this)), m_viewMenu(new ViewMenu(*m_actions, this)),
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
-      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
+      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
@@ -132,6 +132,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         workOn();
     });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
+    connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (m_assignment && m_assignment->lesson && m_assignment->lesson->exam)
             emit gradeRequested();
@@ -700,11 +701,10 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                           std::optional<int> expectedTenths)
+                           std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
-    m_scorePage->setScore(workTitle(), sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage(),
-                          expectedTenths);
+    m_scorePage->setScore(workTitle(), sheet, history, expectedTenths, scored);
     goTo(m_scorePage);
 }
 

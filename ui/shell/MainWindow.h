@@ -21,6 +21,7 @@
 #include "database/records.h"
 #include "lessons/Assignment.h"
 #include "ui/study/LessonsPage.h"
+#include "ui/study/ScoredWork.h"
 #include "ui/text/Texts.h"
 
 class QStackedWidget;
@@ -36,6 +37,7 @@ class XrayPage;
 namespace ui::study {
 class Forecast;
 class InfractionCard;
+class ScorePage;
 }  // namespace ui::study
 
 namespace ui::shell {
@@ -45,7 +47,6 @@ class BusyCard;
 class HelpOverlay;
 class MessageBar;
 class PracticeRoom;
-class ScorePage;
 class StereoCard;
 class ToothChooser;
 class ViewMenu;
@@ -70,6 +71,7 @@ public:
     [[nodiscard]] static QSize firstSize(const QSize& available);
 
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
+    [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
 
 public slots:
     /// The tooth that is now on the table.
@@ -90,8 +92,9 @@ public slots:
     void offerUnfinished(const QString& tooth, const QDateTime& begun);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     /// @param expectedTenths  what the student had said in forecast()
+    /// @param scored  what was marked, for the pictures of it
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                   std::optional<int> expectedTenths = {});
+                   std::optional<int> expectedTenths = {}, const std::optional<study::ScoredWork>& scored = {});
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// Asks what the student expects; forecastGiven() answers.
@@ -121,6 +124,8 @@ signals:
     /// The page of lessons opens: what it shows is to be brought up to date.
     void lessonsWanted();
     void lessonFolderWanted();
+    /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
+    void momentWanted(double seconds);
     /// @param worst  the criterion expected to cost most, by id; empty: none
     void forecastGiven(int expectedTenths, const QString& worst);
     void scanChosen(const QString& path);
@@ -200,7 +205,7 @@ private:
     QStackedWidget* m_pages;
     PracticeRoom* m_room;
     ToothChooser* m_chooser;
-    ScorePage* m_scorePage;
+    study::ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
     study::Forecast* m_forecast;
     inside::XrayPage* m_xray;
