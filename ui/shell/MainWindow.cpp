@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QListView>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -26,6 +27,7 @@
 #include "core/drilling/Bur.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/replay/ReplayBar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -69,8 +71,6 @@ QString patternOf(const QStringList& suffixes)
     return patterns.join(u' ');
 }
 
-constexpr int kReplayBarPx = 64;
-
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
 const QString kSection = QStringLiteral("window/section");
@@ -111,6 +111,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
 
     connectActions();
     connectView();
+    connectReplay();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -145,8 +146,6 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
             newFileName(QStringLiteral("png")));
     });
-    connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
-    connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
@@ -235,10 +234,6 @@ void MainWindow::connectActions()
         askForFile(m_actions->openRecording->text(), FileKind::Recording,
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
-    on(m_actions->pauseReplay, [this] {
-        setReplayPaused(!m_replayPaused);
-        emit replayPauseRequested(m_replayPaused);
-    });
     on(m_actions->savePicture, [this] {
         askForFile(
             m_actions->savePicture->text(), FileKind::Picture,
@@ -262,6 +257,44 @@ void MainWindow::connectActions()
     });
     on(m_actions->back, [this] { goBack(); });
     on(m_actions->quit, [this] { close(); });
+}
+
+void MainWindow::connectReplay()
+{
+    replay::ReplayBar& bar = m_room->replay();
+    connect(&bar, &replay::ReplayBar::stopWanted, this, &MainWindow::replayStopRequested);
+    connect(&bar, &replay::ReplayBar::speedChosen, this, &MainWindow::replaySpeedChosen);
+    connect(&bar, &replay::ReplayBar::seekWanted, this, &MainWindow::seekWanted);
+    const auto hold = [this](bool paused) {
+        showReplayPaused(paused);
+        emit replayPauseRequested(paused);
+    };
+    const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
+    on(m_actions->pauseReplay, [this, hold] { hold(!m_replayPaused); });
+    for (const bool onward : {false, true})
+        on(onward ? m_actions->stepOn : m_actions->stepBack, [&bar, hold, onward] {
+            hold(true);
+            bar.step(onward);
+        });
+    on(m_actions->replayBegin, [&bar] { bar.goToBegin(); });
+    on(m_actions->replayEnd, [&bar] { bar.goToEnd(); });
+    on(m_actions->slower, [&bar] { bar.changeSpeed(false); });
+    on(m_actions->faster, [&bar] { bar.changeSpeed(true); });
+    on(m_actions->history, [this](bool shown) {
+        m_room->history().setVisible(shown);
+        placeOverlays();
+        if (shown)
+            m_room->history().list().setFocus();
+        else
+            m_view->setFocus();
+    });
+    connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
+            [this](const core::session::GoTo& where) { send(where); });
+}
+
+void MainWindow::setHistorySource(replay::HistorySource source)
+{
+    m_room->history().setSource(std::move(source));
 }
 
 void MainWindow::offerHome()
@@ -341,6 +374,7 @@ void MainWindow::connectView()
         m_view->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
+        m_room->history().setColours(settings.look.palette);
         m_chooser->setMovesLittle(settings.movesLittle);
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
@@ -421,9 +455,11 @@ void MainWindow::takeSession()
     tellHarm(now);
     m_session = now;
     if (m_replaying)
-        m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
-    else if (m_session.toothGeneration == m_ownGeneration)
+        m_room->replay().setPosition(m_session.recordedS);
+    else if (m_session.toothGeneration == m_ownGeneration) {
         m_room->lesson().setTime(m_session.recordedS);
+        m_room->history().follow(m_session.historyVersion);
+    }
     if (moved)
         enableActions();
     tellAids();
@@ -546,6 +582,8 @@ void MainWindow::goBack()
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
+    } else if (m_room->history().list().hasFocus()) {
+        m_view->setFocus();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
@@ -590,7 +628,12 @@ void MainWindow::enableActions()
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine);
-    m_actions->pauseReplay->setEnabled(inRoom && m_replaying);
+    m_actions->history->setEnabled(inRoom && mine);
+    for (QAction* action : {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin,
+                            m_actions->replayEnd, m_actions->slower, m_actions->faster}) {
+        action->setVisible(m_replaying);
+        action->setEnabled(inRoom && m_replaying);
+    }
 }
 
 void MainWindow::placeOverlays()
@@ -599,9 +642,7 @@ void MainWindow::placeOverlays()
     if (m_help->isVisible())
         m_help->raise();
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
-    // Above the bar of a replay.
-    const int bar = m_replaying ? kReplayBarPx : 0;
-    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - bar - m_stereoCard->height());
+    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
@@ -621,11 +662,14 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     if (!m_replaying && generation != m_ownGeneration) {
         m_ownGeneration = generation;
         m_savedWork = {};
+        m_room->history().setTooth(m_tooth);
     }
     m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
     const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
-    m_ideal = isAssigned ? m_assignment->shownIdeal() : core::grading::idealCavity(*m_tooth);
+    m_ideal = m_replaying  ? m_replayIdeal
+              : isAssigned ? m_assignment->shownIdeal()
+                           : core::grading::idealCavity(*m_tooth);
     m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
@@ -767,22 +811,28 @@ void MainWindow::showSaved(const QString& path)
         what();
 }
 
-void MainWindow::setReplaying(bool replaying, double lengthS)
+void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
-    m_replayLengthS = lengthS;
+    m_replayIdeal = std::move(ideal);
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
-    m_room->setReplayTime(0.0, lengthS);
-    setReplayPaused(false);
+    m_room->replay().begin(lengthS);
+    showReplayPaused(false);
     m_room->setReplaying(replaying);
+    m_room->history().setVisible(!replaying && m_actions->history->isChecked());
     enableActions();
 }
 
-void MainWindow::setReplayPaused(bool paused)
+void MainWindow::setReplayCourse(const replay::Course& course)
+{
+    m_room->replay().setCourse(course);
+}
+
+void MainWindow::showReplayPaused(bool paused)
 {
     m_replayPaused = paused;
     m_actions->showReplayPaused(paused);
@@ -790,6 +840,7 @@ void MainWindow::setReplayPaused(bool paused)
 
 void MainWindow::showReplayEnd()
 {
+    showReplayPaused(true);
     offerToStop(tr("The recording has come to its end."));
 }
 
