@@ -354,7 +354,11 @@ void Application::watchAttempt()
     if (m_replay || !m_assignment.lesson)
         return;
     const core::session::Findings findings = m_follower.findings();
-    if (findings.generation != m_ownGeneration || findings.infractions.size() <= m_infractionsTold)
+    if (findings.generation != m_ownGeneration)
+        return;
+    if (findings.practised)
+        m_window->showPractised(*findings.practised);
+    if (findings.infractions.size() <= m_infractionsTold)
         return;
     m_infractionsTold = findings.infractions.size();
     if (m_assignment.lesson->exam)
@@ -379,11 +383,17 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+    const auto practised = m_assignment.exercise ? m_follower.findings().practised : std::nullopt;
+    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
+        m_graded->practised == practised) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths);
         return;
     }
-    if (tooth->top == tooth->anatomy->top) {
+    if (practised && !core::grading::isBegun(*practised)) {
+        m_window->showMessage(tr("This exercise has not been begun yet, so there is nothing to grade."));
+        return;
+    }
+    if (!m_assignment.exercise && tooth->top == tooth->anatomy->top) {
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
@@ -400,9 +410,9 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    const auto marked =
-        lessons::mark(m_assignment, done->tooth,
-                      lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids});
+    const auto marked = lessons::mark(
+        m_assignment, done->tooth,
+        lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids, found.practised});
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;
@@ -430,7 +440,7 @@ void Application::finish(std::optional<int> expectedTenths)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
         if (last) {
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-            m_graded = {m_ownGeneration, hash, sheet, history, expectedTenths};
+            m_graded = {m_ownGeneration, hash, sheet, history, expectedTenths, found.practised};
         } else {
             m_window->showError(last.error(), Failed::KeepingGrades);
         }

@@ -109,6 +109,7 @@ private:
         lessons::ScoreSheet sheet;
         QList<database::AttemptRecord> history;
         std::optional<int> expectedTenths;
+        std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;
     QTimer m_journalWatch;

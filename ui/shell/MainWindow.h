@@ -34,6 +34,7 @@ class XrayPage;
 }
 
 namespace ui::study {
+class ExerciseCard;
 class Forecast;
 class InfractionCard;
 }  // namespace ui::study
@@ -94,6 +95,8 @@ public slots:
                    std::optional<int> expectedTenths = {});
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
+    /// How the exercise of the student's lesson has gone so far.
+    void showPractised(const core::grading::Practised& practised);
     /// Asks what the student expects; forecastGiven() answers.
     void askForecast();
     /// The lesson that the tooth shown next is for; none: practised freely.
@@ -180,6 +183,9 @@ private:
     void placeOverlays();
     [[nodiscard]] QString workTitle() const;
     void showIdeal();
+    void layExercise();
+    void markExercise();
+    void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
@@ -206,6 +212,7 @@ private:
     HelpOverlay* m_help;
     StereoCard* m_stereoCard;
     study::InfractionCard* m_infractionCard;
+    study::ExerciseCard* m_exerciseCard;
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
@@ -222,8 +229,11 @@ private:
     Wish m_drillWish;
     Wish m_burWish;
     Wish m_handpieceWish;
-    std::vector<int> m_handpieces;     ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
-    bool m_infractionStopped = false;  ///< the bur turned when it was told
+    std::vector<int> m_handpieces;  ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
+    std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
+    std::optional<core::grading::Touched> m_touched;
+    bool m_drillWasOn = false;           ///< before an exercise for which it rests
+    bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
