@@ -362,7 +362,11 @@ void Application::watchAttempt()
     if (m_replay || !m_assignment.lesson)
         return;
     const core::session::Findings findings = m_follower.findings();
-    if (findings.generation != m_ownGeneration || findings.infractions.size() <= m_infractionsTold)
+    if (findings.generation != m_ownGeneration)
+        return;
+    if (findings.practised)
+        m_window->showPractised(*findings.practised);
+    if (findings.infractions.size() <= m_infractionsTold)
         return;
     m_infractionsTold = findings.infractions.size();
     if (m_assignment.lesson->exam)
@@ -398,13 +402,19 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+    const auto practised = m_assignment.exercise ? m_follower.findings().practised : std::nullopt;
+    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
+        m_graded->practised == practised) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
         compareWithClass();
         m_explainer.tellAgain();
         return;
     }
-    if (tooth->top == tooth->anatomy->top) {
+    if (practised && !core::grading::isBegun(*practised)) {
+        m_window->showMessage(tr("This exercise has not been begun yet, so there is nothing to grade."));
+        return;
+    }
+    if (!m_assignment.exercise && tooth->top == tooth->anatomy->top) {
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
@@ -421,7 +431,8 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids};
+    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids,
+                                   found.practised};
     const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
@@ -463,24 +474,11 @@ void Application::finish(std::optional<int> expectedTenths)
         expectedTenths,
         {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured},
         done->recording,
-        isKept};
+        isKept,
+        found.practised};
     m_window->showScore(sheet, history, expectedTenths, m_graded->work);
     compareWithClass();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
-}
-
-/// Plays the attempt that was graded, from that moment on.
-void Application::showMoment(double seconds)
-{
-    if (!m_graded)
-        return;
-    play(m_graded->recording);
-    if (!m_replay)
-        return;
-    m_replayThread.reset();
-    m_replay->tick(std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::duration<double>(seconds)));
-    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
-    m_replayThread->start();
 }
 
 /// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
@@ -673,10 +671,11 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     m_replay->start();
 }
 
+/// Of the attempt that was graded, a little before that moment, held.
 void Application::showMoment(double seconds)
 {
-    if (const auto recording = m_session.recordingSoFar(); recording && !m_replay)
-        play(*recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
+    if (m_graded && !m_replay)
+        play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.

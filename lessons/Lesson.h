@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/grading/Exercise.h"
 #include "core/settings/Handpiece.h"
 #include "core/settings/HardnessPreset.h"
 #include "lessons/Aids.h"
@@ -20,8 +21,17 @@ namespace lessons {
 enum class Task {
     RemoveDecay,  ///< take the lesion out and spare the rest
     CutIdeal,     ///< cut the ideal preparation
-    TraceShape    ///< mill the shape out of a practice block
+    TraceShape,   ///< mill the shape out of a practice block
+    TouchPoints,  ///< touch points of the tooth with the drill off
+    HoldForce,    ///< hold a force on the tooth with the drill off
+    TellLayers    ///< tell the pads of a block of layers apart by feel, unseen
 };
+
+/// Something is practised on the tooth, and nothing is to be cut (core::grading::Exercise).
+[[nodiscard]] constexpr bool isExercise(Task task)
+{
+    return task == Task::TouchPoints || task == Task::HoldForce || task == Task::TellLayers;
+}
 
 /// A tooth that the program makes.
 struct MadeTooth
@@ -106,6 +116,8 @@ struct Lesson
     std::optional<Lesion> lesion;
     std::optional<Ideal> ideal;
     std::optional<LeewayZone> leeway;
+    std::optional<core::grading::PointsToTouch> touch;
+    std::optional<core::grading::ForceToHold> hold;
     std::vector<std::string> burs;                      ///< allowed, by id; the first is given; none: all
     std::vector<core::settings::Handpiece> handpieces;  ///< at hand; the first is given; none: all
     core::settings::HardnessPreset hardness;

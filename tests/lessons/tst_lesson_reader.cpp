@@ -23,6 +23,7 @@ private slots:
     void everyShippedLessonIsSoundAndHasItsDecay();
     void tellsEachFaultByFileAndKey_data();
     void tellsEachFaultByFileAndKey();
+    void layersAreToldWithoutAids();
     void tellsAllFaultsAtOnce();
     void unknownKeysAreNotedWithTheNearest();
     void whatIsBasedOnAnotherTakesItsKeys();
@@ -83,6 +84,8 @@ void TestLessonReader::readsEveryKey()
     object["grid"] = 200;
     object["ideal"] = QJsonObject{{"kind", "class1"}, {"sizes", QJsonObject{{"depth_mm", 1.75}}}};
     object["leeway"] = QJsonObject{{"sides_mm", 0.2}, {"bottom_mm", 0.4}};
+    object["touch"] = QJsonObject{{"points", QJsonArray{QJsonArray{1.5, -2}, QJsonArray{0, 0.25}}}, {"reach_mm", 0.4}};
+    object["hold"] = QJsonObject{{"force_n", 1.5}, {"within_n", 0.1}, {"seconds", 5}};
     object["burs"] = QJsonArray{"330", "2"};
     object["handpieces"] = QJsonArray{"low-speed", "turbine"};
     object["hardness"] = QJsonObject{{"name", "soft"},
@@ -111,6 +114,8 @@ void TestLessonReader::readsEveryKey()
     QCOMPARE(got.lesion->extent, 0.5);
     QCOMPARE(got.ideal->sizes.at("depth_mm"), 1.75);
     QCOMPARE(*got.leeway, (LeewayZone{0.2, 0.4}));
+    QCOMPARE(*got.touch, (core::grading::PointsToTouch{{{1.5, -2.0}, {0.0, 0.25}}, 0.4}));
+    QCOMPARE(*got.hold, (core::grading::ForceToHold{1.5, 0.1, 5.0}));
     QCOMPARE(got.burs, (std::vector<std::string>{"330", "2"}));
     QVERIFY(got.aids.section && got.aids.mirror && !got.aids.radiograph && !got.aids.ideal && got.aids.fixture &&
             !got.aids.burColour);
@@ -191,6 +196,19 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("a hardness without a name", "hardness", "{\"axial_share\": 0.5}", "hardness.name: is missing");
     row("enamel too soft", "hardness", R"({"name": "x", "enamel": {"rate_mm3_per_ns": 1000}})",
         "hardness.enamel.rate_mm3_per_ns: is 1000, it must lie between 0 and 100");
+    row("points that are not said", "task", "\"touch_points\"", "touch: is missing");
+    row("an empty list of points", "touch", "{\"points\": []}", "touch.points: must be a list of 1 to 40 places");
+    row("points as a text", "touch", "{\"points\": \"all\"}", "touch.points: must be a list of 1 to 40 places");
+    row("half a point", "touch", "{\"points\": [[1, 2], [3]]}", "touch.points[1]: must be [x, y]");
+    row("a point in words", "touch", "{\"points\": [[\"left\", 2]]}", "touch.points[0]: must be [x, y]");
+    row("a point in micrometres", "touch", "{\"points\": [[1000, 2]]}",
+        "touch.points[0]: must be [x, y], two numbers between -30 and 30 mm");
+    row("a reach that is none", "touch", R"({"points": [[1, 2]], "reach_mm": 0})",
+        "touch.reach_mm: is 0, it must lie between 0.1 and 3 mm");
+    row("a force that is not said", "task", "\"hold_force\"", "hold: is missing");
+    row("a force in grams", "hold", "{\"force_n\": 100}", "hold.force_n: is 100, it must lie between 0.2 and 5 N");
+    row("held for ever", "hold", "{\"seconds\": 1e9}", "hold.seconds: is 1e+09, it must lie between 1 and 120 s");
+    row("layers of a tooth", "task", "\"tell_layers\"", "tooth: layers are told apart in a block of them");
     row("no rubric", "rubric", "null", "rubric: is missing");
     row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
     row("a depth in micrometres", "rules", "{\"depth_limit_mm\": 2500}",
@@ -222,6 +240,21 @@ void TestLessonReader::tellsEachFaultByFileAndKey()
     QVERIFY(!read.lesson);
     QVERIFY2(sentences(read).contains("odd.lesson.json, "), qPrintable(sentences(read)));
     QVERIFY2(sentences(read).contains(says), qPrintable(sentences(read)));
+}
+
+void TestLessonReader::layersAreToldWithoutAids()
+{
+    QJsonObject object = lesson();
+    object["task"] = "tell_layers";
+    object["tooth"] = QJsonObject{{"block", "layers"}, {"seed", 3}};
+    object.remove("lesion");
+    const ReadLesson read = readLesson(write("odd.lesson.json", object));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QCOMPARE(read.lesson->aids, Aids::none());
+    object["aids"] = QJsonArray{"section"};
+    const ReadLesson peeking = readLesson(write("odd.lesson.json", object));
+    QVERIFY(!peeking.lesson);
+    QVERIFY2(sentences(peeking).contains("aids: layers are told apart without any"), qPrintable(sentences(peeking)));
 }
 
 void TestLessonReader::tellsAllFaultsAtOnce()

@@ -25,6 +25,7 @@
 #include <QTimer>
 
 #include "core/drilling/Bur.h"
+#include "core/teeth/Block.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/replay/ReplayBar.h"
@@ -40,6 +41,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonStrip.h"
@@ -93,7 +95,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
-      m_infractionCard(new study::InfractionCard(m_room))
+      m_infractionCard(new study::InfractionCard(m_room)),
+      m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -132,6 +135,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         emit takeBackWanted(m_infractionTick);
         workOn();
     });
+    connect(m_exerciseCard, &study::ExerciseCard::changed, this, &MainWindow::placeOverlays);
+    connect(m_exerciseCard, &study::ExerciseCard::answered, this,
+            [this](std::size_t pad, core::terrain::Material said) {
+                send(core::session::AddNote{core::grading::answerNote(pad, said)});
+            });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
@@ -336,6 +344,70 @@ void MainWindow::showIdeal()
     m_room->section().setIdeal(given.ideal ? m_ideal : nullptr);
 }
 
+/// The card and the marks of an exercise, where the tooth that is shown is one's.
+void MainWindow::layExercise()
+{
+    const bool isThere = m_assignment && m_assignment->anatomy == m_tooth && m_assignment->exercise && !m_replaying &&
+                         m_tooth != nullptr;
+    if (isThere && m_exerciseGeneration != m_ownGeneration) {
+        m_exerciseGeneration = m_ownGeneration;
+        m_touched.reset();
+        m_exerciseCard->begin(*m_assignment->exercise);
+    }
+    m_exerciseCard->setVisible(isThere);
+    if (isThere)
+        m_room->setHintVisible(false);
+    markExercise();
+    placeOverlays();
+}
+
+/// What of it is seen on the tooth: rings on points; or the pads' outlines alone, until they have been graded.
+void MainWindow::markExercise()
+{
+    using namespace core::grading;
+    tooth::ExerciseMarks marks;
+    const bool isThere = m_exerciseCard->isVisibleTo(m_room);
+    if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
+        for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
+            marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
+    const bool isUnseen =
+        isThere && std::holds_alternative<PadsToName>(*m_assignment->exercise) && !m_exerciseCard->isConcluded();
+    if (isUnseen) {
+        const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);
+        for (std::size_t pad = 0; pad < kPads; ++pad) {
+            const glm::dvec2 middle(core::teeth::kPadX.at(pad), 0.0);
+            marks.pads.push_back({study::padName(pad), middle - half, middle + half});
+        }
+        marks.showsHeight = !m_actions->bringHome->isVisible();  // a device that leads a hand is felt by it
+    }
+    m_view->setExercise(marks);
+    m_room->panel().setBlindfold(isUnseen);
+}
+
+void MainWindow::showPractised(const core::grading::Practised& practised)
+{
+    if (!m_exerciseCard->isVisibleTo(m_room))
+        return;
+    m_exerciseCard->setPractised(practised);
+    if (const auto* touched = std::get_if<core::grading::Touched>(&practised); touched != nullptr) {
+        m_touched = *touched;
+        markExercise();
+    }
+}
+
+/// Where nothing is to be cut the drill is off to begin with, and afterwards as it was before.
+void MainWindow::setDrillFor(lessons::Task task)
+{
+    const bool shallRest = task == lessons::Task::TouchPoints || task == lessons::Task::HoldForce;
+    if (shallRest) {
+        m_drillWasOn = m_drillWasOn || m_actions->drill->isChecked();
+        wishDrill(false);
+    } else if (task == lessons::Task::TellLayers || m_drillWasOn) {
+        m_drillWasOn = false;
+        wishDrill(true);
+    }
+}
+
 void MainWindow::showXray()
 {
     const core::terrain::Tooth* tooth = m_view->tooth();
@@ -407,6 +479,8 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     guide(servo);
+    if (m_exerciseCard->isVisible())
+        m_exerciseCard->setServo(servo);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -644,6 +718,7 @@ void MainWindow::placeOverlays()
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
+    m_exerciseCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
@@ -673,6 +748,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
+    layExercise();
     const QString title = isAssigned ? workTitle() : text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
     //: Beside the name of the tooth, where otherwise "lower left first molar" stands
@@ -748,6 +824,10 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
                            std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
+    if (m_exerciseCard->isVisibleTo(m_room)) {
+        m_exerciseCard->conclude();
+        markExercise();
+    }
     m_scorePage->setScore(workTitle(), sheet, history, expectedTenths, scored);
     goTo(m_scorePage);
 }
@@ -789,6 +869,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
+    setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     if (!assignment.lesson)
         return;
     m_room->lesson().setLesson(*assignment.lesson);

@@ -37,6 +37,7 @@ class XrayPage;
 }
 
 namespace ui::study {
+class ExerciseCard;
 class Forecast;
 class InfractionCard;
 class ScorePage;
@@ -99,6 +100,8 @@ public slots:
                    std::optional<int> expectedTenths = {}, const std::optional<study::ScoredWork>& scored = {});
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
+    /// How the exercise of the student's lesson has gone so far.
+    void showPractised(const core::grading::Practised& practised);
     /// Asks what the student expects; forecastGiven() answers.
     void askForecast();
     /// The lesson that the tooth shown next is for; none: practised freely.
@@ -199,6 +202,9 @@ private:
     void placeOverlays();
     [[nodiscard]] QString workTitle() const;
     void showIdeal();
+    void layExercise();
+    void markExercise();
+    void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
@@ -225,6 +231,7 @@ private:
     HelpOverlay* m_help;
     StereoCard* m_stereoCard;
     study::InfractionCard* m_infractionCard;
+    study::ExerciseCard* m_exerciseCard;
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
@@ -244,6 +251,9 @@ private:
     Wish m_handpieceWish;
     std::vector<int> m_handpieces;  ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
     QElapsedTimer m_sinceGuide;
+    std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
+    std::optional<core::grading::Touched> m_touched;
+    bool m_drillWasOn = false;           ///< before an exercise for which it rests
     bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
