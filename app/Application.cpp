@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
@@ -13,6 +16,7 @@
 
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
+#include "core/guidance/Fixture.h"
 #include "core/recording/Replay.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -20,6 +24,7 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -34,7 +39,6 @@ constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
-constexpr int kReplayWatchMs = 100;
 constexpr int kJournalWatchMs = 500;
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -127,20 +131,23 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
-    connect(m_window.get(), &MainWindow::replayPauseRequested, this, [this](bool paused) {
-        if (m_replay)
-            m_replay->setPaused(paused);
-    });
-    connect(m_window.get(), &MainWindow::replaySpeedChosen, this, [this](int times) {
-        if (m_replay)
-            m_replay->setSpeed(times);
-    });
+    m_window->setHistorySource({[this] { return m_session.historySoFar(); },
+                                [this](core::session::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
+    connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
+    connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
+    ui::study::ScorePage& page = m_window->scorePage();
+    connect(&m_explainer, &Explainer::noiseFound, &page, &ui::study::ScorePage::setNoise);
+    connect(&m_explainer, &Explainer::momentsProgress, &page, &ui::study::ScorePage::setMomentsProgress);
+    connect(&m_explainer, &Explainer::momentsFound, &page,
+            [&page](const lessons::Moments& moments) { page.setMoments(moments.ofCriteria); });
+    connect(&m_explainer, &Explainer::failed, this, [this, &page](const core::Error& error) {
+        page.setMomentsProgress({});
+        m_window->showError(error, Failed::Marking);
+    });
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
-    m_replayWatch.setInterval(kReplayWatchMs);
-    connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
     if (options.simulatedDevice) {
         m_window->setSelfDrilling();
@@ -159,7 +166,7 @@ Application::~Application()
     // A load still under way would come back to nobody.
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
-    m_replayThread.reset();
+    m_replay.reset();
     m_syncThread.reset();
     m_journalThread.reset();
     // The window has asked about the work on the table before it let itself be closed.
@@ -303,17 +310,27 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 
 void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
-    lay(assignment, notes, unitInDoubt);
+    const core::session::ServoSettings settings = lessons::servoSettings(
+        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice));
+    auto servo = core::session::makeServoTick(settings);
+    if (!servo) {
+        refuse(servo.error(), Failed::OpeningLesson, {});
+        return;
+    }
+    lay(assignment, settings, notes, unitInDoubt);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
-    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get()})) {
-        static_cast<void>(tooth.release());  // the session owns both now
+    if (m_links.commands.tryPush(
+            core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get(), servo->get()})) {
+        static_cast<void>(tooth.release());  // the session owns them now
         static_cast<void>(lesson.release());
+        static_cast<void>(servo->release());
     }
 }
 
 /// Lays another tooth on the table. The session is still to be told.
-void Application::lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
+void Application::lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
+                      const QStringList& notes, bool unitInDoubt)
 {
     if (m_replay) {
         putReplayAway();
@@ -321,7 +338,10 @@ void Application::lay(const lessons::Assignment& assignment, const QStringList& 
         startLoops();
     }
     m_assignment = assignment;
+    m_settings = settings;
     m_window->setAssignment(m_assignment);
+    m_window->setHandpieces(m_settings.handpieces);
+    holdHand(false);
     m_ownGeneration = ++m_generation;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
@@ -352,6 +372,17 @@ void Application::watchAttempt()
     m_window->tellInfraction(newest, canTakeBack);
 }
 
+/// Within the outline of what is to be cut, or nowhere.
+void Application::holdHand(bool wanted)
+{
+    const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
+    std::unique_ptr<const core::guidance::Fixture> fixture;
+    if (ideal)
+        fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
+    if (m_links.commands.tryPush(core::session::SetFixture{fixture.get()}))
+        static_cast<void>(fixture.release());  // the session owns it now
+}
+
 /// To the last moment before a tick, on the way that led here.
 void Application::takeBack(std::uint64_t tick)
 {
@@ -367,8 +398,10 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
-        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths);
+    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
+        compareWithClass();
+        m_explainer.tellAgain();
         return;
     }
     if (tooth->top == tooth->anatomy->top) {
@@ -388,9 +421,8 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    const auto marked =
-        lessons::mark(m_assignment, done->tooth,
-                      lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids});
+    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids};
+    const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;
@@ -398,6 +430,7 @@ void Application::finish(std::optional<int> expectedTenths)
     const lessons::ScoreSheet& sheet = marked->sheet;
     const std::uint64_t hash = core::terrain::stateHash(done->tooth);
     QList<database::AttemptRecord> history;
+    bool isKept = !m_attempts;
     if (m_attempts) {
         database::AttemptRecord record;
         record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -416,14 +449,51 @@ void Application::finish(std::optional<int> expectedTenths)
         const auto kept = m_attempts->add(record);
         const auto last = kept ? lastGrades(record)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
-        if (last) {
+        isKept = last.has_value();
+        if (last)
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-            m_graded = {m_ownGeneration, hash, sheet, history, expectedTenths};
-        } else {
+        else
             m_window->showError(last.error(), Failed::KeepingGrades);
-        }
     }
-    m_window->showScore(sheet, history, expectedTenths);
+    m_graded = {
+        m_ownGeneration,
+        hash,
+        sheet,
+        history,
+        expectedTenths,
+        {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured},
+        done->recording,
+        isKept};
+    m_window->showScore(sheet, history, expectedTenths, m_graded->work);
+    compareWithClass();
+    m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
+}
+
+/// Plays the attempt that was graded, from that moment on.
+void Application::showMoment(double seconds)
+{
+    if (!m_graded)
+        return;
+    play(m_graded->recording);
+    if (!m_replay)
+        return;
+    m_replayThread.reset();
+    m_replay->tick(std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::duration<double>(seconds)));
+    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
+    m_replayThread->start();
+}
+
+/// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
+/// one person's.
+void Application::compareWithClass()
+{
+    if (m_graded->history.isEmpty())
+        return;
+    int best = m_graded->sheet.totalTenths;
+    for (const database::AttemptRecord& attempt : m_graded->history)
+        if (attempt.rubricHash == m_graded->sheet.rubricHash)
+            best = std::max(best, attempt.scoreTenths);
+    m_window->scorePage().setClass(lessons::classStanding(m_graded->sheet.totalTenths, std::array{best}));
 }
 
 /// Of the same lesson, or without one of the same tooth.
@@ -532,9 +602,10 @@ void Application::resumeUnfinished()
 {
     if (!m_unfinished)
         return;
-    if (!(m_unfinished->recording.settings() == settingsFor(m_options.simulatedDevice))) {
-        m_window->showMessage(tr("This attempt was made with a bur that cuts or feels differently from today's, so it "
-                                 "cannot be gone on with. It is kept."));
+    // What cuts is the attempt's own; what is felt must suit the device.
+    if (!(m_unfinished->recording.settings().force == settingsFor(m_options.simulatedDevice).force)) {
+        m_window->showMessage(
+            tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
     }
     const int load = ++m_loading;
@@ -558,7 +629,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         m_window->showError(assignment.error(), Failed::ResumingAttempt);
         return;
     }
-    lay(*assignment, {}, false);
+    lay(*assignment, attempt->recording.settings(), {}, false);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
@@ -576,9 +647,9 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording)
+void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
 {
-    auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
+    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return;
@@ -592,21 +663,20 @@ void Application::play(const core::recording::Recording& recording)
     ++m_generation;
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
-    m_window->setReplaying(true, std::chrono::duration<double>(recording.duration()).count());
+    m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal());
+    m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
-        m_replay->tick(recording.duration());  // straight to its end
-    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
-    m_replayThread->start();
-    m_replayWatch.start();
+        m_replay->goToEnd();
+    if (heldAtS)
+        m_replay->holdAt(*heldAtS);
+    m_replay->start();
 }
 
-void Application::watchReplay()
+void Application::showMoment(double seconds)
 {
-    if (!m_replay || !m_replay->isFinished())
-        return;
-    m_replayWatch.stop();
-    m_window->showReplayEnd();
+    if (const auto recording = m_session.recordingSoFar(); recording && !m_replay)
+        play(*recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -633,8 +703,6 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
-    m_replayWatch.stop();
-    m_replayThread.reset();
     m_replay.reset();
 }
 
@@ -652,6 +720,7 @@ void Application::stopReplay()
     }
     putReplayAway();
     m_window->setReplaying(false);
+    m_window->setHandpieces(m_settings.handpieces);
     m_links.servo.back() = m_handAtRest;
     m_links.servo.publish();
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {

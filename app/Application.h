@@ -7,8 +7,9 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/Explainer.h"
 #include "app/LoopThread.h"
-#include "app/ReplayLoop.h"
+#include "app/ReplayDesk.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
 #include "core/teeth/ToothBuilder.h"
@@ -47,6 +48,9 @@ public:
     void show();
     [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
 
+    /// Plays the present attempt itself, held a moment before this one: what led to it is seen when it goes on.
+    void showMoment(double seconds);
+
 private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
@@ -57,11 +61,15 @@ private:
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
-    void lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
+    void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
+             const QStringList& notes, bool unitInDoubt);
     void watchAttempt();
+    void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);
+    void showMoment(double seconds);
+    void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
@@ -71,10 +79,10 @@ private:
     void resumeUnfinished();
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
-    void play(const core::recording::Recording& recording);
+    /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
+    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {});
     void putReplayAway();
     void stopReplay();
-    void watchReplay();
     void drawPicture();
     void letDemoHandDecide();
     void startLoops();
@@ -94,9 +102,10 @@ private:
     std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
 
-    lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
-    std::uint64_t m_ownGeneration = 0;  ///< of that tooth
-    std::uint64_t m_generation = 0;     ///< of the newest tooth shown
+    core::session::ServoSettings m_settings;  ///< of the student's own attempt
+    lessons::Assignment m_assignment;         ///< the student's own; its anatomy is null until a tooth is taken
+    std::uint64_t m_ownGeneration = 0;        ///< of that tooth
+    std::uint64_t m_generation = 0;           ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     /// The grade given last: the same work is not graded twice.
@@ -107,16 +116,19 @@ private:
         lessons::ScoreSheet sheet;
         QList<database::AttemptRecord> history;
         std::optional<int> expectedTenths;
+        ui::study::ScoredWork work;
+        core::recording::Recording recording;
+        bool isKept = false;  ///< or nowhere to keep it
     };
     std::optional<Graded> m_graded;
+    Explainer m_explainer;  ///< of m_graded
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
-    QTimer m_replayWatch;
     QTimer m_demoBeat;
-    std::unique_ptr<ReplayLoop> m_replay;
+    std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 
@@ -126,7 +138,6 @@ private:
     std::unique_ptr<LoopThread> m_followerThread;
     std::unique_ptr<LoopThread> m_journalThread;
     std::unique_ptr<LoopThread> m_syncThread;
-    std::unique_ptr<LoopThread> m_replayThread;
 };
 
 }  // namespace app

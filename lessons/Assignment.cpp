@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/Assignment.h"
 
-#include <bit>
 #include <filesystem>
 
 #include "core/drilling/Bur.h"
@@ -148,6 +147,21 @@ core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::Tooth
     return workOut(*read.lesson, std::move(anatomy));
 }
 
+core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual)
+{
+    if (lesson != nullptr) {
+        usual.hardness = lesson->hardness;
+        usual.breakOff.on = lesson->breakOff;
+    }
+    if (lesson != nullptr && !lesson->handpieces.empty()) {
+        usual.handpieces = lesson->handpieces;
+    } else {
+        const auto all = core::settings::handpieces();
+        usual.handpieces.assign(all.begin(), all.end());
+    }
+    return usual;
+}
+
 core::session::Examination examinationOf(const Assignment& assignment)
 {
     core::session::Examination examination;
@@ -202,7 +216,7 @@ core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth
     if (conduct) {
         result.measured.process = conduct->process;
         result.measured.infractions = conduct->infractions;
-        result.measured.aidsUsed = std::popcount(conduct->aids);
+        result.measured.aidsUsed = conduct->aidsUsed();
     }
     if (assignment.ideal) {
         auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);

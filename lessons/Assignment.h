@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -38,6 +39,10 @@ struct Assigned
 /// The block that a lesson names, with its sizes; a sentence where there is no such shape or size, or they do not fit.
 [[nodiscard]] core::Result<core::teeth::BlockDesign> designOf(const Block& block);
 
+/// What computes an attempt at a lesson, or without one (null): its hardness and the handpieces at hand, with the force
+/// law of `usual`.
+[[nodiscard]] core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual);
+
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson);
 
@@ -62,6 +67,7 @@ struct Conduct
     core::grading::Process process;
     int infractions = 0;
     std::uint8_t aids = 0;  ///< bits of core::session::Aid that were in use
+    [[nodiscard]] int aidsUsed() const { return std::popcount(aids); }
 };
 
 /// What an examiner of this assignment watches.

@@ -14,6 +14,10 @@
 #include "core/rt/TripleBuffer.h"
 #include "core/terrain/Tooth.h"
 
+namespace core::guidance {
+class Fixture;
+}
+
 /// What crosses between the threads: the servo (1 kHz), the session (about 100 Hz) and the ui. Plain values only.
 namespace core::session {
 
@@ -26,6 +30,7 @@ enum Health : std::uint32_t {
     kBegunInside = 1U << 4U,     ///< the bur began inside the tooth: no force and no cutting until it has been out
     kLoopIsSlow = 1U << 5U,      ///< force comes late: the spring is softer than set
     kLedHome = 1U << 6U,         ///< the hand is led home over the tooth (contact::WorkArea)
+    kHeldInside = 1U << 7U,      ///< a fixture holds the hand within the outline (guidance::Fixture)
 };
 
 /// Where the bur was at one moment.
@@ -50,6 +55,7 @@ struct ServoState
     bool cutting = false;           ///< material came away this tick
     bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;
+    std::uint8_t handpieceIndex = 0;                                 ///< into the attempt's handpieces (ServoSettings)
     terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
     double burRpm = 0.0;    ///< turns of the bur a minute under its load; 0 with the drill off
     double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside
@@ -103,12 +109,15 @@ struct GoTo
 {
     MomentId id{};
 };
-/// A new tooth; ownership of `tooth` and `lesson` goes to the session with the command.
+class ServoTick;
+/// A new tooth; ownership of `tooth`, `lesson` and `servo` goes to the session with the command.
 struct ReplaceTooth
 {
     terrain::Tooth* tooth = nullptr;
     std::uint64_t generation = 0;         ///< the number that states and patches of this tooth will carry
     const std::string* lesson = nullptr;  ///< what the attempt is made for (recording::checkLesson); null: nothing
+    /// What computes the attempt, new; null: as the one before, or as the session was set up.
+    ServoTick* servo = nullptr;
 };
 struct Unfinished;
 /// An attempt that the program did not live to see finished, taken up again; ownership goes to the session.
@@ -125,7 +134,9 @@ enum Aid : std::uint8_t {
     kHeatMapAid = 1U << 3U,
     kMirrorAid = 1U << 4U,
     kIdealAid = 1U << 5U,
-    kAllAids = (1U << 6U) - 1U,
+    kBurColourAid = 1U << 6U,  ///< the bur coloured by what is left to the limit
+    kFixtureAid = 1U << 7U,    ///< a hand held within the outline
+    kAllAids = (1U << 8U) - 1U,
 };
 /// The aids that are in use from now on: goes on the recording.
 struct SetAids
@@ -145,11 +156,21 @@ struct SetDrill
 {
     bool on = false;
 };
+/// Another of the handpieces at hand.
+struct SetHandpiece
+{
+    std::uint8_t index = 0;  ///< into the attempt's handpieces (ServoSettings)
+};
+/// Holds the hand within an outline from now on, or does not: until this comes again. Ownership goes to the session.
+struct SetFixture
+{
+    const guidance::Fixture* fixture = nullptr;  ///< null: none
+};
 /// Lead the hand home over the tooth; nothing where the device has no work area.
 struct BringHome
 {};
-using SessionCommand =
-    std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome, GoTo, ResumeAttempt, SetAids, AddNote>;
+using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, SetHandpiece, SetFixture,
+                                    BringHome, GoTo, ResumeAttempt, SetAids, AddNote>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.
