@@ -570,7 +570,7 @@ bool isOfProcess(const MeasureInfo& measure)
 {
     Process complete;
     complete.firstCutS = complete.strokeMm = complete.strokeS = complete.jerkMmPerS3 = 0.0;
-    complete.force.emplace();
+    complete.force = Process::Force{};
     Measured way;
     way.process = complete;
     way.infractions = 0;
