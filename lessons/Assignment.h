@@ -84,6 +84,7 @@ struct Remarked
 {
     core::recording::ReplayOutcome outcome;
     Mark mark;
+    Conduct conduct;
     std::vector<core::grading::Infraction> infractions;
 };
 
