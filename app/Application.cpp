@@ -16,6 +16,7 @@
 
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
+#include "core/guidance/Fixture.h"
 #include "core/recording/Replay.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -38,7 +39,6 @@ constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
-constexpr int kReplayWatchMs = 100;
 constexpr int kJournalWatchMs = 500;
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -131,15 +131,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
-    connect(m_window.get(), &MainWindow::replayPauseRequested, this, [this](bool paused) {
-        if (m_replay)
-            m_replay->setPaused(paused);
-    });
-    connect(m_window.get(), &MainWindow::replaySpeedChosen, this, [this](int times) {
-        if (m_replay)
-            m_replay->setSpeed(times);
-    });
+    m_window->setHistorySource({[this] { return m_session.historySoFar(); },
+                                [this](core::session::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
+    connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
     connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
     ui::study::ScorePage& page = m_window->scorePage();
     connect(&m_explainer, &Explainer::noiseFound, &page, &ui::study::ScorePage::setNoise);
@@ -153,8 +148,6 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
-    m_replayWatch.setInterval(kReplayWatchMs);
-    connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
     if (options.simulatedDevice) {
         m_window->setSelfDrilling();
@@ -173,7 +166,7 @@ Application::~Application()
     // A load still under way would come back to nobody.
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
-    m_replayThread.reset();
+    m_replay.reset();
     m_syncThread.reset();
     m_journalThread.reset();
     // The window has asked about the work on the table before it let itself be closed.
@@ -348,6 +341,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_settings = settings;
     m_window->setAssignment(m_assignment);
     m_window->setHandpieces(m_settings.handpieces);
+    holdHand(false);
     m_ownGeneration = ++m_generation;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
@@ -376,6 +370,17 @@ void Application::watchAttempt()
     const core::grading::Infraction& newest = findings.infractions.back();
     const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), newest.tick).has_value();
     m_window->tellInfraction(newest, canTakeBack);
+}
+
+/// Within the outline of what is to be cut, or nowhere.
+void Application::holdHand(bool wanted)
+{
+    const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
+    std::unique_ptr<const core::guidance::Fixture> fixture;
+    if (ideal)
+        fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
+    if (m_links.commands.tryPush(core::session::SetFixture{fixture.get()}))
+        static_cast<void>(fixture.release());  // the session owns it now
 }
 
 /// To the last moment before a tick, on the way that led here.
@@ -642,9 +647,9 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording)
+void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
 {
-    auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
+    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return;
@@ -658,22 +663,20 @@ void Application::play(const core::recording::Recording& recording)
     ++m_generation;
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
-    m_window->setReplaying(true, std::chrono::duration<double>(recording.duration()).count());
+    m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal());
     m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
-        m_replay->tick(recording.duration());  // straight to its end
-    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
-    m_replayThread->start();
-    m_replayWatch.start();
+        m_replay->goToEnd();
+    if (heldAtS)
+        m_replay->holdAt(*heldAtS);
+    m_replay->start();
 }
 
-void Application::watchReplay()
+void Application::showMoment(double seconds)
 {
-    if (!m_replay || !m_replay->isFinished())
-        return;
-    m_replayWatch.stop();
-    m_window->showReplayEnd();
+    if (const auto recording = m_session.recordingSoFar(); recording && !m_replay)
+        play(*recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -700,8 +703,6 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
-    m_replayWatch.stop();
-    m_replayThread.reset();
     m_replay.reset();
 }
 

@@ -9,7 +9,7 @@
 
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
-#include "app/ReplayLoop.h"
+#include "app/ReplayDesk.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
 #include "core/teeth/ToothBuilder.h"
@@ -48,6 +48,9 @@ public:
     void show();
     [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
 
+    /// Plays the present attempt itself, held a moment before this one: what led to it is seen when it goes on.
+    void showMoment(double seconds);
+
 private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
@@ -61,6 +64,7 @@ private:
     void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
              const QStringList& notes, bool unitInDoubt);
     void watchAttempt();
+    void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);
@@ -75,10 +79,10 @@ private:
     void resumeUnfinished();
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
-    void play(const core::recording::Recording& recording);
+    /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
+    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {});
     void putReplayAway();
     void stopReplay();
-    void watchReplay();
     void drawPicture();
     void letDemoHandDecide();
     void startLoops();
@@ -123,9 +127,8 @@ private:
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
-    QTimer m_replayWatch;
     QTimer m_demoBeat;
-    std::unique_ptr<ReplayLoop> m_replay;
+    std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 
@@ -135,7 +138,6 @@ private:
     std::unique_ptr<LoopThread> m_followerThread;
     std::unique_ptr<LoopThread> m_journalThread;
     std::unique_ptr<LoopThread> m_syncThread;
-    std::unique_ptr<LoopThread> m_replayThread;
 };
 
 }  // namespace app

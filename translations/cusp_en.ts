@@ -421,6 +421,30 @@
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Lesson</name>
@@ -660,6 +684,69 @@
     </message>
     <message>
         <source>O</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TimeLine</name>
+    <message>
+        <source>section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -944,6 +1031,74 @@
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1297,7 +1452,84 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Take this handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1757,44 +1989,6 @@
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>You are watching a recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop the recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Progress of the recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the replay: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>ui::shell::ScoreBar</name>
@@ -1828,6 +2022,7 @@
     </message>
     <message>
         <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1879,7 +2074,6 @@
     </message>
     <message>
         <source>beside the decay</source>
-        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1899,12 +2093,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Turns of the bur a minute: a load slows it, until it stalls</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2366,6 +2577,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Your attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Grade: %1</source>
         <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
         <translation type="unfinished"></translation>
@@ -2423,18 +2638,6 @@
         <source>%1 has no place; farthest off the ideal: %2</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the first grade here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Your attempts</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
         <extracomment>%1 is a number of per cent</extracomment>
@@ -2454,6 +2657,14 @@
     <message>
         <source>other rubric</source>
         <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

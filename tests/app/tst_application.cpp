@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -11,6 +12,7 @@
 
 #include "app/Application.h"
 #include "tests/support/OpenGlMain.h"
+#include "ui/replay/HistoryPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
@@ -30,6 +32,8 @@ private slots:
     void aScoreIsExplainedInTheBackground();
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
+    void aMomentOfTheOwnAttemptIsShownAndLeft();
+    void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
     void theSimulatedHandpieceDrillsByItself();
     void anUnfinishedAttemptIsOfferedAndTakenUp();
@@ -261,6 +265,61 @@ void TestApplication::theOwnWorkIsStillAskedAboutAfterTwoReplays()
     m_application->window().close();
     QVERIFY(m_application->window().isVisible());
     QVERIFY(child<QMessageBox>("workQuestion") != nullptr);
+}
+
+void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    QVERIFY(own != "0.00");
+    m_application->showMoment(1.0e6);
+    // Held, a moment before its end.
+    QVERIFY(actions().pauseReplay->text().startsWith("Resume"));
+    const auto time = [this] { return child<ui::shell::TabularLabel>("replayTime")->text(); };
+    QTRY_VERIFY_WITH_TIMEOUT(time() != "0:00 of 0:00" && time().section(" of ", 0, 0) == time().section(" of ", 1, 1),
+                             10000);
+    QTRY_COMPARE(enamelRemoved(), own);
+    const QImage cut = m_application->window().view().toothPicture();
+    // Back to before it was cut, and forth to what the stroke has left.
+    actions().replayBegin->trigger();
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    QVERIFY(m_application->window().view().toothPicture() != cut);
+    actions().stepOn->trigger();
+    QTRY_COMPARE(enamelRemoved(), own);
+    QCOMPARE(m_application->window().view().toothPicture(), cut);
+    actions().stepBack->trigger();
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    actions().back->trigger();
+    QVERIFY(message().contains("your own work"));
+    QTRY_COMPARE(enamelRemoved(), own);
+    drillAt({2.0, 1.0, -1.0});
+}
+
+void TestApplication::theUndoHistoryLeadsToAnyMoment()
+{
+    start();
+    actions().history->trigger();
+    const auto* list = &child<ui::replay::HistoryPanel>("historyPanel")->list();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString first = enamelRemoved();
+    QTRY_COMPARE(list->model()->rowCount(), 2);
+    actions().undo->trigger();
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    drillAt({2.0, 1.0, -1.0});
+    const QString second = enamelRemoved();
+    QTRY_COMPARE(list->model()->rowCount(), 3);
+    const auto goTo = [&](int row) {
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualRect(list->model()->index(row, 0)).center());
+    };
+    goTo(1);  // what was undone
+    QTRY_COMPARE(enamelRemoved(), first);
+    goTo(2);
+    QTRY_COMPARE(enamelRemoved(), second);
+    goTo(0);
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    QVERIFY(list->model()->index(0, 0).data().toString().contains("present"));
 }
 
 void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()

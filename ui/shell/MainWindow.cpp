@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QListView>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -26,6 +27,7 @@
 #include "core/drilling/Bur.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/replay/ReplayBar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -42,6 +44,7 @@
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
+#include "ui/study/Limit.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -49,6 +52,7 @@ namespace ui::shell {
 namespace {
 
 /// How long the servo may take to follow a wish before its own word counts again.
+constexpr qint64 kGuideEveryMs = 100;
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
@@ -66,8 +70,6 @@ QString patternOf(const QStringList& suffixes)
         patterns << "*." + suffix << "*." + suffix.toUpper();
     return patterns.join(u' ');
 }
-
-constexpr int kReplayBarPx = 64;
 
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
@@ -109,6 +111,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
 
     connectActions();
     connectView();
+    connectReplay();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -143,8 +146,6 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
             newFileName(QStringLiteral("png")));
     });
-    connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
-    connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
@@ -185,6 +186,7 @@ void MainWindow::connectActions()
     on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
+    on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
     on(m_actions->otherHand, [this](bool left) {
@@ -232,10 +234,6 @@ void MainWindow::connectActions()
         askForFile(m_actions->openRecording->text(), FileKind::Recording,
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
-    on(m_actions->pauseReplay, [this] {
-        setReplayPaused(!m_replayPaused);
-        emit replayPauseRequested(m_replayPaused);
-    });
     on(m_actions->savePicture, [this] {
         askForFile(
             m_actions->savePicture->text(), FileKind::Picture,
@@ -261,6 +259,44 @@ void MainWindow::connectActions()
     on(m_actions->quit, [this] { close(); });
 }
 
+void MainWindow::connectReplay()
+{
+    replay::ReplayBar& bar = m_room->replay();
+    connect(&bar, &replay::ReplayBar::stopWanted, this, &MainWindow::replayStopRequested);
+    connect(&bar, &replay::ReplayBar::speedChosen, this, &MainWindow::replaySpeedChosen);
+    connect(&bar, &replay::ReplayBar::seekWanted, this, &MainWindow::seekWanted);
+    const auto hold = [this](bool paused) {
+        showReplayPaused(paused);
+        emit replayPauseRequested(paused);
+    };
+    const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
+    on(m_actions->pauseReplay, [this, hold] { hold(!m_replayPaused); });
+    for (const bool onward : {false, true})
+        on(onward ? m_actions->stepOn : m_actions->stepBack, [&bar, hold, onward] {
+            hold(true);
+            bar.step(onward);
+        });
+    on(m_actions->replayBegin, [&bar] { bar.goToBegin(); });
+    on(m_actions->replayEnd, [&bar] { bar.goToEnd(); });
+    on(m_actions->slower, [&bar] { bar.changeSpeed(false); });
+    on(m_actions->faster, [&bar] { bar.changeSpeed(true); });
+    on(m_actions->history, [this](bool shown) {
+        m_room->history().setVisible(shown);
+        placeOverlays();
+        if (shown)
+            m_room->history().list().setFocus();
+        else
+            m_view->setFocus();
+    });
+    connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
+            [this](const core::session::GoTo& where) { send(where); });
+}
+
+void MainWindow::setHistorySource(replay::HistorySource source)
+{
+    m_room->history().setSource(std::move(source));
+}
+
 void MainWindow::offerHome()
 {
     m_actions->bringHome->setVisible(true);
@@ -276,6 +312,8 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->radiograph, aids.radiograph);
     Actions::setAllowed(m_actions->depthColours, aids.heatMap);
     Actions::setAllowed(m_actions->mirror, aids.mirror);
+    Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
+    Actions::setAllowed(m_actions->fixture, aids.fixture);
     m_room->panel().setDepthGauge(aids.depthGauge);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -336,6 +374,7 @@ void MainWindow::connectView()
         m_view->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
+        m_room->history().setColours(settings.look.palette);
         m_chooser->setMovesLittle(settings.movesLittle);
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
@@ -367,6 +406,7 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
         reading.dentinOverPulpMm.reset();
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
+    guide(servo);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -388,6 +428,26 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
             m_actions->handpieces[shipped]->setChecked(true);
 }
 
+/// How near the bur is to what is to be kept, and how far the work has come, ten times a second.
+void MainWindow::guide(const core::session::ServoState& servo)
+{
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    if (tooth == nullptr || m_ideal == nullptr || !m_aids.ideal || servo.tick == 0) {
+        m_view->setBurTint({});
+        m_room->panel().setGuide({}, {});
+        return;
+    }
+    std::optional<double> marginMm;
+    if (m_viewMenu->settings().showsMargin && servo.burIndex < core::drilling::burs().size())
+        marginMm =
+            core::guidance::marginMm(*tooth->anatomy, *m_ideal, core::drilling::burs()[servo.burIndex], servo.anchorMm);
+    m_view->setBurTint(study::limitColour(marginMm));
+    if (m_sinceGuide.isValid() && m_sinceGuide.elapsed() < kGuideEveryMs)
+        return;
+    m_sinceGuide.start();
+    m_room->panel().setGuide(marginMm, core::guidance::progressOf(*tooth->anatomy, *m_ideal, tooth->top));
+}
+
 void MainWindow::takeSession()
 {
     const core::session::SessionState& now = m_links.session.latest();
@@ -395,9 +455,11 @@ void MainWindow::takeSession()
     tellHarm(now);
     m_session = now;
     if (m_replaying)
-        m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
-    else if (m_session.toothGeneration == m_ownGeneration)
+        m_room->replay().setPosition(m_session.recordedS);
+    else if (m_session.toothGeneration == m_ownGeneration) {
         m_room->lesson().setTime(m_session.recordedS);
+        m_room->history().follow(m_session.historyVersion);
+    }
     if (moved)
         enableActions();
     tellAids();
@@ -417,6 +479,8 @@ void MainWindow::tellAids()
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
         inUse(m_actions->mirror->isChecked(), kMirrorAid) |
+        inUse(m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
+        inUse(m_actions->fixture->isChecked(), kFixtureAid) |
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
@@ -518,6 +582,8 @@ void MainWindow::goBack()
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
+    } else if (m_room->history().list().hasFocus()) {
+        m_view->setFocus();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
@@ -544,6 +610,9 @@ void MainWindow::enableActions()
     m_actions->idealColours->setEnabled(m_actions->idealColours->isEnabled() && m_aids.heatMap && m_aids.ideal &&
                                         m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
+    const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
+    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && m_aids.burColour && seesIdeal);
+    m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
@@ -559,7 +628,12 @@ void MainWindow::enableActions()
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine);
-    m_actions->pauseReplay->setEnabled(inRoom && m_replaying);
+    m_actions->history->setEnabled(inRoom && mine);
+    for (QAction* action : {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin,
+                            m_actions->replayEnd, m_actions->slower, m_actions->faster}) {
+        action->setVisible(m_replaying);
+        action->setEnabled(inRoom && m_replaying);
+    }
 }
 
 void MainWindow::placeOverlays()
@@ -568,9 +642,7 @@ void MainWindow::placeOverlays()
     if (m_help->isVisible())
         m_help->raise();
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
-    // Above the bar of a replay.
-    const int bar = m_replaying ? kReplayBarPx : 0;
-    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - bar - m_stereoCard->height());
+    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
@@ -590,11 +662,14 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     if (!m_replaying && generation != m_ownGeneration) {
         m_ownGeneration = generation;
         m_savedWork = {};
+        m_room->history().setTooth(m_tooth);
     }
     m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
     const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
-    m_ideal = isAssigned ? m_assignment->shownIdeal() : core::grading::idealCavity(*m_tooth);
+    m_ideal = m_replaying  ? m_replayIdeal
+              : isAssigned ? m_assignment->shownIdeal()
+                           : core::grading::idealCavity(*m_tooth);
     m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
@@ -711,6 +786,8 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
+    m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
+    m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     if (!assignment.lesson)
         return;
@@ -734,22 +811,28 @@ void MainWindow::showSaved(const QString& path)
         what();
 }
 
-void MainWindow::setReplaying(bool replaying, double lengthS)
+void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
-    m_replayLengthS = lengthS;
+    m_replayIdeal = std::move(ideal);
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
-    m_room->setReplayTime(0.0, lengthS);
-    setReplayPaused(false);
+    m_room->replay().begin(lengthS);
+    showReplayPaused(false);
     m_room->setReplaying(replaying);
+    m_room->history().setVisible(!replaying && m_actions->history->isChecked());
     enableActions();
 }
 
-void MainWindow::setReplayPaused(bool paused)
+void MainWindow::setReplayCourse(const replay::Course& course)
+{
+    m_room->replay().setCourse(course);
+}
+
+void MainWindow::showReplayPaused(bool paused)
 {
     m_replayPaused = paused;
     m_actions->showReplayPaused(paused);
@@ -757,6 +840,7 @@ void MainWindow::setReplayPaused(bool paused)
 
 void MainWindow::showReplayEnd()
 {
+    showReplayPaused(true);
     offerToStop(tr("The recording has come to its end."));
 }
 
