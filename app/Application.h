@@ -48,7 +48,7 @@ public:
     void show();
     [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
 
-    /// Plays the present attempt itself, held a moment before this one: what led to it is seen when it goes on.
+    /// Plays the attempt that was graded, held a moment before this one: what led to it is seen when it goes on.
     void showMoment(double seconds);
 
 private:
@@ -68,7 +68,6 @@ private:
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);
-    void showMoment(double seconds);
     void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
