@@ -86,6 +86,7 @@ struct Remarked
 {
     core::recording::ReplayOutcome outcome;
     Mark mark;
+    Conduct conduct;
     std::vector<core::grading::Infraction> infractions;
 };
 
