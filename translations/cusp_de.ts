@@ -376,6 +376,22 @@
     </message>
 </context>
 <context>
+    <name>Handpiece</name>
+    <message>
+        <source>Turbine</source>
+        <translation>Turbine</translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <extracomment>A red-ring contra-angle: electric motor, geared up</extracomment>
+        <translation>Elektrisch</translation>
+    </message>
+    <message>
+        <source>Low-speed</source>
+        <translation>Langsam</translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>The handpiece is gone: no force. Plug it in again.</source>
@@ -404,26 +420,6 @@
     <message>
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
         <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
-    </message>
-</context>
-<context>
-    <name>HistoryPanel</name>
-    <message>
-        <source>Whole tooth</source>
-        <translation>Ganzer Zahn</translation>
-    </message>
-    <message>
-        <source>Whole again</source>
-        <translation>Wieder ganz</translation>
-    </message>
-    <message>
-        <source>%1 mm³ %2</source>
-        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
-        <translation>%1 mm³ %2</translation>
-    </message>
-    <message>
-        <source>present</source>
-        <translation>jetzt</translation>
     </message>
 </context>
 <context>
@@ -491,6 +487,14 @@
     <message>
         <source>%1: %2 points</source>
         <translation>%1: %2 Punkte</translation>
+    </message>
+    <message>
+        <source>bur that changes colour</source>
+        <translation>Bohrer, der die Farbe wechselt</translation>
+    </message>
+    <message>
+        <source>guided hand</source>
+        <translation>geführte Hand</translation>
     </message>
 </context>
 <context>
@@ -660,69 +664,6 @@
     </message>
 </context>
 <context>
-    <name>TimeLine</name>
-    <message>
-        <source>section</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>depth gauge</source>
-        <translation>Tiefenmesser</translation>
-    </message>
-    <message>
-        <source>X-ray</source>
-        <translation>Röntgenbild</translation>
-    </message>
-    <message>
-        <source>colours of depth</source>
-        <translation>Tiefenfarben</translation>
-    </message>
-    <message>
-        <source>mirror</source>
-        <translation>Spiegel</translation>
-    </message>
-    <message>
-        <source>ideal</source>
-        <translation>Ideal</translation>
-    </message>
-    <message>
-        <source>No aid in use</source>
-        <translation>Keine Hilfe in Gebrauch</translation>
-    </message>
-    <message>
-        <source>Aids in use: %1</source>
-        <translation>Hilfen in Gebrauch: %1</translation>
-    </message>
-    <message>
-        <source>Undone</source>
-        <translation>Rückgängig gemacht</translation>
-    </message>
-    <message>
-        <source>Redone</source>
-        <translation>Wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Whole again</source>
-        <translation>Wieder ganz</translation>
-    </message>
-    <message>
-        <source>Bur %1: %2</source>
-        <translation>Instrument %1: %2</translation>
-    </message>
-    <message>
-        <source>Note %1</source>
-        <translation>Notiz %1</translation>
-    </message>
-    <message>
-        <source>The hand was led home</source>
-        <translation>Die Hand wurde zurückgeführt</translation>
-    </message>
-    <message>
-        <source>Taken up again</source>
-        <translation>Wieder aufgenommen</translation>
-    </message>
-</context>
-<context>
     <name>Tooth</name>
     <message>
         <source>upper right</source>
@@ -847,16 +788,16 @@
         <translation>Die Aufgabe wird vorbereitet …</translation>
     </message>
     <message>
-        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
-        <translation>Bei diesem Versuch schnitt der Bohrer anders oder fühlte sich anders an als heute, deshalb kann er nicht fortgesetzt werden. Er bleibt aufbewahrt.</translation>
-    </message>
-    <message>
         <source>Taking up the attempt …</source>
         <translation>Der Versuch wird aufgenommen …</translation>
     </message>
     <message>
         <source>Your attempt goes on where it was left.</source>
         <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
+    </message>
+    <message>
+        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
     </message>
 </context>
 <context>
@@ -1004,74 +945,6 @@
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation>Ein Scan sagt nicht, welche Seite mesial ist; darum bekommt er keine Nachbarn.</translation>
-    </message>
-</context>
-<context>
-    <name>ui::replay::HistoryPanel</name>
-    <message>
-        <source>Undo history</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Go to a moment: click it, or press Enter</source>
-        <translation>Zu einem Zustand gehen: anklicken oder Eingabetaste</translation>
-    </message>
-    <message>
-        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
-        <translation>Jeder Ihrer Striche erscheint hier als kleines Bild. Ein Klick führt dorthin zurück; was danach kam, bleibt als eigener Zweig erhalten.</translation>
-    </message>
-</context>
-<context>
-    <name>ui::replay::ReplayBar</name>
-    <message>
-        <source>You are watching a recording</source>
-        <translation>Sie sehen eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Stop the recording</source>
-        <translation>Die Aufzeichnung beenden</translation>
-    </message>
-    <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Nicht weiter zusehen und zur eigenen Arbeit zurückkehren (Esc)</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
-        <translation>%1×</translation>
-    </message>
-    <message>
-        <source>Speed of the replay: %1</source>
-        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
-    </message>
-</context>
-<context>
-    <name>ui::replay::TimeLine</name>
-    <message>
-        <source>Time line</source>
-        <translation>Zeitleiste</translation>
-    </message>
-    <message>
-        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
-        <translation>Links und rechts führen von Strich zu Strich, Pos1 und Ende zum Anfang und zum Ende.</translation>
-    </message>
-    <message>
-        <source>%1  %2</source>
-        <extracomment>On a time line: a time, and what happened then</extracomment>
-        <translation>%1  %2</translation>
-    </message>
-    <message>
-        <source>Stroke %1, %2 s, %3</source>
-        <translation>Strich %1, %2 s, %3</translation>
     </message>
 </context>
 <context>
@@ -1424,64 +1297,8 @@
         <translation>Wählen, was geübt wird</translation>
     </message>
     <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>A stroke back</source>
-        <translation>Einen Strich zurück</translation>
-    </message>
-    <message>
-        <source>Go back to the end of the stroke before, and hold there</source>
-        <translation>Zum Ende des vorigen Strichs zurückgehen und dort halten</translation>
-    </message>
-    <message>
-        <source>A stroke on</source>
-        <translation>Einen Strich weiter</translation>
-    </message>
-    <message>
-        <source>Go on to the end of the next stroke, and hold there</source>
-        <translation>Zum Ende des nächsten Strichs gehen und dort halten</translation>
-    </message>
-    <message>
-        <source>To the beginning</source>
-        <translation>Zum Anfang</translation>
-    </message>
-    <message>
-        <source>Go to the beginning of the recording</source>
-        <translation>Zum Anfang der Aufzeichnung gehen</translation>
-    </message>
-    <message>
-        <source>To the end</source>
-        <translation>Zum Ende</translation>
-    </message>
-    <message>
-        <source>Go to the end of the recording</source>
-        <translation>Zum Ende der Aufzeichnung gehen</translation>
-    </message>
-    <message>
-        <source>Slower</source>
-        <translation>Langsamer</translation>
-    </message>
-    <message>
-        <source>Play the recording more slowly, down to a tenth</source>
-        <translation>Die Aufzeichnung langsamer abspielen, bis zu einem Zehntel</translation>
-    </message>
-    <message>
-        <source>Faster</source>
-        <translation>Schneller</translation>
-    </message>
-    <message>
-        <source>Play the recording faster, up to 16 times</source>
-        <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
+        <source>Take this handpiece</source>
+        <translation>Dieses Handstück nehmen</translation>
     </message>
 </context>
 <context>
@@ -1553,6 +1370,13 @@
     <message>
         <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
         <translation>Die Marke ist die eingestellte Kraft. Eine Wand, die seitlich drückt, kommt hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HandpieceChooser</name>
+    <message>
+        <source>Handpieces</source>
+        <translation>Handstücke</translation>
     </message>
 </context>
 <context>
@@ -1929,6 +1753,44 @@
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>Maus über den Zahn führen, zum Präparieren linke Taste drücken; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
     </message>
+    <message>
+        <source>You are watching a recording</source>
+        <translation>Sie sehen eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Progress of the recording</source>
+        <translation>Fortschritt der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>Das Zusehen beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
+        <translation>Geschwindigkeit der Wiedergabe: 1-, 2-, 4- oder 8-fach</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ScoreBar</name>
@@ -2113,6 +1975,15 @@
     <message>
         <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
         <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
+        <translation>U/min</translation>
     </message>
 </context>
 <context>
