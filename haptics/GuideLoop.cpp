@@ -56,7 +56,7 @@ void GuideLoop::tick(std::chrono::microseconds dt) noexcept
         m_forceN = m_guide.update(m_lastMm, aim, seconds);
     }
     m_wasWanted = wanted && m_aim.number != 0;
-    m_links.state.publish({isRead, m_guide.isLeading(), m_guide.wasPushed(), m_lastMm, m_forceN});
+    m_links.state.publish({++m_ticks, isRead, m_guide.isLeading(), m_guide.wasPushed(), m_lastMm, m_forceN});
 }
 
 void GuideLoop::end()

@@ -22,7 +22,8 @@ struct GuideAim
 /// What has become of it.
 struct GuideState
 {
-    bool present = false;  ///< the device was read
+    std::uint64_t ticks = 0;  ///< so far; 0: nobody knows yet
+    bool present = false;     ///< the device was read
     bool leading = false;
     bool wasPushed = false;  ///< it is the hand that ended the last lead
     glm::dvec3 tipMm{0.0};   ///< where the hand is
@@ -63,6 +64,7 @@ private:
     double m_unreadS = 1.0;  ///< until there is a first reading, none can be trusted
     glm::dvec3 m_forceN{0.0};
     bool m_wasWanted = false;
+    std::uint64_t m_ticks = 0;
 };
 
 }  // namespace haptics

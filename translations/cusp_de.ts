@@ -423,6 +423,26 @@
     </message>
 </context>
 <context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation>Ganzer Zahn</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Wieder ganz</translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation>%1 mm³ %2</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>jetzt</translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>
@@ -664,6 +684,81 @@
     </message>
 </context>
 <context>
+    <name>TimeLine</name>
+    <message>
+        <source>section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>Tiefenmesser</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgenbild</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>Tiefenfarben</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation>Ideal</translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation>Farbe des Instruments</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>innerhalb des Umrisses gehalten</translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation>Keine Hilfe in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation>Hilfen in Gebrauch: %1</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>Rückgängig gemacht</translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation>Wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Wieder ganz</translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation>Instrument %1: %2</translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation>Anderes Handstück</translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation>Notiz %1</translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation>Die Hand wurde zurückgeführt</translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
+        <translation>Wieder aufgenommen</translation>
+    </message>
+</context>
+<context>
     <name>Tooth</name>
     <message>
         <source>upper right</source>
@@ -798,6 +893,10 @@
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
     </message>
 </context>
 <context>
@@ -945,6 +1044,74 @@
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation>Ein Scan sagt nicht, welche Seite mesial ist; darum bekommt er keine Nachbarn.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation>Zu einem Zustand gehen: anklicken oder Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation>Jeder Ihrer Striche erscheint hier als kleines Bild. Ein Klick führt dorthin zurück; was danach kam, bleibt als eigener Zweig erhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation>Sie sehen eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Die Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>Nicht weiter zusehen und zur eigenen Arbeit zurückkehren (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation>Links und rechts führen von Strich zu Strich, Pos1 und Ende zum Anfang und zum Ende.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
+        <translation>Strich %1, %2 s, %3</translation>
     </message>
 </context>
 <context>
@@ -1299,6 +1466,90 @@
     <message>
         <source>Take this handpiece</source>
         <translation>Dieses Handstück nehmen</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation>Einen Strich zurück</translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation>Zum Ende des vorigen Strichs zurückgehen und dort halten</translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation>Einen Strich weiter</translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation>Zum Ende des nächsten Strichs gehen und dort halten</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation>Zum Anfang der Aufzeichnung gehen</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation>Zum Ende der Aufzeichnung gehen</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation>Die Aufzeichnung langsamer abspielen, bis zu einem Zehntel</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Noch einer daneben</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Sich führen lassen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
     </message>
 </context>
 <context>
@@ -1688,6 +1939,18 @@
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1752,44 +2015,6 @@
     <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>Maus über den Zahn führen, zum Präparieren linke Taste drücken; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
-    </message>
-    <message>
-        <source>You are watching a recording</source>
-        <translation>Sie sehen eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Stop the recording</source>
-        <translation>Aufzeichnung beenden</translation>
-    </message>
-    <message>
-        <source>Progress of the recording</source>
-        <translation>Fortschritt der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Das Zusehen beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
-        <translation>Geschwindigkeit der Wiedergabe: 1-, 2-, 4- oder 8-fach</translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
-        <translation>%1×</translation>
-    </message>
-    <message>
-        <source>Speed of the replay: %1</source>
-        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
     </message>
 </context>
 <context>

@@ -423,6 +423,26 @@
     </message>
 </context>
 <context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Lesson</name>
     <message>
         <source>Practice block</source>
@@ -664,6 +684,81 @@
     </message>
 </context>
 <context>
+    <name>TimeLine</name>
+    <message>
+        <source>section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Tooth</name>
     <message>
         <source>upper right</source>
@@ -797,6 +892,10 @@
     </message>
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -944,6 +1043,74 @@
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1298,6 +1465,90 @@
     </message>
     <message>
         <source>Take this handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1688,6 +1939,18 @@
         <source>Discard</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1751,44 +2014,6 @@
     </message>
     <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You are watching a recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop the recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Progress of the recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the replay: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

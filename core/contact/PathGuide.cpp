@@ -71,6 +71,9 @@ glm::dvec3 PathGuide::update(const glm::dvec3& deviceMm, const glm::dvec3& aimMm
     }
     m_asked = false;
 
+    // A hand that goes ahead by itself is not held back.
+    if (m_leading && lengthOf(aimMm - deviceMm) < lengthOf(aimMm - m_anchor))
+        m_anchor = deviceMm;
     const glm::dvec3 before = m_anchor;
     if (m_leading) {
         walk(deviceMm, aimMm, seconds);

@@ -102,6 +102,8 @@ private slots:
     void leadsAnyHandAlongThePath();
     void isStillWhereThePathIs_data() { handsAndDelays(); }
     void isStillWhereThePathIs();
+    void aHandThatGoesAheadIsNotHeldBack_data() { handsAndDelays(); }
+    void aHandThatGoesAheadIsNotHeldBack();
     void letsGoOfAHandThatPushes_data() { handsAndDelays(); }
     void letsGoOfAHandThatPushes();
     void makesNoEnergy();
@@ -175,6 +177,24 @@ void TestGuideLoop::isStillWhereThePathIs()
     QVERIFY2(rippleN < 0.1, qPrintable(QString("ripple %1 N").arg(rippleN)));
     QVERIFY2(glm::length(led.falcon.tipMm() - place) < 1.0,
              qPrintable(QString("rests %1 mm beside").arg(glm::length(led.falcon.tipMm() - place))));
+}
+
+void TestGuideLoop::aHandThatGoesAheadIsNotHeldBack()
+{
+    QFETCH(int, hand);
+    QFETCH(double, delayMs);
+    const glm::dvec3 from(10.0, -6.0, 9.0);
+    Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, from);
+    const glm::dvec3 place = path(0.0);
+    led.aim(place);
+    led.links.wanted = true;
+    // There within 0.15 s, where the lead alone takes half a second.
+    for (int n = 0; n < 1000; ++n) {
+        led.tick(glm::mix(from, place, std::min(1.0, n / 150.0)));
+        QVERIFY2(led.state.leading, qPrintable(QString("let go after %1 ms").arg(n)));
+    }
+    QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
+    QVERIFY(glm::length(led.falcon.tipMm() - place) < 1.0);
 }
 
 void TestGuideLoop::letsGoOfAHandThatPushes()
