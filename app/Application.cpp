@@ -128,6 +128,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
+    connect(m_window.get(), &MainWindow::besideWanted, this, &Application::openBeside);
+    connect(m_window.get(), &MainWindow::expertWanted, this, &Application::openExpert);
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
@@ -351,6 +353,10 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
 
 void Application::letDemoHandDecide()
 {
+    if (m_replay && m_replay->isLeading()) {  // it goes along willingly
+        const glm::dvec3 shown = m_links.servo.latest().anchorMm;
+        m_demoWish.publish({.targetMm = glm::dvec2(shown), .hoverMm = shown.z, .pushing = false});
+    }
     const auto tooth = m_session.toothSoFar();
     if (!m_replay && tooth && tooth->anatomy == m_assignment.anatomy)
         m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
@@ -521,15 +527,45 @@ void Application::saveRecording(const QString& path)
 
 void Application::openRecording(const QString& path)
 {
+    readRecording(path, [this](const core::recording::Recording& recording) { play(recording); });
+}
+
+/// Beside the attempt that is played.
+void Application::openBeside(const QString& path)
+{
+    readRecording(path, [this, path](const core::recording::Recording& recording) {
+        if (!m_replay)
+            return;
+        if (const auto put = m_replay->putBeside(recording, QFileInfo(path).completeBaseName()); !put)
+            refuse(put.error(), Failed::OpeningRecording, path);
+    });
+}
+
+/// The one that the lesson names.
+void Application::openExpert()
+{
+    if (!m_assignment.lesson || !m_assignment.lesson->expert)
+        return;
+    const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
+    readRecording(path, [this, path](const core::recording::Recording& recording) {
+        if (!m_replay)
+            play(recording);
+        else if (const auto put = m_replay->putBeside(recording, tr("The expert")); !put)
+            refuse(put.error(), Failed::OpeningRecording, path);
+    });
+}
+
+void Application::readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use)
+{
     const int load = ++m_loading;
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
-        [this, load, path](const core::Result<core::recording::Recording>& recording) {
+        [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
             if (load != m_loading)
                 return;
             if (recording)
-                play(*recording);
+                use(*recording);
             else
                 refuse(recording.error(), Failed::OpeningRecording, path);
         });
@@ -647,7 +683,8 @@ void Application::discardUnfinished()
 /// The student's own attempt stays in the two loops, which rest meanwhile.
 void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
 {
-    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1);
+    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
+                                   m_options.simulatedDevice ? m_device.get() : nullptr);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -70,6 +71,9 @@ private:
     void finish(std::optional<int> expectedTenths);
     void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
+    void openBeside(const QString& path);
+    void openExpert();
+    void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
     void keepJournal();

@@ -742,6 +742,14 @@
         <translation>Ideal</translation>
     </message>
     <message>
+        <source>colour of the bur</source>
+        <translation>Farbe des Instruments</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>innerhalb des Umrisses gehalten</translation>
+    </message>
+    <message>
         <source>No aid in use</source>
         <translation>Keine Hilfe in Gebrauch</translation>
     </message>
@@ -764,6 +772,10 @@
     <message>
         <source>Bur %1: %2</source>
         <translation>Instrument %1: %2</translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation>Anderes Handstück</translation>
     </message>
     <message>
         <source>Note %1</source>
@@ -913,6 +925,10 @@
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
     </message>
     <message>
         <source>This exercise has not been begun yet, so there is nothing to grade.</source>
@@ -1484,6 +1500,10 @@
         <translation>Wählen, was geübt wird</translation>
     </message>
     <message>
+        <source>Take this handpiece</source>
+        <translation>Dieses Handstück nehmen</translation>
+    </message>
+    <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
@@ -1544,8 +1564,28 @@
         <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Dieses Handstück nehmen</translation>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Noch einer daneben</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Sich führen lassen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -1956,6 +1996,18 @@
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2125,15 +2177,6 @@
         <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
     </message>
     <message>
-        <source>To the limit</source>
-        <extracomment>How far the bur is from what is to be kept</extracomment>
-        <translation>Bis zur Grenze</translation>
-    </message>
-    <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
-    </message>
-    <message>
         <source>Turns of the bur a minute: a load slows it, until it stalls</source>
         <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
     </message>
@@ -2141,6 +2184,15 @@
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
         <translation>U/min</translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation>Bis zur Grenze</translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
     </message>
     <message>
         <source>Still to cut</source>

@@ -742,6 +742,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>colour of the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No aid in use</source>
         <translation type="unfinished"></translation>
     </message>
@@ -763,6 +771,10 @@
     </message>
     <message>
         <source>Bur %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -912,6 +924,10 @@
     </message>
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1484,6 +1500,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Take this handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>History</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1544,7 +1564,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
+        <source>The expert&apos;s attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1956,6 +1996,18 @@
         <source>Discard</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2125,21 +2177,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>To the limit</source>
-        <extracomment>How far the bur is from what is to be kept</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Turns of the bur a minute: a load slows it, until it stalls</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

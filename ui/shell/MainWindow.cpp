@@ -296,6 +296,16 @@ void MainWindow::connectReplay()
         else
             m_view->setFocus();
     });
+    on(m_actions->beside, [this](bool wanted) {
+        m_actions->beside->setChecked(m_beside != nullptr);
+        if (wanted)
+            askForFile(m_actions->beside->text(), FileKind::Recording,
+                       [this](const QString& path) { emit besideWanted(path); });
+        else
+            emit besideCloseWanted();
+    });
+    on(m_actions->expert, [this] { emit expertWanted(); });
+    on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
     connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
             [this](const core::session::GoTo& where) { send(where); });
 }
@@ -305,8 +315,64 @@ void MainWindow::setHistorySource(replay::HistorySource source)
     m_room->history().setSource(std::move(source));
 }
 
+void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+                            std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name)
+{
+    m_busy->done();
+    hideBeside();
+    m_beside = new tooth::ToothView(links, m_room);
+    m_beside->setAccessibleName(name);
+    m_beside->setSettings(m_view->settings());
+    m_beside->setTooth(std::move(tooth), generation);
+    m_beside->setIdeal(ideal);
+    m_room->setBeside(m_beside, name, tr("This attempt"));
+    m_room->setSectionVisible(false);
+    connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
+    m_beside->lookAs(m_view->camera());
+    m_sharedLook = m_beside->camera().view();
+    m_actions->beside->setChecked(true);
+    enableActions();
+    placeOverlays();
+}
+
+void MainWindow::setBesideCourse(const replay::Course& course)
+{
+    m_room->replay().setBeside(course);
+}
+
+void MainWindow::hideBeside()
+{
+    if (m_beside == nullptr)
+        return;
+    m_room->setBeside(nullptr);
+    delete std::exchange(m_beside, nullptr);
+    m_room->replay().setBeside({});
+    m_room->setSectionVisible(m_actions->section->isChecked());
+    m_actions->beside->setChecked(false);
+    enableActions();
+    m_view->setFocus();
+}
+
+/// Whichever was turned, the other follows.
+void MainWindow::lookAlike()
+{
+    tooth::ToothView* turned = m_beside->camera().view() != m_sharedLook ? m_beside : m_view;
+    if (turned->camera().view() == m_sharedLook)
+        return;
+    m_sharedLook = turned->camera().view();
+    (turned == m_view ? m_beside : m_view)->lookAs(turned->camera());
+}
+
+void MainWindow::showLeadEnd(bool pushed)
+{
+    m_actions->along->setChecked(false);
+    showMessage(pushed ? tr("You held against it, so your hand is free. Press A to be led again.")
+                       : tr("The handpiece is not there any more, so your hand is free."));
+}
+
 void MainWindow::offerHome()
 {
+    m_canLead = true;
     m_actions->bringHome->setVisible(true);
     enableActions();
 }
@@ -444,6 +510,8 @@ void MainWindow::connectView()
     });
     const auto take = [this](const tooth::ViewSettings& settings) {
         m_view->setSettings(settings);
+        if (m_beside != nullptr)
+            m_beside->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
         m_room->history().setColours(settings.look.palette);
@@ -703,11 +771,17 @@ void MainWindow::enableActions()
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine);
     m_actions->history->setEnabled(inRoom && mine);
-    for (QAction* action : {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin,
-                            m_actions->replayEnd, m_actions->slower, m_actions->faster}) {
-        action->setVisible(m_replaying);
-        action->setEnabled(inRoom && m_replaying);
+    for (QAction* action :
+         {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin, m_actions->replayEnd,
+          m_actions->slower, m_actions->faster, m_actions->beside, m_actions->along}) {
+        action->setVisible(m_replaying && (m_canLead || action != m_actions->along));
+        action->setEnabled(inRoom && m_replaying && !m_busy->isWorking());
     }
+    const bool hasExpert = m_assignment && m_assignment->lesson && m_assignment->lesson->expert;
+    m_actions->expert->setVisible(hasExpert && !m_assignment->lesson->exam);
+    m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
+    if (m_beside != nullptr)  // there is no room for it
+        m_actions->section->setEnabled(false);
 }
 
 void MainWindow::placeOverlays()
@@ -901,6 +975,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
+    m_actions->along->setChecked(false);
     m_room->replay().begin(lengthS);
     showReplayPaused(false);
     m_room->setReplaying(replaying);

@@ -13,6 +13,7 @@
 #include <QMainWindow>
 #include <QString>
 #include <QStringList>
+#include <glm/mat4x4.hpp>
 
 #include "core/base/Result.h"
 #include "core/grading/IdealCavity.h"
@@ -115,6 +116,14 @@ public slots:
     void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
     void setReplayCourse(const replay::Course& course);
+    /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
+    /// @param links  must outlive it: until hideBeside()
+    void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+                    std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
+    void setBesideCourse(const replay::Course& course);
+    void hideBeside();
+    /// The hand is led no longer: it has pushed, or the device is lost.
+    void showLeadEnd(bool pushed);
     /// The replay is held, or goes on, without having been asked to here.
     void showReplayPaused(bool paused);
     /// The recording has come to its end, where it is held.
@@ -157,6 +166,12 @@ signals:
     void replaySpeedChosen(double times);
     /// The replay is to show this moment of the recording.
     void seekWanted(double seconds);
+    void besideWanted(const QString& path);
+    void besideCloseWanted();
+    /// The recording that the lesson names: to be played, or to be put beside what is played.
+    void expertWanted();
+    /// The device is to lead the hand along what is played, or to let it go.
+    void leadWanted(bool on);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -196,6 +211,7 @@ private:
     void leaveWork(const std::function<void()>& what);
     void askToSave();
     void connectReplay();
+    void lookAlike();
     /// Says a sentence about the replay, with a button that stops it.
     void offerToStop(const QString& sentence);
     void enableActions();
@@ -259,6 +275,9 @@ private:
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;
+    bool m_canLead = false;                ///< the device can lead a hand
+    tooth::ToothView* m_beside = nullptr;  ///< while there is another attempt beside
+    glm::dmat4 m_sharedLook{1.0};          ///< from where both looked last
     bool m_selfDrilling = false;
     bool m_mayClose = false;
     bool m_hasCut = false;

@@ -230,6 +230,12 @@ void ToothView::setCamera(double azimuthDeg, double elevationDeg, double distanc
     redrawMoving();
 }
 
+void ToothView::lookAs(const Camera& camera)
+{
+    m_camera.lookAs(camera);
+    redrawMoving();
+}
+
 ToothView::Uploads ToothView::uploads() const
 {
     Uploads uploads = m_uploads;

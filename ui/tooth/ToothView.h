@@ -77,6 +77,8 @@ public:
     void resetCamera();
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
+    /// From where another view looks.
+    void lookAs(const Camera& camera);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
     /// The same without the instrument: what has become of the tooth.
