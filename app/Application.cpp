@@ -383,13 +383,15 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    const auto practised = m_assignment.exercise ? m_follower.findings().practised : std::nullopt;
+    std::optional<core::grading::Practised> practised;
+    if (const core::session::Findings now = m_follower.findings(); now.generation == m_ownGeneration)
+        practised = now.practised;
     if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
         m_graded->practised == practised) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths);
         return;
     }
-    if (practised && !core::grading::isBegun(*practised)) {
+    if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
         m_window->showMessage(tr("This exercise has not been begun yet, so there is nothing to grade."));
         return;
     }

@@ -376,6 +376,14 @@
     </message>
 </context>
 <context>
+    <name>ExerciseMarks</name>
+    <message>
+        <source>height, mm</source>
+        <extracomment>Title of a scale beside the bur: how high its tip stands over the block</extracomment>
+        <translation>Höhe, mm</translation>
+    </message>
+</context>
+<context>
     <name>Handpiece</name>
     <message>
         <source>Turbine</source>
@@ -496,6 +504,10 @@
         <source>guided hand</source>
         <translation>geführte Hand</translation>
     </message>
+    <message>
+        <source>The first minutes</source>
+        <translation>Die ersten Minuten</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -534,6 +546,22 @@
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
         <translation>P</translation>
+    </message>
+</context>
+<context>
+    <name>Pad</name>
+    <message>
+        <source>Left</source>
+        <extracomment>Three pads of a practice block, side by side</extracomment>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
     </message>
 </context>
 <context>
@@ -798,6 +826,10 @@
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
+    </message>
+    <message>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation>Diese Übung ist noch nicht begonnen, also gibt es nichts zu bewerten.</translation>
     </message>
 </context>
 <context>
@@ -2100,6 +2132,101 @@
     </message>
 </context>
 <context>
+    <name>ui::study::ExerciseCard</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Say that this pad is made of this; you can change it until you are graded</source>
+        <translation>Sagen, dass dieses Feld daraus besteht; bis zur Bewertung lässt es sich ändern</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
+        <translation>✓ richtig</translation>
+    </message>
+    <message>
+        <source>✗ it is %1</source>
+        <translation>✗ es ist %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n points touched</source>
+        <translation>
+            <numerusform>Der Punkt ist berührt</numerusform>
+            <numerusform>Alle %n Punkte berührt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched</source>
+        <translation>%1 von %2 Punkten berührt</translation>
+    </message>
+    <message>
+        <source>Held for %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>%1 s gehalten</translation>
+    </message>
+    <message>
+        <source>Hold %1 N for %2 s</source>
+        <translation>%1 N für %2 s halten</translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
+        <translation>von %1 s</translation>
+    </message>
+    <message>
+        <source>This is what they are made of</source>
+        <translation>Daraus bestehen sie</translation>
+    </message>
+    <message>
+        <source>Every pad has its name</source>
+        <translation>Jedes Feld hat seinen Namen</translation>
+    </message>
+    <message>
+        <source>What is each pad made of?</source>
+        <translation>Woraus besteht jedes Feld?</translation>
+    </message>
+    <message>
+        <source>Graded. F2 leads to the next lesson.</source>
+        <translation>Bewertet. F2 führt zur nächsten Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Well done. See how it is marked.</source>
+        <translation>Gut gemacht. Sieh, wie es bewertet wird.</translation>
+    </message>
+    <message>
+        <source>Sure? Then see how it is marked.</source>
+        <translation>Sicher? Dann sieh, wie es bewertet wird.</translation>
+    </message>
+    <message>
+        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
+        <translation>Der Bohrer läuft: Halte ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <translation>Lass den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
+    </message>
+    <message>
+        <source>Longest so far: %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>Am längsten bisher: %1 s</translation>
+    </message>
+    <message>
+        <source>Any order. Rings become discs.</source>
+        <translation>In beliebiger Folge. Aus Ringen werden Scheiben.</translation>
+    </message>
+    <message>
+        <source>Anywhere on the tooth.</source>
+        <translation>Irgendwo auf dem Zahn.</translation>
+    </message>
+    <message>
+        <source>Press on each for a second, and compare.</source>
+        <translation>Drücke auf jedes eine Sekunde lang und vergleiche.</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2129,6 +2256,13 @@
     <message>
         <source>Nothing: I expect all points</source>
         <translation>Nichts: Ich erwarte alle Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HoldGauge</name>
+    <message>
+        <source>Force against the band from %1 to %2 N</source>
+        <translation>Kraft gegen das Feld von %1 bis %2 N</translation>
     </message>
 </context>
 <context>

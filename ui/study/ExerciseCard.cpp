@@ -72,9 +72,9 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
     head->addWidget(m_grade, 0, Qt::AlignVCenter);
     m_hold = makeHold();
     m_choices = makeChoices();
+    column->addLayout(head);
     column->addWidget(m_hold);
     column->addWidget(m_choices);
-    column->addLayout(head);
     hide();
 }
 
