@@ -379,7 +379,7 @@
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
-        <extracomment>Title of a scale beside the bur: how high its tip stands over the block</extracomment>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
