@@ -408,7 +408,9 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    const auto practised = m_assignment.exercise ? m_follower.findings().practised : std::nullopt;
+    std::optional<core::grading::Practised> practised;
+    if (const core::session::Findings now = m_follower.findings(); now.generation == m_ownGeneration)
+        practised = now.practised;
     if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
         m_graded->practised == practised) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
@@ -416,7 +418,7 @@ void Application::grade()
         m_explainer.tellAgain();
         return;
     }
-    if (practised && !core::grading::isBegun(*practised)) {
+    if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
         m_window->showMessage(tr("This exercise has not been begun yet, so there is nothing to grade."));
         return;
     }

@@ -379,8 +379,8 @@
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
-        <extracomment>Title of a scale beside the bur: how high its tip stands over the block</extracomment>
-        <translation type="unfinished"></translation>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <translation>Höhe, mm</translation>
     </message>
 </context>
 <context>
@@ -530,7 +530,7 @@
     </message>
     <message>
         <source>The first minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ersten Minuten</translation>
     </message>
 </context>
 <context>
@@ -577,15 +577,15 @@
     <message>
         <source>Left</source>
         <extracomment>Three pads of a practice block, side by side</extracomment>
-        <translation type="unfinished">Links</translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished">Rechts</translation>
+        <translation>Rechts</translation>
     </message>
 </context>
 <context>
@@ -927,12 +927,12 @@
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
     </message>
     <message>
-        <source>The expert</source>
-        <translation>Der Experte</translation>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation>Diese Übung ist noch nicht begonnen, also gibt es nichts zu bewerten.</translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
-        <translation type="unfinished"></translation>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
     </message>
 </context>
 <context>
@@ -1512,6 +1512,14 @@
         <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
     </message>
     <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
         <source>Replay</source>
         <translation>Wiedergabe</translation>
     </message>
@@ -1562,14 +1570,6 @@
     <message>
         <source>Play the recording faster, up to 16 times</source>
         <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
-    </message>
-    <message>
-        <source>The expert&apos;s attempt</source>
-        <translation>Versuch des Experten</translation>
-    </message>
-    <message>
-        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
-        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
     </message>
     <message>
         <source>Another beside</source>
@@ -2389,94 +2389,94 @@
     <message>
         <source>%1: %2</source>
         <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
-        <translation type="unfinished">%1, %2 {1:?}</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Say that this pad is made of this; you can change it until you are graded</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagen, dass dieses Feld daraus besteht; bis zur Bewertung lässt es sich ändern</translation>
     </message>
     <message>
         <source>✓ right</source>
         <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>✓ richtig</translation>
     </message>
     <message>
         <source>✗ it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ es ist %1</translation>
     </message>
     <message numerus="yes">
         <source>All %n points touched</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Der Punkt ist berührt</numerusform>
+            <numerusform>Alle %n Punkte berührt</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 points touched</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Punkten berührt</translation>
     </message>
     <message>
         <source>Held for %1 s</source>
         <extracomment>%1 is a time in seconds</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 s gehalten</translation>
     </message>
     <message>
         <source>Hold %1 N for %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N für %2 s halten</translation>
     </message>
     <message>
         <source>of %1 s</source>
         <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>von %1 s</translation>
     </message>
     <message>
         <source>This is what they are made of</source>
-        <translation type="unfinished"></translation>
+        <translation>Daraus bestehen sie</translation>
     </message>
     <message>
         <source>Every pad has its name</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Feld hat seinen Namen</translation>
     </message>
     <message>
         <source>What is each pad made of?</source>
-        <translation type="unfinished"></translation>
+        <translation>Woraus besteht jedes Feld?</translation>
     </message>
     <message>
         <source>Graded. F2 leads to the next lesson.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewertet. F2 führt zur nächsten Aufgabe.</translation>
     </message>
     <message>
         <source>Well done. See how it is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut gemacht. Sieh, wie es bewertet wird.</translation>
     </message>
     <message>
         <source>Sure? Then see how it is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicher? Dann sieh, wie es bewertet wird.</translation>
     </message>
     <message>
         <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bohrer läuft: Halte ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
     </message>
     <message>
         <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lass den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
         <extracomment>%1 is a time in seconds</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Am längsten bisher: %1 s</translation>
     </message>
     <message>
         <source>Any order. Rings become discs.</source>
-        <translation type="unfinished"></translation>
+        <translation>In beliebiger Folge. Aus Ringen werden Scheiben.</translation>
     </message>
     <message>
         <source>Anywhere on the tooth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Irgendwo auf dem Zahn.</translation>
     </message>
     <message>
         <source>Press on each for a second, and compare.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücke auf jedes eine Sekunde lang und vergleiche.</translation>
     </message>
 </context>
 <context>
@@ -2542,7 +2542,7 @@
     <name>ui::study::HoldGauge</name>
     <message>
         <source>Force against the band from %1 to %2 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft gegen das Feld von %1 bis %2 N</translation>
     </message>
 </context>
 <context>

@@ -379,7 +379,7 @@
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
-        <extracomment>Title of a scale beside the bur: how high its tip stands over the block</extracomment>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -927,11 +927,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expert</source>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <source>The expert</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1512,6 +1512,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The expert&apos;s attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Replay</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1561,14 +1569,6 @@
     </message>
     <message>
         <source>Play the recording faster, up to 16 times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expert&apos;s attempt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2406,9 +2406,9 @@
     </message>
     <message numerus="yes">
         <source>All %n points touched</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The point is touched</numerusform>
+            <numerusform>All %n points touched</numerusform>
         </translation>
     </message>
     <message>

@@ -29,6 +29,7 @@
 #include <QTranslator>
 
 #include "core/drilling/Bur.h"
+#include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Rubric.h"
 #include "tests/support/OpenGlMain.h"
@@ -103,6 +104,7 @@ private slots:
     void aHandIsHeldOnRequest();
     void aBreachStopsTheBurAndIsExplained();
     void whatALessonLocksRests();
+    void whatIsToBeFeltIsNotShown();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void spaceOnAFocusedButtonPressesIt();
@@ -735,6 +737,81 @@ void TestMainWindow::oneOfTheDepthColoursIsShown()
     QVERIFY(actions().idealColours->toolTip().contains("decay"));
     press(Qt::Key_K, Qt::ShiftModifier);
     QCOMPARE(shown(), DepthColours::Off);
+}
+
+/// Two blocks whose pads are of other tissues look the same, cut or whole, until the answers have been graded.
+void TestMainWindow::whatIsToBeFeltIsNotShown()
+{
+    std::optional<lessons::Lesson> lesson;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson->task == lessons::Task::TellLayers)
+            lesson = entry.read.lesson;
+    QVERIFY(lesson.has_value());
+    const auto assignedWith = [&](std::uint64_t seed) {
+        std::get<lessons::Block>(lesson->tooth).seed = seed;
+        return lessons::assign(*lesson).value().assignment;
+    };
+    ServoState servo;
+    servo.tick = 1;
+    servo.anchorMm = {core::teeth::kPadX[0], 0.0, 0.0};
+    servo.touching = servo.drillOn = true;
+    const auto shown = [&](const lessons::Assignment& assignment, std::uint64_t generation, float depthMm) {
+        m_window->setAssignment(assignment);
+        m_window->showTooth(assignment.anatomy, generation, {});
+        servo.materialUnderBur = std::get<core::grading::PadsToName>(*assignment.exercise).madeOf[0];
+        publish(servo, {});
+        std::vector<float> top = assignment.anatomy->top;
+        for (std::size_t k = 0; k < top.size() / 2; ++k)
+            if (top[k] > -1.0F)
+                top[k] -= depthMm;
+        m_window->view().setHeights(top);
+        QTest::qWait(100);
+        return m_window->grab().toImage();
+    };
+    const lessons::Assignment first = assignedWith(1);
+    lessons::Assignment other = assignedWith(2);
+    for (std::uint64_t seed = 3; *other.exercise == *first.exercise; ++seed)
+        other = assignedWith(seed);
+    static_cast<void>(shown(other, 1, 0.0F));  // where everything finds its place
+    const QImage one = shown(first, 4, 0.0F);
+    const auto looksThe = [&](const QImage& same, const char* name) {
+        if (same == one)
+            return true;
+        one.save(QStringLiteral(CUSP_BINARY_DIR "/pictures/felt-one.png"));
+        same.save(QStringLiteral(CUSP_BINARY_DIR "/pictures/felt-%1.png").arg(name));
+        return false;
+    };
+    QVERIFY(looksThe(shown(other, 5, 0.0F), "other"));
+    QVERIFY(looksThe(shown(first, 6, 0.7F), "cut"));
+    for (const char* figure : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
+        QVERIFY2(!child<TabularLabel>(figure)->isVisible(), figure);
+    for (QAction* aid : {actions().section, actions().radiograph, actions().depthColours, actions().mirror})
+        QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
+    QVERIFY(m_window->view().picture() == m_window->view().picture());
+
+    // By keys: Tab leads to the choices, the space bar takes one, and the last answer is the one that is sent.
+    static_cast<void>(sent());
+    auto* enamel = child<QPushButton>("pad01");
+    auto* dentin = child<QPushButton>("pad02");
+    enamel->setFocus();
+    QTest::keyClick(enamel, Qt::Key_Space);
+    QTest::mouseClick(dentin, Qt::LeftButton);
+    const QList<SessionCommand> answers = sent();
+    QCOMPARE(answers.size(), 2);
+    QCOMPARE(std::get<AddNote>(answers[0]).code, core::grading::answerNote(0, Material::Enamel));
+    QCOMPARE(std::get<AddNote>(answers[1]).code, core::grading::answerNote(0, Material::Dentin));
+    QVERIFY(dentin->isChecked() && !enamel->isChecked());
+    QVERIFY(!child<QPushButton>("exerciseGrade")->isVisible());
+    child<QPushButton>("pad11")->click();
+    child<QPushButton>("pad20")->click();
+    QVERIFY(child<QPushButton>("exerciseGrade")->isVisible());
+
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    actions().back->trigger();
+    QVERIFY(child<TabularLabel>("materialFigure")->isVisible());
+    QVERIFY(!dentin->isEnabled());
+    QVERIFY(child<QLabel>("padTruth0")->isVisible());
+    QVERIFY(m_window->grab().toImage() != one);
 }
 
 void TestMainWindow::theAidsInUseAreNoted()
@@ -2005,6 +2082,27 @@ void TestMainWindow::nothingIsClipped()
     a->lessons->trigger();
     check("lessons");
     a->back->trigger();
+    std::uint64_t generation = 2;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({})) {
+        if (!lessons::isExercise(entry.read.lesson->task))
+            continue;
+        const lessons::Assignment exercise = lessons::assign(*entry.read.lesson).value().assignment;
+        window.setAssignment(exercise);
+        window.showTooth(exercise.anatomy, generation++, {});
+        check(entry.read.lesson->id.c_str());
+        for (const char* choice : {"pad01", "pad12", "pad20"})
+            if (auto* button = window.findChild<QPushButton*>(choice); button->isVisible())
+                button->click();
+        ServoState turning;
+        turning.tick = 1;
+        turning.drillOn = true;
+        publish(turning, session);
+        QTest::qWait(50);
+        check(qPrintable(QString::fromStdString(entry.read.lesson->id) + "-on"));
+        window.showScore(sheet(3.2, 40, 0.5), {});
+        a->back->trigger();
+        check(qPrintable(QString::fromStdString(entry.read.lesson->id) + "-graded"));
+    }
     lessons::Assignment assignment;
     assignment.anatomy = support::syntheticMolar();
     for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
@@ -2013,7 +2111,7 @@ void TestMainWindow::nothingIsClipped()
     QVERIFY(assignment.lesson.has_value());
     assignment.rubric = assignment.lesson->rubric;
     window.setAssignment(assignment);
-    window.showTooth(assignment.anatomy, 2, {});
+    window.showTooth(assignment.anatomy, generation, {});
     check("lesson");
     window.askForecast();
     check("forecast");

@@ -72,9 +72,9 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
     head->addWidget(m_grade, 0, Qt::AlignVCenter);
     m_hold = makeHold();
     m_choices = makeChoices();
+    column->addLayout(head);
     column->addWidget(m_hold);
     column->addWidget(m_choices);
-    column->addLayout(head);
     hide();
 }
 
@@ -282,6 +282,7 @@ void ExerciseCard::showAdvice()
 void ExerciseCard::placeIn(const QRect& area)
 {
     const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
+    layout()->activate();  // words that have just changed may take another line
     resize(width, layout()->totalHeightForWidth(width));
     move(area.center().x() - width / 2, area.bottom() - kSpace2 - height());
 }

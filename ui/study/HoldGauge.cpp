@@ -63,7 +63,7 @@ void HoldGauge::paintEvent(QPaintEvent*)
     const double high = m_asked.forceN + m_asked.withinN;
     const bool isIn = m_forceN >= low && m_forceN <= high;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(palette().color(QPalette::Button));
+    painter.setBrush(palette().color(QPalette::Mid));
     painter.drawRoundedRect(QRectF(kInPx, kBarTop, width() - 2.0 * kInPx, kBarHigh), kRadius, kRadius);
     const QRectF band(placeOf(low), kBarTop - 4.0, placeOf(high) - placeOf(low), kBarHigh + 8.0);
     painter.setPen(QPen(palette().color(QPalette::Link), 2.0));

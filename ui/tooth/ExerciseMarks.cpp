@@ -22,7 +22,10 @@ constexpr double kLeastRadiusPx = 9.0;
 constexpr double kSpotPx = 8.0;
 constexpr double kScaleTopMm = 1.0;
 constexpr double kScaleBottomMm = -3.0;
-constexpr double kScaleHighPx = 160.0;
+constexpr double kScaleShare = 0.35;  ///< of the view's height
+constexpr double kLeastScalePx = 80.0;
+constexpr double kMostScalePx = 200.0;
+constexpr double kMarginPx = 20.0;
 
 }  // namespace
 
@@ -81,29 +84,29 @@ void paintBurSpot(QPainter& painter, QPointF at, bool isTouching)
     painter.drawEllipse(at, kSpotPx, kSpotPx);
 }
 
-void paintHeight(QPainter& painter, QPointF beside, double heightMm, bool onTheLeft)
+void paintHeight(QPainter& painter, QSizeF view, double heightMm)
 {
-    const double top = beside.y() - 0.5 * kScaleHighPx;
-    const auto level = [&](double mm) {
-        const double share = (kScaleTopMm - mm) / (kScaleTopMm - kScaleBottomMm);
-        return top + std::clamp(share, 0.0, 1.0) * kScaleHighPx;
-    };
-    //: Title of a scale beside the bur: how high its tip stands over the block
+    const double high = std::clamp(kScaleShare * view.height(), kLeastScalePx, kMostScalePx);
+    //: Title of a scale: how high the bur's tip stands over the block
     const QString title = QCoreApplication::translate("ExerciseMarks", "height, mm");
     QFont font = painter.font();
     font.setPixelSize(14);
     painter.setFont(font);
     const double wide = std::max(74.0, QFontMetricsF(font).horizontalAdvance(title) + 20.0);
-    if (onTheLeft)
-        beside.rx() -= wide;
+    const QRectF plate(kMarginPx, kMarginPx, wide, high + 52.0);
+    const double top = plate.top() + 38.0;
+    const auto level = [&](double mm) {
+        const double share = (kScaleTopMm - mm) / (kScaleTopMm - kScaleBottomMm);
+        return top + std::clamp(share, 0.0, 1.0) * high;
+    };
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 22, 24, 230));
-    painter.drawRoundedRect(QRectF(beside.x(), top - 36.0, wide, kScaleHighPx + 48.0), 6.0, 6.0);
+    painter.drawRoundedRect(plate, 6.0, 6.0);
     painter.setPen(kWords);
-    painter.drawText(QRectF(beside.x(), top - 32.0, wide, 20.0), Qt::AlignCenter, title);
-    const double x = beside.x() + 16.0;
+    painter.drawText(QRectF(plate.left(), plate.top() + 6.0, wide, 20.0), Qt::AlignCenter, title);
+    const double x = plate.left() + 24.0;
     painter.setPen(QPen(kPadEdge, 2.0));
-    painter.drawLine(QPointF(x, top), QPointF(x, top + kScaleHighPx));
+    painter.drawLine(QPointF(x, top), QPointF(x, top + high));
     for (int mm = static_cast<int>(kScaleBottomMm); mm <= static_cast<int>(kScaleTopMm); ++mm) {
         const double y = level(mm);
         painter.setPen(QPen(kPadEdge, mm == 0 ? 2.5 : 1.0));

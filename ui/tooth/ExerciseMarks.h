@@ -34,7 +34,7 @@ struct ExerciseMarks
 {
     std::vector<PointMark> points;
     std::vector<PadMark> pads;  ///< not empty: the view is blindfolded, and these outlines are all that is seen
-    /// A scale beside the bur tells how high it stands: what a hand would feel of itself, for who has only a mouse.
+    /// A scale tells how high the bur stands: what a hand would feel of itself, for who has only a mouse.
     bool showsHeight = false;
     bool operator==(const ExerciseMarks&) const = default;
 };
@@ -47,7 +47,8 @@ void paintBlindfold(QPainter& painter, const QRectF& view);
 void paintPad(QPainter& painter, const QPolygonF& outline, const QString& name);
 /// The bur over the pads: a ring in the air, filled where it touches.
 void paintBurSpot(QPainter& painter, QPointF at, bool isTouching);
+/// In the upper left corner of a view.
 /// @param heightMm  of the tip over the pads' tops
-void paintHeight(QPainter& painter, QPointF beside, double heightMm, bool onTheLeft);
+void paintHeight(QPainter& painter, QSizeF view, double heightMm);
 
 }  // namespace ui::tooth

@@ -419,8 +419,7 @@ void ToothView::drawPads(QPainter& painter)
     const QPointF bur = seen(glm::dvec2(m_pose.anchorMm));
     paintBurSpot(painter, bur, m_servo.touching);
     if (m_exercise.showsHeight)
-        paintHeight(painter, bur + QPointF(m_leftHanded ? -kHeightBesidePx : kHeightBesidePx, 0.0), m_pose.anchorMm.z,
-                    m_leftHanded);
+        paintHeight(painter, QSizeF(width(), height()), m_pose.anchorMm.z);
 }
 
 /// A place of the picture as it was before halves and flips.
