@@ -13,7 +13,7 @@ using namespace core::session;
 constexpr int kTicksPerGroup = 8;
 constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::terrain::kMaxGridSide / kTileSide);
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
-constexpr std::size_t kMostEventsPerCommand = 5;
+constexpr std::size_t kMostEventsPerCommand = 6;
 
 /// Delay that the shipped stiffness holds with every hand; with twice as much half the spring does (haptics.md 2.2: the
 /// limit falls as one over the delay).
@@ -37,8 +37,10 @@ ServoLoop::~ServoLoop()
 {
     delete m_tick->tooth();
     for (ServoCommand command; m_links.commands.tryPop(command);)
-        if (const auto* swap = std::get_if<SwapTooth>(&command))
+        if (const auto* swap = std::get_if<SwapTooth>(&command)) {
             delete swap->tooth;
+            delete swap->servo;
+        }
 }
 
 void ServoLoop::record(const ServoEvent& event) noexcept
@@ -50,8 +52,16 @@ void ServoLoop::record(const ServoEvent& event) noexcept
 
 void ServoLoop::apply(const SwapTooth& swap) noexcept
 {
+    // tick() made sure there is room for what goes back
     if (core::contact::LiveTooth* old = m_tick->swapTooth(swap.tooth, swap.anew, swap.tick))
-        static_cast<void>(m_links.retired.tryPush(old));  // tick() made sure there is room
+        static_cast<void>(m_links.retired.tryPush(old));
+    if (swap.servo != nullptr) {
+        swap.servo->beginAs(m_tick->state());
+        swap.servo->setSpring(m_springPercent);
+        static_cast<void>(swap.servo->swapTooth(swap.tooth, swap.anew, swap.tick));
+        static_cast<void>(m_links.retiredServos.tryPush(m_tick.release()));
+        m_tick.reset(swap.servo);
+    }
     m_generation = swap.generation;
     m_serial = swap.serial;
     for (const std::uint16_t tile : m_dirty)
@@ -71,6 +81,8 @@ void ServoLoop::apply(const SwapTooth& swap) noexcept
         record({ServoEvent::Kind::Resume, 0, glm::vec3(0.0F), 0});
     record({ServoEvent::Kind::Bur, 0, glm::vec3(0.0F), m_tick->state().burIndex});
     record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), m_tick->state().drillOn ? 1U : 0U});
+    if (const std::uint8_t handpiece = m_tick->state().handpieceIndex; handpiece != 0)
+        record({ServoEvent::Kind::Handpiece, 0, glm::vec3(0.0F), handpiece});
     if (m_springPercent != 100)
         record({ServoEvent::Kind::Spring, 0, glm::vec3(0.0F), m_springPercent});
 }
@@ -87,6 +99,14 @@ void ServoLoop::apply(const SetDrill& drill) noexcept
 {
     m_tick->setDrill(drill.on);
     record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), drill.on ? 1U : 0U});
+}
+
+void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
+{
+    if (handpiece.index >= m_tick->settings().handpieces.size())
+        return;
+    m_tick->setHandpiece(handpiece.index);
+    record({ServoEvent::Kind::Handpiece, 0, glm::vec3(0.0F), handpiece.index});
 }
 
 void ServoLoop::apply(const BringHome&) noexcept
@@ -120,8 +140,8 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
 {
     // Room for every tooth that a command could send back, and for what is to be recorded of it, is made sure of before
     // the command is taken.
-    for (ServoCommand command; m_links.retired.space() > 0 && m_links.events.space() >= kMostEventsPerCommand &&
-                               m_links.commands.tryPop(command);)
+    for (ServoCommand command; m_links.retired.space() > 0 && m_links.retiredServos.space() > 0 &&
+                               m_links.events.space() >= kMostEventsPerCommand && m_links.commands.tryPop(command);)
         std::visit([this](const auto& known) { apply(known); }, command);
 
     m_missedPeriods += static_cast<std::uint64_t>(std::max<std::int64_t>(0, dt / m_period - 1));

@@ -37,6 +37,7 @@ private:
     void apply(const core::session::SwapTooth& swap) noexcept;
     void apply(const core::session::SetBur& bur) noexcept;
     void apply(const core::session::SetDrill& drill) noexcept;
+    void apply(const core::session::SetHandpiece& handpiece) noexcept;
     void apply(const core::session::BringHome& home) noexcept;
     void watchDelay(float delayS, double seconds) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;

@@ -175,7 +175,7 @@ double lawfulMm3PerS(const PaceTrial& trial)
     const double direction = preset.axialShare + (1.0 - preset.axialShare) * glm::length(glm::dvec2(trial.towards));
     const double radius = drilling::burs()[trial.bur].headRadiusMm;
     const double torque = drilling::kCuttingFriction * trial.newtons * radius;
-    const double speed = trial.settings.handpiece.rpmUnder(torque) * radius / drilling::kReferenceRpmMm;
+    const double speed = trial.settings.handpieces.front().rpmUnder(torque) * radius / drilling::kReferenceRpmMm;
     return hardness.rateMm3PerNs * std::max(0.0, trial.newtons - hardness.thresholdN) * direction * speed;
 }
 

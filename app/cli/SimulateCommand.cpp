@@ -168,7 +168,7 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
         const auto handpiece = core::settings::findHandpiece(parser.value(QStringLiteral("handpiece")).toStdString());
         if (!handpiece)
             return tl::unexpected(handpiece.error());
-        options.settings.handpiece = *handpiece;
+        options.settings.handpieces = {*handpiece};
     }
     options.settings.breakOff.on = parser.isSet(QStringLiteral("break-off"));
     if (parser.isSet(QStringLiteral("rate"))) {

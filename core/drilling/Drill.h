@@ -52,6 +52,14 @@ class Drill
 public:
     Drill(const settings::HardnessPreset& preset, const settings::Handpiece& handpiece) noexcept;
 
+    /// Another one from now on. Its name stays behind: nothing is allocated.
+    void setHandpiece(const settings::Handpiece& handpiece) noexcept
+    {
+        m_handpiece.freeRpm = handpiece.freeRpm;
+        m_handpiece.stallTorqueNmm = handpiece.stallTorqueNmm;
+        rest();
+    }
+
     /// Cuts for `seconds` with the bur's tip at `anchor`, drawn towards `device` with `forceN` newtons.
     Cut cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
             double seconds) noexcept;

@@ -72,9 +72,12 @@ std::string settingsBytes(const session::ServoSettings& settings)
         out.put(material.thresholdN);
     }
     out.put(settings.hardness.axialShare);
-    out.putText(settings.handpiece.name);
-    out.put(settings.handpiece.freeRpm);
-    out.put(settings.handpiece.stallTorqueNmm);
+    out.put(static_cast<std::uint8_t>(settings.handpieces.size()));
+    for (const settings::Handpiece& handpiece : settings.handpieces) {
+        out.putText(handpiece.name);
+        out.put(handpiece.freeRpm);
+        out.put(handpiece.stallTorqueNmm);
+    }
     out.put(static_cast<std::uint8_t>(settings.breakOff.on ? 1 : 0));
     out.put(settings.breakOff.slenderness);
     return out.bytes();
@@ -102,9 +105,12 @@ std::optional<session::ServoSettings> settingsFrom(std::string_view bytes)
         material.thresholdN = in.take<double>();
     }
     settings.hardness.axialShare = in.take<double>();
-    settings.handpiece.name = in.takeText();
-    settings.handpiece.freeRpm = in.take<double>();
-    settings.handpiece.stallTorqueNmm = in.take<double>();
+    settings.handpieces.resize(in.take<std::uint8_t>());
+    for (settings::Handpiece& handpiece : settings.handpieces) {
+        handpiece.name = in.takeText();
+        handpiece.freeRpm = in.take<double>();
+        handpiece.stallTorqueNmm = in.take<double>();
+    }
     settings.breakOff.on = in.take<std::uint8_t>() != 0;
     settings.breakOff.slenderness = in.take<double>();
     if (!in.ok() || in.left() != 0)
@@ -191,7 +197,7 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
     std::vector<ServoEvent> events(count);
     for (ServoEvent& event : events) {
         const auto kind = in.take<std::uint8_t>();
-        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Resume))
+        if (kind > static_cast<std::uint8_t>(ServoEvent::Kind::Handpiece))
             return std::nullopt;
         event.kind = static_cast<ServoEvent::Kind>(kind);
     }
@@ -226,6 +232,8 @@ std::optional<std::vector<ServoEvent>> eventsFrom(std::string_view bytes)
 
 EventGuard::Verdict EventGuard::look(const ServoEvent& event, const Recording& soFar)
 {
+    if (event.kind == ServoEvent::Kind::Handpiece && event.value >= soFar.settings().handpieces.size())
+        return Verdict::NoSuchHandpiece;
     const bool restores = event.kind == ServoEvent::Kind::Restore;
     if (restores && event.value > soFar.ticks())
         return Verdict::IntoTheFuture;

@@ -17,7 +17,7 @@ namespace core::recording {
 
 using session::ServoEvent;
 
-inline constexpr std::uint32_t kFormatVersion = 4;
+inline constexpr std::uint32_t kFormatVersion = 5;
 inline constexpr std::size_t kChunkEvents = 4096;
 inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
 /// Of settings, lesson and events, unpacked.
@@ -53,7 +53,7 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 class EventGuard
 {
 public:
-    enum class Verdict { Sound, IntoTheFuture, TooManySteps };
+    enum class Verdict { Sound, IntoTheFuture, TooManySteps, NoSuchHandpiece };
     [[nodiscard]] Verdict look(const ServoEvent& event, const Recording& soFar);
 
 private:

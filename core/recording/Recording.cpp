@@ -201,6 +201,8 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
                     break;
                 case EventGuard::Verdict::IntoTheFuture:
                     return damaged("in an undo step");
+                case EventGuard::Verdict::NoSuchHandpiece:
+                    return damaged("where another handpiece is taken");
                 case EventGuard::Verdict::TooManySteps:
                     return unexpected(ErrorCode::BadStructure, "The recording has more undo steps than anyone makes; "
                                                                "it was not made by Cusp and is not replayed.");

@@ -54,6 +54,9 @@ bool Replayer::play(const ServoEvent& event)
     case ServoEvent::Kind::Bur:
         m_servo->setBur(static_cast<std::size_t>(event.value));
         break;
+    case ServoEvent::Kind::Handpiece:
+        m_servo->setHandpiece(static_cast<std::size_t>(event.value));
+        break;
     case ServoEvent::Kind::Home:
         m_servo->bringHome();
         break;

@@ -50,6 +50,7 @@ struct ServoState
     bool cutting = false;           ///< material came away this tick
     bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;
+    std::uint8_t handpieceIndex = 0;                                 ///< into the attempt's handpieces (ServoSettings)
     terrain::Material materialUnderBur = terrain::Material::Enamel;  ///< meaningful while touching
     double burRpm = 0.0;    ///< turns of the bur a minute under its load; 0 with the drill off
     double depthMm = 0.0;   ///< of the tip below the original surface, 0 outside
@@ -103,12 +104,15 @@ struct GoTo
 {
     MomentId id{};
 };
-/// A new tooth; ownership of `tooth` and `lesson` goes to the session with the command.
+class ServoTick;
+/// A new tooth; ownership of `tooth`, `lesson` and `servo` goes to the session with the command.
 struct ReplaceTooth
 {
     terrain::Tooth* tooth = nullptr;
     std::uint64_t generation = 0;         ///< the number that states and patches of this tooth will carry
     const std::string* lesson = nullptr;  ///< what the attempt is made for (recording::checkLesson); null: nothing
+    /// What computes the attempt, new; null: as the one before, or as the session was set up.
+    ServoTick* servo = nullptr;
 };
 struct Unfinished;
 /// An attempt that the program did not live to see finished, taken up again; ownership goes to the session.
@@ -125,7 +129,9 @@ enum Aid : std::uint8_t {
     kHeatMapAid = 1U << 3U,
     kMirrorAid = 1U << 4U,
     kIdealAid = 1U << 5U,
-    kAllAids = (1U << 6U) - 1U,
+    kBurColourAid = 1U << 6U,  ///< the bur coloured by what is left to the limit
+    kFixtureAid = 1U << 7U,    ///< a hand held within the outline
+    kAllAids = (1U << 8U) - 1U,
 };
 /// The aids that are in use from now on: goes on the recording.
 struct SetAids
@@ -145,11 +151,16 @@ struct SetDrill
 {
     bool on = false;
 };
+/// Another of the handpieces at hand.
+struct SetHandpiece
+{
+    std::uint8_t index = 0;  ///< into the attempt's handpieces (ServoSettings)
+};
 /// Lead the hand home over the tooth; nothing where the device has no work area.
 struct BringHome
 {};
-using SessionCommand =
-    std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, BringHome, GoTo, ResumeAttempt, SetAids, AddNote>;
+using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, SetHandpiece, BringHome, GoTo,
+                                    ResumeAttempt, SetAids, AddNote>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.

@@ -21,9 +21,10 @@ struct SwapTooth
     std::uint64_t tick =
         0;                 ///< of the attempt, after which the tooth stood like this; anew, the servo counts on from it
     bool resumed = false;  ///< anew, but in the middle of an attempt that was begun before
+    ServoTick* servo = nullptr;  ///< anew, owned: what computes from now on; null: as before
 };
 /// Session to servo.
-using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, BringHome>;
+using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, SetHandpiece, BringHome>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
 /// One thing that happened to the servo, or to the student while it worked, in the order in which it happened: what a
@@ -31,17 +32,18 @@ static_assert(std::is_trivially_copyable_v<ServoCommand>);
 struct ServoEvent
 {
     enum class Kind : std::uint8_t {
-        Tick,      ///< a step with `deviceMm` and `dtUs`
-        NoDevice,  ///< a step without a reading
-        Drill,     ///< value: 0 off, 1 on
-        Bur,       ///< value: index into burs()
-        Spring,    ///< value: per cent of the stiffness that the force law has from now on
-        Restore,   ///< value: the tick after which the tooth stood that is put back
-        Home,      ///< the hand is to be led home from now on
-        Aids,      ///< value: the aids in use from now on, bits of session::Aid. Nothing to the servo
-        Note,      ///< value: what the ui wants remembered of this moment. Nothing to the servo
-        Resume,    ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
-        Begin,     ///< a new tooth; value: its generation. Ends the recording before it
+        Tick,       ///< a step with `deviceMm` and `dtUs`
+        NoDevice,   ///< a step without a reading
+        Drill,      ///< value: 0 off, 1 on
+        Bur,        ///< value: index into burs()
+        Spring,     ///< value: per cent of the stiffness that the force law has from now on
+        Restore,    ///< value: the tick after which the tooth stood that is put back
+        Home,       ///< the hand is to be led home from now on
+        Aids,       ///< value: the aids in use from now on, bits of session::Aid. Nothing to the servo
+        Note,       ///< value: what the ui wants remembered of this moment. Nothing to the servo
+        Resume,     ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
+        Handpiece,  ///< value: index into the settings' handpieces
+        Begin,      ///< a new tooth; value: its generation. Ends the recording before it
     };
     Kind kind = Kind::Tick;
     std::uint16_t dtUs = 1000;
@@ -58,6 +60,7 @@ struct ServoLinks
 {
     rt::SpscQueue<ServoCommand, 64> commands;         ///< session -> servo
     rt::SpscQueue<contact::LiveTooth*, 64> retired;   ///< servo -> session: teeth to be freed
+    rt::SpscQueue<ServoTick*, 8> retiredServos;       ///< servo -> session: to be freed
     rt::SpscQueue<TilePatch, kServoPatches> patches;  ///< servo -> session
     rt::SpscQueue<ServoEvent, 16384> events;          ///< servo -> session: 16 s at 1 kHz before anything is lost
 };

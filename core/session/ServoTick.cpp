@@ -65,10 +65,10 @@ bool isPlausible(const glm::vec3& device)
 
 }  // namespace
 
-ServoTick::ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings)
-    : m_method(std::move(method)), m_force(settings.force), m_workArea(settings.force.workAreaMm),
-      m_vibration(settings.force.vibrationN), m_drill(settings.hardness, settings.handpiece),
-      m_breakOff(settings.breakOff)
+ServoTick::ServoTick(std::unique_ptr<contact::ContactMethod> method, ServoSettings settings)
+    : m_settings(std::move(settings)), m_method(std::move(method)), m_force(m_settings.force),
+      m_workArea(m_settings.force.workAreaMm), m_vibration(m_settings.force.vibrationN),
+      m_drill(m_settings.hardness, m_settings.handpieces.front())
 {}
 
 Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
@@ -77,8 +77,12 @@ Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
         return tl::unexpected(sound.error());
     if (auto sound = settings::check(settings.hardness); !sound)
         return tl::unexpected(sound.error());
-    if (auto sound = settings::check(settings.handpiece); !sound)
-        return tl::unexpected(sound.error());
+    if (settings.handpieces.empty() || settings.handpieces.size() > kMostHandpieces)
+        return unexpected(ErrorCode::OutOfRange,
+                          "There must be from 1 to " + std::to_string(kMostHandpieces) + " handpieces at hand.");
+    for (const settings::Handpiece& handpiece : settings.handpieces)
+        if (auto sound = settings::check(handpiece); !sound)
+            return tl::unexpected(sound.error());
     if (auto sound = settings::check(settings.breakOff); !sound)
         return tl::unexpected(sound.error());
     auto method = contact::makeContactMethod(settings.method);
@@ -100,6 +104,7 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew, s
         m_state = ServoState{};
         m_state.tick = tick;
         m_state.burIndex = before.burIndex;
+        m_state.handpieceIndex = before.handpieceIndex;
         m_state.drillOn = before.drillOn;
         m_state.deviceMm = before.deviceMm;
         m_state.anchorMm = before.anchorMm;
@@ -118,6 +123,22 @@ void ServoTick::setBur(std::size_t index) noexcept
     m_groundIsNew = true;
     if (m_tooth != nullptr)
         m_tooth->selectBur(index);
+}
+
+void ServoTick::setHandpiece(std::size_t index) noexcept
+{
+    if (index >= m_settings.handpieces.size())
+        return;
+    m_state.handpieceIndex = static_cast<std::uint8_t>(index);
+    m_drill.setHandpiece(m_settings.handpieces[index]);
+}
+
+void ServoTick::beginAs(const ServoState& left) noexcept
+{
+    m_state.burIndex = left.burIndex;
+    m_state.drillOn = left.drillOn;
+    m_state.deviceMm = left.deviceMm;
+    m_state.anchorMm = left.anchorMm;
 }
 
 void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noexcept
@@ -189,8 +210,9 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
                 m_state.materialUnderBur = static_cast<terrain::Material>(m);
             }
         }
-        if (m_state.cutting && m_breakOff.on) {
-            const terrain::PerMaterial broken = drilling::breakOff(*m_tooth, m_breakOff.slenderness, m_changed);
+        if (m_state.cutting && m_settings.breakOff.on) {
+            const terrain::PerMaterial broken =
+                drilling::breakOff(*m_tooth, m_settings.breakOff.slenderness, m_changed);
             for (std::size_t m = 0; m < broken.size(); ++m) {
                 m_state.brokenMm3[m] += broken[m];
                 m_state.removedMm3[m] += broken[m];

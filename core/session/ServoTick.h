@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 #include "core/contact/BurVibration.h"
 #include "core/contact/ContactMethod.h"
@@ -15,13 +16,16 @@
 
 namespace core::session {
 
+inline constexpr std::size_t kMostHandpieces = 8;
+
 /// Everything that decides what a tick computes. Stored in a recording, so that a replay computes the same.
 struct ServoSettings
 {
+    /// Those at hand, at most kMostHandpieces; an attempt begins with the first.
+    std::vector<settings::Handpiece> handpieces = std::vector<settings::Handpiece>(1);
     std::string method = "continuous";
     contact::ForceSettings force;
     settings::HardnessPreset hardness;
-    settings::Handpiece handpiece;
     settings::BreakOff breakOff;
     bool operator==(const ServoSettings&) const = default;
 };
@@ -34,7 +38,7 @@ class ServoTick
 {
 public:
     /// @param settings  method name must exist and values be checked: see makeServoTick()
-    ServoTick(std::unique_ptr<contact::ContactMethod> method, const ServoSettings& settings);
+    ServoTick(std::unique_ptr<contact::ContactMethod> method, ServoSettings settings);
 
     /// Takes another tooth and gives the old one back for its owner to free. Constant time.
     /// @param anew  a tooth to begin with: bur to the device, force and removed volumes to zero
@@ -42,6 +46,10 @@ public:
     contact::LiveTooth* swapTooth(contact::LiveTooth* tooth, bool anew, std::uint64_t tick = 0) noexcept;
     void setBur(std::size_t index) noexcept;
     void setDrill(bool on) noexcept { m_state.drillOn = on; }
+    /// Another of the settings' handpieces; nothing where there is none of this number.
+    void setHandpiece(std::size_t index) noexcept;
+    /// Before the first tooth: hand, bur and drill as another servo leaves them.
+    void beginAs(const ServoState& left) noexcept;
     /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
     void setSpring(std::uint64_t percent) noexcept { m_force.setShare(0.01 * static_cast<double>(percent)); }
 
@@ -59,6 +67,7 @@ public:
     /// Columns that the last step lowered.
     [[nodiscard]] const drilling::CutRect& changed() const noexcept { return m_changed; }
     [[nodiscard]] const contact::LiveTooth* tooth() const noexcept { return m_tooth; }
+    [[nodiscard]] const ServoSettings& settings() const noexcept { return m_settings; }
 
 private:
     void lose() noexcept;
@@ -67,12 +76,12 @@ private:
     [[nodiscard]] glm::dvec3 around(const glm::dvec3& contactN, double seconds) noexcept;
     void describe() noexcept;
 
+    ServoSettings m_settings;
     std::unique_ptr<contact::ContactMethod> m_method;
     contact::ForceLaw m_force;
     contact::WorkArea m_workArea;
     contact::BurVibration m_vibration;
     drilling::Drill m_drill;
-    settings::BreakOff m_breakOff;
     contact::LiveTooth* m_tooth = nullptr;
     ServoState m_state;
     drilling::CutRect m_changed;

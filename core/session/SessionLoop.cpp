@@ -15,6 +15,7 @@ void discard(const SessionCommand& command)
     if (const auto* replace = std::get_if<ReplaceTooth>(&command)) {
         delete replace->tooth;
         delete replace->lesson;
+        delete replace->servo;
     } else if (const auto* resume = std::get_if<ResumeAttempt>(&command)) {
         delete resume->attempt;
     }
@@ -56,6 +57,8 @@ void SessionLoop::freeRetired()
 {
     for (contact::LiveTooth* tooth = nullptr; m_servo.retired.tryPop(tooth);)
         delete tooth;
+    for (ServoTick* servo = nullptr; m_servo.retiredServos.tryPop(servo);)
+        delete servo;
 }
 
 void SessionLoop::takeEvents()
@@ -179,22 +182,27 @@ void SessionLoop::apply(const ReplaceTooth& replace)
 {
     const std::unique_ptr<terrain::Tooth> tooth(replace.tooth);
     const std::unique_ptr<const std::string> lesson(replace.lesson);
+    std::unique_ptr<ServoTick> servo(replace.servo);
+    if (servo)
+        m_settings = servo->settings();
     const history::TiledHeights uncut(tooth->anatomy->grid, tooth->anatomy->top);
     history::UndoTree history(m_undoBytes);
     history.restart({uncut, 0, 0.0, {}});
     take({recording::Recording(m_settings, tooth->anatomy, lesson ? *lesson : std::string()), uncut, std::move(history),
-          0},
-         replace.generation, false);
+          0, nullptr},
+         replace.generation, false, std::move(servo));
 }
 
 void SessionLoop::apply(const ResumeAttempt& resume)
 {
     const std::unique_ptr<Unfinished> attempt(resume.attempt);
-    take(std::move(*attempt), resume.generation, true);
+    std::unique_ptr<ServoTick> servo = std::move(attempt->servo);
+    m_settings = attempt->recording.settings();
+    take(std::move(*attempt), resume.generation, true, std::move(servo));
 }
 
 /// Begins with an attempt, or goes on with it.
-void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed)
+void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resumed, std::unique_ptr<ServoTick> servo)
 {
     const std::uint64_t tick = attempt.recording.ticks();
     {
@@ -223,7 +231,7 @@ void SessionLoop::take(Unfinished attempt, std::uint64_t generation, bool resume
     }
     static_cast<void>(
         m_servo.commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::restored(m_anatomy, m_mirror.flat())),
-                                           m_generation, ++m_serial, true, tick, resumed}));
+                                           m_generation, ++m_serial, true, tick, resumed, servo.release()}));
 }
 
 void SessionLoop::apply(const SetAids& aids)
@@ -255,6 +263,11 @@ void SessionLoop::apply(const SetBur& bur)
 void SessionLoop::apply(const SetDrill& drill)
 {
     static_cast<void>(m_servo.commands.tryPush(drill));
+}
+
+void SessionLoop::apply(const SetHandpiece& handpiece)
+{
+    static_cast<void>(m_servo.commands.tryPush(handpiece));
 }
 
 void SessionLoop::apply(const BringHome& home)

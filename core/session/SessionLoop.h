@@ -35,6 +35,7 @@ class SessionLoop final : public rt::Loop
 {
 public:
     /// @param servo, ui  must outlive the loop
+    /// @param settings   of the servo, until a command brings another
     SessionLoop(ServoLinks& servo, UiLinks& ui, ServoSettings settings, const SessionMemory& memory = {});
     ~SessionLoop() override;
 
@@ -79,9 +80,10 @@ private:
     void apply(const SetAids& aids);
     void apply(const AddNote& note);
     void note(const ServoEvent& event);
-    void take(Unfinished attempt, std::uint64_t generation, bool resumed);
+    void take(Unfinished attempt, std::uint64_t generation, bool resumed, std::unique_ptr<ServoTick> servo);
     void apply(const SetBur& bur);
     void apply(const SetDrill& drill);
+    void apply(const SetHandpiece& handpiece);
     void apply(const BringHome& home);
     void apply(const GoTo& where);
     void step(const std::function<bool()>& go);

@@ -127,8 +127,12 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
         gardener.play(event);
     });
     recording.setWitness(wentElsewhere ? *last : witness());
+    auto next = makeServoTick(recording.settings());
+    if (!next)
+        return tl::unexpected(next.error());
     const int strokes = gardener.strokes();
-    return std::make_unique<Unfinished>(Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes});
+    return std::make_unique<Unfinished>(
+        Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes, std::move(*next)});
 }
 
 }  // namespace core::session

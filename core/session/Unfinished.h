@@ -15,6 +15,7 @@ struct Unfinished
     history::TiledHeights uncut;
     history::UndoTree history;  ///< its present moment is what the tooth came to
     int strokes = 0;
+    std::unique_ptr<ServoTick> servo;  ///< with the recording's settings, new: what goes on computing it
 };
 
 /// Replays a recording to its end and finds its moments again. Strokes and undo steps are told from what the recording

@@ -191,7 +191,7 @@ void TestBreakOff::replaysToTheSameBits()
 {
     session::ServoSettings settings;
     settings.hardness.material.fill({30.0, 0.0});
-    settings.handpiece = settings::findHandpiece("electric").value();
+    settings.handpieces = {settings::findHandpiece("electric").value()};
     settings.breakOff = {true, 5.0};
     support::Rig rig(settings);
     rig.open(support::makeBlock({}));

@@ -190,7 +190,7 @@ void TestDrill::handpiecesCutAsFastAsTheyTurn()
     caries.cariesFloorMm = -100.0;
     const auto rate = [&](const settings::Handpiece& handpiece, double newtons) {
         session::ServoSettings settings;
-        settings.handpiece = handpiece;
+        settings.handpieces = {handpiece};
         return plunge(caries, "2", newtons, 0.5, 1000, {0.013, 0.021}, settings);
     };
     const double turbine = rate(settings::findHandpiece("turbine").value(), 1.0);
@@ -203,7 +203,7 @@ void TestDrill::handpiecesCutAsFastAsTheyTurn()
     QVERIFY(!settings::findHandpiece("chisel"));
 
     session::ServoSettings settings;
-    settings.handpiece.stallTorqueNmm = 0.0;
+    settings.handpieces.front().stallTorqueNmm = 0.0;
     QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
 }
 

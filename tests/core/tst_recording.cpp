@@ -12,6 +12,7 @@
 #include <zstd.h>
 
 #include "core/base/Bytes.h"
+#include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 #include "tests/fuzz/ExerciseRecording.h"
 #include "tests/support/FullDisk.h"
@@ -125,7 +126,7 @@ private slots:
     void refusesStrangers();
     void refusesBombs_data();
     void refusesBombs();
-    void refusesUnknownBurAndAid();
+    void refusesUnknownBurHandpieceAndAid();
     void refusesUndoIntoTheFuture();
     void refusesMoreUndoThanAnyoneMakes();
     void refusesImpossibleTooth_data();
@@ -313,13 +314,13 @@ void TestRecording::refusesStrangers_data()
     QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
     QTest::newRow("no section") << good.left(int(kFileHeaderBytes)) << code(ErrorCode::FileTruncated);
     QByteArray newer = good;
-    newer[8] = 5;
+    newer[8] = static_cast<char>(recording::kFormatVersion + 1);
     QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
     QByteArray zero = good;
     zero[8] = 0;
     QTest::newRow("version 0") << zero << code(ErrorCode::WrongKind);
     QByteArray older = good;
-    older[8] = 3;
+    older[8] = static_cast<char>(recording::kFormatVersion - 1);
     QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
     QByteArray lie = good;
     lie.replace(int(kFileHeaderBytes) + 4, 8, QByteArray(8, '\xFF'));
@@ -383,13 +384,18 @@ void TestRecording::refusesBombs()
     QCOMPARE(read.error().code, ErrorCode::BadStructure);
 }
 
-void TestRecording::refusesUnknownBurAndAid()
+void TestRecording::refusesUnknownBurHandpieceAndAid()
 {
     Recording made({}, smallBlock());
     made.append({ServoEvent::Kind::Bur, 0, {}, 4});
     QVERIFY(!Recording::fromBytes(made.toBytes()));
+    Recording handpiece({}, smallBlock());
+    handpiece.append({ServoEvent::Kind::Handpiece, 0, {}, 0});
+    QVERIFY(Recording::fromBytes(handpiece.toBytes()));
+    handpiece.append({ServoEvent::Kind::Handpiece, 0, {}, 1});  // there is but one
+    QCOMPARE(Recording::fromBytes(handpiece.toBytes()).error().code, ErrorCode::BadStructure);
     Recording aids({}, smallBlock());
-    aids.append({ServoEvent::Kind::Aids, 0, {}, session::kAllAids + 1});
+    aids.append({ServoEvent::Kind::Aids, 0, {}, session::kAllAids + 1U});
     QVERIFY(!Recording::fromBytes(aids.toBytes()));
 }
 

@@ -55,6 +55,15 @@ void compareWithLive(support::Rig& rig)
     QCOMPARE(outcome->state.forceN, rig.servo->state().forceN);
 }
 
+/// The usual, with every handpiece at hand.
+session::ServoSettings withHandpieces()
+{
+    session::ServoSettings settings;
+    const auto all = settings::handpieces();
+    settings.handpieces.assign(all.begin(), all.end());
+    return settings;
+}
+
 double removedMm3(const support::Rig& rig)
 {
     double sum = 0.0;
@@ -114,7 +123,7 @@ void TestReplay::plainDrilling()
 
 void TestReplay::everythingElseThatHappens()
 {
-    support::Rig rig;
+    support::Rig rig(withHandpieces());
     rig.open(layeredTooth(100));
     rig.send(session::SetDrill{true});
     for (std::uint8_t bur = 0; bur < 4; ++bur) {
@@ -130,6 +139,7 @@ void TestReplay::everythingElseThatHappens()
         rig.run(3);
         rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
         rig.send(session::SetDrill{false});
+        rig.send(session::SetHandpiece{static_cast<std::uint8_t>(bur % 3)});
         rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
         rig.send(session::SetDrill{true});
         if (bur % 2 == 0)
@@ -199,7 +209,7 @@ void TestReplay::stormOfCommands()
     QFETCH(QString, method);
     QFETCH(int, side);
     QFETCH(int, seed);
-    session::ServoSettings settings;
+    session::ServoSettings settings = withHandpieces();
     settings.method = method.toStdString();
     support::Rig rig(settings);
     const auto anatomy = layeredTooth(side);
@@ -239,6 +249,19 @@ void TestReplay::stormOfCommands()
         case 8:
             if (rng.below(8) == 0)
                 rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation});
+            break;
+        case 9:
+            rig.send(session::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: there is none
+            break;
+        case 10:
+            // Another tooth with another servo: softer, and with one handpiece less.
+            if (rng.below(8) == 0) {
+                session::ServoSettings other = settings;
+                other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
+                other.handpieces.resize(1 + rng.below(3));
+                rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
+                                               session::makeServoTick(other).value().release()});
+            }
             break;
         default:
             break;

@@ -59,6 +59,7 @@ private slots:
     void attemptSoFarFromAnotherThread();
     void nothingIsRememberedWhereNobodyAsks();
     void lessonAidsAndNotesGoOnTheRecording();
+    void anotherToothMayBringAnotherServo();
     void anAttemptIsTakenUpAgain();
     void anAttemptThatEndedWithUndoIsTakenUpAgain();
     void theMomentsOfAnAttemptComeBack();
@@ -473,6 +474,57 @@ void TestSessionLoop::lessonAidsAndNotesGoOnTheRecording()
     rig.session->recordingSoFar()->forEach(
         [](const ServoEvent& event) { QVERIFY(event.kind != ServoEvent::Kind::Note); });
     QVERIFY(rig.session->recordingSoFar()->lesson().empty());
+}
+
+void TestSessionLoop::anotherToothMayBringAnotherServo()
+{
+    const auto removedMm3 = [](support::Rig& rig) {
+        rig.lean(0.5, 0.0, 2.0, 300);
+        rig.lift();
+        return rig.servo->state().removedMm3;
+    };
+    support::Rig rig;
+    rig.open(block());
+    rig.send(SetBur{2});
+    rig.send(SetDrill{true});
+    const terrain::PerMaterial usual = removedMm3(rig);
+
+    ServoSettings softer;
+    softer.hardness = settings::findHardnessPreset("typodont").value();
+    softer.handpieces.push_back(settings::findHandpiece("low-speed").value());
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 2, nullptr, makeServoTick(softer).value().release()});
+    rig.run(20);
+    // Bur and drill stay as they were in the hand.
+    QCOMPARE(int{rig.servo->state().burIndex}, 2);
+    QVERIFY(rig.servo->state().drillOn);
+    const terrain::PerMaterial soft = removedMm3(rig);
+    QVERIFY2(soft[1] > 1.5 * usual[1], qPrintable(QString("%1, %2").arg(soft[1]).arg(usual[1])));
+    QVERIFY(rig.session->recordingSoFar()->settings() == softer);
+
+    // The slow one cuts less, and a tooth that brings no servo is cut as the one before.
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 3});
+    rig.send(SetHandpiece{1});
+    rig.run(20);
+    QCOMPARE(int{rig.servo->state().handpieceIndex}, 1);
+    const terrain::PerMaterial slow = removedMm3(rig);
+    QVERIFY2(slow[1] < 0.3 * soft[1] && slow[1] > 0.0, qPrintable(QString("%1, %2").arg(slow[1]).arg(soft[1])));
+    const recording::Recording made = rig.session->recordingSoFar().value();
+    QVERIFY(made.settings() == softer);
+    const auto outcome = recording::replay(made);
+    QVERIFY(outcome->agreesWithWitness);
+    QCOMPARE(outcome->stateHash, rig.liveHash());
+    QCOMPARE(int{outcome->state.handpieceIndex}, 1);
+
+    // An attempt that was begun with another servo goes on with that one.
+    support::Rig usualRig;
+    usualRig.open(block());
+    usualRig.send(SetDrill{true});
+    usualRig.resume(made, 2);
+    QVERIFY(usualRig.session->recordingSoFar()->settings() == softer);
+    static_cast<void>(removedMm3(usualRig));
+    QVERIFY(recording::replay(usualRig.session->recordingSoFar().value())->agreesWithWitness);
+    // And one that nobody takes is freed.
+    rig.send(ReplaceTooth{new terrain::Tooth(block()), 4, nullptr, makeServoTick({}).value().release()});
 }
 
 void TestSessionLoop::anAttemptIsTakenUpAgain()
