@@ -93,10 +93,8 @@ core::Result<QImage> sheetOf(const lessons::Lesson& lesson, QSize size)
     const auto place = [&](int k) {
         return QRectF(page.left() + k * (wide + kGapPx), top, wide, kPicturesShare * page.height());
     };
-    RenderWishes wishes;
-    wishes.look.depthColours = ui::render::DepthColours::BelowOriginal;
     const RenderSubject prepared{ideal ? core::terrain::restored(assignment.anatomy, *ideal) : whole, std::nullopt, ideal};
-    const auto inSpace = rendered(prepared, wishes, QStringLiteral("start"), place(0).size().toSize());
+    const auto inSpace = rendered(prepared, {}, QStringLiteral("start"), place(0).size().toSize());
     if (!inSpace)
         return inSpace;
     painter.drawImage(place(0).topLeft(), *inSpace);

@@ -12,6 +12,48 @@ namespace ui::study {
 using ::lessons::Lesson;
 using ::lessons::Task;
 
+namespace {
+
+// The names that the numbers of an ideal and of a block have in core, for translators.
+[[maybe_unused]] constexpr const char* kFieldNames[] = {
+    QT_TRANSLATE_NOOP("Field", "width of the isthmus"),
+    QT_TRANSLATE_NOOP("Field", "depth of the pulpal floor"),
+    QT_TRANSLATE_NOOP("Field", "width of the dovetail"),
+    QT_TRANSLATE_NOOP("Field", "extension into the grooves"),
+    QT_TRANSLATE_NOOP("Field", "marginal ridge that is left"),
+    QT_TRANSLATE_NOOP("Field", "ridge across the tooth that is left on each side"),
+    QT_TRANSLATE_NOOP("Field", "divergence of the end walls"),
+    QT_TRANSLATE_NOOP("Field", "radius of the bur"),
+    QT_TRANSLATE_NOOP("Field", "radius between floor and wall"),
+    QT_TRANSLATE_NOOP("Field", "floor along the junction"),
+    QT_TRANSLATE_NOOP("Field", "depth of the floor in dentin"),
+    QT_TRANSLATE_NOOP("Field", "depth of the gingival floor"),
+    QT_TRANSLATE_NOOP("Field", "depth of the axial wall"),
+    QT_TRANSLATE_NOOP("Field", "width of the box"),
+    QT_TRANSLATE_NOOP("Field", "lean of the access walls"),
+    QT_TRANSLATE_NOOP("Field", "margin around the chamber"),
+    QT_TRANSLATE_NOOP("Field", "block's side"),
+    QT_TRANSLATE_NOOP("Field", "block's height"),
+    QT_TRANSLATE_NOOP("Field", "thickness of the enamel layer"),
+    QT_TRANSLATE_NOOP("Field", "width of the channel"),
+    QT_TRANSLATE_NOOP("Field", "depth of the channel"),
+    QT_TRANSLATE_NOOP("Field", "length of the shape"),
+    QT_TRANSLATE_NOOP("Field", "flare of the dovetail"),
+    QT_TRANSLATE_NOOP("Field", "number of steps"),
+    QT_TRANSLATE_NOOP("Field", "radius of inner corners")};
+
+}  // namespace
+
+QString fieldName(const char* name)
+{
+    return text::capitalised(QCoreApplication::translate("Field", name));
+}
+
+QString fieldUnit(const char* unit)
+{
+    return qstrcmp(unit, "degrees") == 0 ? QStringLiteral("°") : QString::fromLatin1(unit);
+}
+
 QString said(const ::lessons::LocalText& text)
 {
     return QString::fromStdString(::lessons::inLanguage(text, QLocale().name().toStdString()));
@@ -99,7 +141,7 @@ QString ruleWords(const ::lessons::CriterionRule& rule)
 {
     const QString unit = text::unitName(rule.unit);
     const auto figure = [&](double value) {
-        return (QLocale().toString(value, 'g', 4) + QStringLiteral(" ") + unit).trimmed();
+        return (QLocale().toString(value, 'g', 4) + (unit == u"°" ? QString() : QStringLiteral(" ")) + unit).trimmed();
     };
     const bool isUnder = rule.side == ::lessons::Side::Under;
     const double free = isUnder ? rule.target - rule.tolerance : rule.target + rule.tolerance;

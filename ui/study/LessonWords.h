@@ -28,6 +28,10 @@ namespace ui::study {
 
 /// What a criterion asks, in a sentence: "Up to 0.3 mm costs nothing; from 1 mm on all 20.0 points are lost".
 [[nodiscard]] QString ruleWords(const ::lessons::CriterionRule& rule);
+/// Of a number of an ideal or a block, by its English name (core::NumberField::name), beginning with a capital.
+[[nodiscard]] QString fieldName(const char* name);
+/// "mm", "°"; empty for a plain number.
+[[nodiscard]] QString fieldUnit(const char* unit);
 /// The criterion's own title, or the name of its measure.
 [[nodiscard]] QString titleOf(const ::lessons::CriterionRule& rule);
 
