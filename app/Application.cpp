@@ -303,17 +303,27 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 
 void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
-    lay(assignment, notes, unitInDoubt);
+    const core::session::ServoSettings settings = lessons::servoSettings(
+        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice));
+    auto servo = core::session::makeServoTick(settings);
+    if (!servo) {
+        refuse(servo.error(), Failed::OpeningLesson, {});
+        return;
+    }
+    lay(assignment, settings, notes, unitInDoubt);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
-    if (m_links.commands.tryPush(core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get()})) {
-        static_cast<void>(tooth.release());  // the session owns both now
+    if (m_links.commands.tryPush(
+            core::session::ReplaceTooth{tooth.get(), m_ownGeneration, lesson.get(), servo->get()})) {
+        static_cast<void>(tooth.release());  // the session owns them now
         static_cast<void>(lesson.release());
+        static_cast<void>(servo->release());
     }
 }
 
 /// Lays another tooth on the table. The session is still to be told.
-void Application::lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
+void Application::lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
+                      const QStringList& notes, bool unitInDoubt)
 {
     if (m_replay) {
         putReplayAway();
@@ -321,7 +331,9 @@ void Application::lay(const lessons::Assignment& assignment, const QStringList& 
         startLoops();
     }
     m_assignment = assignment;
+    m_settings = settings;
     m_window->setAssignment(m_assignment);
+    m_window->setHandpieces(m_settings.handpieces);
     m_ownGeneration = ++m_generation;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
@@ -532,9 +544,10 @@ void Application::resumeUnfinished()
 {
     if (!m_unfinished)
         return;
-    if (!(m_unfinished->recording.settings() == settingsFor(m_options.simulatedDevice))) {
-        m_window->showMessage(tr("This attempt was made with a bur that cuts or feels differently from today's, so it "
-                                 "cannot be gone on with. It is kept."));
+    // What cuts is the attempt's own; what is felt must suit the device.
+    if (!(m_unfinished->recording.settings().force == settingsFor(m_options.simulatedDevice).force)) {
+        m_window->showMessage(
+            tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
     }
     const int load = ++m_loading;
@@ -558,7 +571,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         m_window->showError(assignment.error(), Failed::ResumingAttempt);
         return;
     }
-    lay(*assignment, {}, false);
+    lay(*assignment, attempt->recording.settings(), {}, false);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
@@ -593,6 +606,7 @@ void Application::play(const core::recording::Recording& recording)
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
     m_window->setReplaying(true, std::chrono::duration<double>(recording.duration()).count());
+    m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
         m_replay->tick(recording.duration());  // straight to its end
@@ -652,6 +666,7 @@ void Application::stopReplay()
     }
     putReplayAway();
     m_window->setReplaying(false);
+    m_window->setHandpieces(m_settings.handpieces);
     m_links.servo.back() = m_handAtRest;
     m_links.servo.publish();
     for (core::session::TilePatch late; m_links.patches.tryPop(late);) {

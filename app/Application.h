@@ -57,7 +57,8 @@ private:
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
-    void lay(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
+    void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
+             const QStringList& notes, bool unitInDoubt);
     void watchAttempt();
     void takeBack(std::uint64_t tick);
     void grade();
@@ -94,9 +95,10 @@ private:
     std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
 
-    lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
-    std::uint64_t m_ownGeneration = 0;  ///< of that tooth
-    std::uint64_t m_generation = 0;     ///< of the newest tooth shown
+    core::session::ServoSettings m_settings;  ///< of the student's own attempt
+    lessons::Assignment m_assignment;         ///< the student's own; its anatomy is null until a tooth is taken
+    std::uint64_t m_ownGeneration = 0;        ///< of that tooth
+    std::uint64_t m_generation = 0;           ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     /// The grade given last: the same work is not graded twice.

@@ -12,8 +12,10 @@ struct Aids
     bool heatMap = true;     ///< colours of depth on the tooth
     bool mirror = true;      ///< the dental mirror
     bool ideal = true;       ///< the ideal preparation, in section and colours
+    bool burColour = true;   ///< the bur coloured by what is left to the limit
+    bool fixture = true;     ///< a force that resists leaving the outline of the ideal
 
-    [[nodiscard]] static constexpr Aids none() { return {false, false, false, false, false, false}; }
+    [[nodiscard]] static constexpr Aids none() { return {false, false, false, false, false, false, false, false}; }
     bool operator==(const Aids&) const = default;
 };
 

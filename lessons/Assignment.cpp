@@ -165,6 +165,21 @@ core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::Tooth
     return workOut(*read.lesson, std::move(anatomy));
 }
 
+core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual)
+{
+    if (lesson != nullptr) {
+        usual.hardness = lesson->hardness;
+        usual.breakOff.on = lesson->breakOff;
+    }
+    if (lesson != nullptr && !lesson->handpieces.empty()) {
+        usual.handpieces = lesson->handpieces;
+    } else {
+        const auto all = core::settings::handpieces();
+        usual.handpieces.assign(all.begin(), all.end());
+    }
+    return usual;
+}
+
 core::session::Examination examinationOf(const Assignment& assignment)
 {
     core::session::Examination examination;

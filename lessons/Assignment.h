@@ -38,6 +38,10 @@ struct Assigned
 /// The block that a lesson names, with its sizes; a sentence where there is no such shape or size, or they do not fit.
 [[nodiscard]] core::Result<core::teeth::BlockDesign> designOf(const Block& block);
 
+/// What computes an attempt at a lesson, or without one (null): its hardness and the handpieces at hand, with the force
+/// law of `usual`.
+[[nodiscard]] core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual);
+
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson);
 

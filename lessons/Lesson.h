@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/settings/Handpiece.h"
+#include "core/settings/HardnessPreset.h"
 #include "lessons/Aids.h"
 #include "lessons/LocalText.h"
 #include "lessons/Rubric.h"
@@ -114,7 +116,10 @@ struct Lesson
     std::optional<Lesion> lesion;
     std::optional<Ideal> ideal;
     std::optional<LeewayZone> leeway;
-    std::vector<std::string> burs;  ///< allowed, by id; the first is given; none: all
+    std::vector<std::string> burs;                      ///< allowed, by id; the first is given; none: all
+    std::vector<core::settings::Handpiece> handpieces;  ///< at hand; the first is given; none: all
+    core::settings::HardnessPreset hardness;
+    bool breakOff = false;  ///< what stands too slender breaks away (core::settings::BreakOff)
     Aids aids;
     std::vector<Step> steps;
     double minutes = 0.0;  ///< 0: as long as it takes

@@ -2,6 +2,7 @@
 #include "lessons/LessonReader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -535,8 +536,55 @@ private:
         }
     }
 
+    /// "natural", or one of those with other figures for some of its materials.
+    void takeHardness(Lesson& lesson)
+    {
+        if (m_whole.value(QStringLiteral("hardness")).isString()) {
+            const std::string name = m_keys.text("hardness");
+            if (const auto known = core::settings::findHardnessPreset(name))
+                lesson.hardness = *known;
+            else
+                m_keys.fault("hardness", QString::fromStdString(known.error().detail));
+            return;
+        }
+        auto keys = m_keys.object("hardness");
+        if (!keys)
+            return;
+        const std::string base = keys->has("like") ? keys->text("like") : lesson.hardness.name;
+        if (const auto known = core::settings::findHardnessPreset(base))
+            lesson.hardness = *known;
+        else
+            keys->fault("like", QString::fromStdString(known.error().detail));
+        lesson.hardness.name = keys->neededText("name", 60);
+        static constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin",
+                                                                                           "pulp"};
+        for (std::size_t m = 0; m < kMaterials.size(); ++m) {
+            auto material = keys->object(kMaterials[m]);
+            if (!material)
+                continue;
+            core::settings::MaterialHardness& hardness = lesson.hardness.material[m];
+            hardness.rateMm3PerNs =
+                material->number("rate_mm3_per_ns", core::settings::kMinRateMm3PerNs, core::settings::kMaxRateMm3PerNs,
+                                 "mm³/(N s)", hardness.rateMm3PerNs);
+            hardness.thresholdN =
+                material->number("threshold_n", 0.0, core::settings::kMaxThresholdN, "N", hardness.thresholdN);
+            material->nameTheRest();
+        }
+        lesson.hardness.axialShare = keys->number("axial_share", 0.01, 1.0, "", lesson.hardness.axialShare);
+        keys->nameTheRest();
+    }
+
     void takeTools(Lesson& lesson)
     {
+        takeHardness(lesson);
+        lesson.breakOff = m_keys.flag("breaks_off", lesson.breakOff);
+        for (const QString& name : m_keys.names("handpieces")) {
+            const auto known = core::settings::findHandpiece(name.toStdString());
+            if (!known)
+                m_keys.fault("handpieces", QString::fromStdString(known.error().detail));
+            else if (std::find(lesson.handpieces.begin(), lesson.handpieces.end(), *known) == lesson.handpieces.end())
+                lesson.handpieces.push_back(*known);
+        }
         for (const QString& bur : m_keys.names("burs")) {
             if (const auto known = core::drilling::findBur(bur.toStdString()); !known)
                 m_keys.fault("burs", QString::fromStdString(known.error().detail));
@@ -550,7 +598,7 @@ private:
                 *aid = true;
             else
                 m_keys.fault("aids", QStringLiteral("\"%1\" is no aid; there are section, depth_gauge, radiograph, "
-                                                    "heat_map, mirror, ideal")
+                                                    "heat_map, mirror, ideal, bur_colour, fixture")
                                          .arg(name.left(40)));
         }
     }
@@ -558,8 +606,9 @@ private:
     static bool* aidNamed(Aids& aids, const QString& name)
     {
         const std::pair<const char*, bool*> known[] = {
-            {"section", &aids.section},  {"depth_gauge", &aids.depthGauge}, {"radiograph", &aids.radiograph},
-            {"heat_map", &aids.heatMap}, {"mirror", &aids.mirror},          {"ideal", &aids.ideal}};
+            {"section", &aids.section},      {"depth_gauge", &aids.depthGauge}, {"radiograph", &aids.radiograph},
+            {"heat_map", &aids.heatMap},     {"mirror", &aids.mirror},          {"ideal", &aids.ideal},
+            {"bur_colour", &aids.burColour}, {"fixture", &aids.fixture}};
         for (const auto& [id, aid] : known)
             if (name == QLatin1String(id))
                 return aid;

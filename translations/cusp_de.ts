@@ -376,6 +376,22 @@
     </message>
 </context>
 <context>
+    <name>Handpiece</name>
+    <message>
+        <source>Turbine</source>
+        <translation>Turbine</translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <extracomment>A red-ring contra-angle: electric motor, geared up</extracomment>
+        <translation>Elektrisch</translation>
+    </message>
+    <message>
+        <source>Low-speed</source>
+        <translation>Langsam</translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>The handpiece is gone: no force. Plug it in again.</source>
@@ -471,6 +487,14 @@
     <message>
         <source>%1: %2 points</source>
         <translation>%1: %2 Punkte</translation>
+    </message>
+    <message>
+        <source>bur that changes colour</source>
+        <translation>Bohrer, der die Farbe wechselt</translation>
+    </message>
+    <message>
+        <source>guided hand</source>
+        <translation>geführte Hand</translation>
     </message>
 </context>
 <context>
@@ -764,16 +788,16 @@
         <translation>Die Aufgabe wird vorbereitet …</translation>
     </message>
     <message>
-        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
-        <translation>Bei diesem Versuch schnitt der Bohrer anders oder fühlte sich anders an als heute, deshalb kann er nicht fortgesetzt werden. Er bleibt aufbewahrt.</translation>
-    </message>
-    <message>
         <source>Taking up the attempt …</source>
         <translation>Der Versuch wird aufgenommen …</translation>
     </message>
     <message>
         <source>Your attempt goes on where it was left.</source>
         <translation>Ihr Versuch geht dort weiter, wo er abbrach.</translation>
+    </message>
+    <message>
+        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
     </message>
 </context>
 <context>
@@ -1272,6 +1296,10 @@
         <source>Choose what to practise</source>
         <translation>Wählen, was geübt wird</translation>
     </message>
+    <message>
+        <source>Take this handpiece</source>
+        <translation>Dieses Handstück nehmen</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1342,6 +1370,13 @@
     <message>
         <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
         <translation>Die Marke ist die eingestellte Kraft. Eine Wand, die seitlich drückt, kommt hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HandpieceChooser</name>
+    <message>
+        <source>Handpieces</source>
+        <translation>Handstücke</translation>
     </message>
 </context>
 <context>
@@ -1940,6 +1975,15 @@
     <message>
         <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
         <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
+        <translation>U/min</translation>
     </message>
 </context>
 <context>

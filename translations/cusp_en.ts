@@ -376,6 +376,22 @@
     </message>
 </context>
 <context>
+    <name>Handpiece</name>
+    <message>
+        <source>Turbine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <extracomment>A red-ring contra-angle: electric motor, geared up</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low-speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>The handpiece is gone: no force. Plug it in again.</source>
@@ -470,6 +486,14 @@
     </message>
     <message>
         <source>%1: %2 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bur that changes colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guided hand</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -764,15 +788,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This attempt was made with a bur that cuts or feels differently from today&apos;s, so it cannot be gone on with. It is kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Taking up the attempt …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Your attempt goes on where it was left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1272,6 +1296,10 @@
         <source>Choose what to practise</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take this handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1341,6 +1369,13 @@
     </message>
     <message>
         <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HandpieceChooser</name>
+    <message>
+        <source>Handpieces</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1939,6 +1974,15 @@
     </message>
     <message>
         <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

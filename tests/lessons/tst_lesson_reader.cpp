@@ -84,7 +84,13 @@ void TestLessonReader::readsEveryKey()
     object["ideal"] = QJsonObject{{"kind", "class1"}, {"sizes", QJsonObject{{"depth_mm", 1.75}}}};
     object["leeway"] = QJsonObject{{"sides_mm", 0.2}, {"bottom_mm", 0.4}};
     object["burs"] = QJsonArray{"330", "2"};
-    object["aids"] = QJsonArray{"section", "mirror"};
+    object["handpieces"] = QJsonArray{"low-speed", "turbine"};
+    object["hardness"] = QJsonObject{{"name", "soft"},
+                                     {"like", "typodont"},
+                                     {"dentin", QJsonObject{{"rate_mm3_per_ns", 4.0}, {"threshold_n", 0.2}}},
+                                     {"axial_share", 0.5}};
+    object["breaks_off"] = true;
+    object["aids"] = QJsonArray{"section", "mirror", "fixture"};
     object["steps"] = QJsonArray{QJsonObject{{"text", "Look."}, {"hint", "Closer."}}};
     object["minutes"] = 12.5;
     object["exam"] = true;
@@ -106,7 +112,16 @@ void TestLessonReader::readsEveryKey()
     QCOMPARE(got.ideal->sizes.at("depth_mm"), 1.75);
     QCOMPARE(*got.leeway, (LeewayZone{0.2, 0.4}));
     QCOMPARE(got.burs, (std::vector<std::string>{"330", "2"}));
-    QVERIFY(got.aids.section && got.aids.mirror && !got.aids.radiograph && !got.aids.ideal);
+    QVERIFY(got.aids.section && got.aids.mirror && !got.aids.radiograph && !got.aids.ideal && got.aids.fixture &&
+            !got.aids.burColour);
+    QCOMPARE(got.handpieces.size(), 2U);
+    QCOMPARE(got.handpieces[0], core::settings::findHandpiece("low-speed").value());
+    core::settings::HardnessPreset soft = core::settings::findHardnessPreset("typodont").value();
+    soft.name = "soft";
+    soft.material[2] = {4.0, 0.2};
+    soft.axialShare = 0.5;
+    QCOMPARE(got.hardness, soft);
+    QVERIFY(got.breakOff);
     QCOMPARE(inLanguage(got.steps.at(0).hint, "en"), std::string("Closer."));
     QCOMPARE(got.minutes, 12.5);
     QVERIFY(got.exam);
@@ -169,6 +184,13 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("an unknown bur", "burs", "[\"331x\"]", "burs: ");
     row("burs as a text", "burs", "\"330\"", "burs: must be a list");
     row("an unknown aid", "aids", "[\"x-ray\"]", "aids: \"x-ray\" is no aid");
+    row("a handpiece unheard of", "handpieces", "[\"laser\"]", "handpieces: There is no handpiece 'laser'");
+    row("a hardness unheard of", "hardness", "\"stone\"", "hardness: There is no hardness preset 'stone'");
+    row("a hardness like none", "hardness", R"({"name": "x", "like": "stone"})",
+        "hardness.like: There is no hardness preset 'stone'");
+    row("a hardness without a name", "hardness", "{\"axial_share\": 0.5}", "hardness.name: is missing");
+    row("enamel too soft", "hardness", R"({"name": "x", "enamel": {"rate_mm3_per_ns": 1000}})",
+        "hardness.enamel.rate_mm3_per_ns: is 1000, it must lie between 0 and 100");
     row("no rubric", "rubric", "null", "rubric: is missing");
     row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
     row("a depth in micrometres", "rules", "{\"depth_limit_mm\": 2500}",

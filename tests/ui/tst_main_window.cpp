@@ -74,6 +74,7 @@ private slots:
     void eachKeySpeaksToTheSession();
     void spaceAndDTurnTheDrillOnAndOff();
     void numbersChooseTheBur();
+    void onlyHandpiecesAtHandCanBeTaken();
     void theServoHasTheLastWordOnDrillAndBur();
     void aFullQueueIsToldAndNothingIsPretended();
     void undoRestsWhileThereIsNothingToUndo();
@@ -303,6 +304,24 @@ void TestMainWindow::numbersChooseTheBur()
     QVERIFY(actions().burs[3]->isChecked());
     QVERIFY(!actions().burs[0]->isChecked());
     QCOMPARE(actions().burs.size(), static_cast<qsizetype>(core::drilling::burs().size()));
+}
+
+void TestMainWindow::onlyHandpiecesAtHandCanBeTaken()
+{
+    using core::settings::findHandpiece;
+    const auto all = core::settings::handpieces();
+    m_window->setHandpieces({all.begin(), all.end()});
+    press(Qt::Key_9);
+    // A lesson's order is its own: the slow one is its first.
+    m_window->setHandpieces({findHandpiece("low-speed").value(), findHandpiece("turbine").value()});
+    press(Qt::Key_9);
+    press(Qt::Key_8);  // electric: not at hand
+    press(Qt::Key_7);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 3);
+    QCOMPARE(int{std::get<SetHandpiece>(commands[0]).index}, 2);
+    QCOMPARE(int{std::get<SetHandpiece>(commands[1]).index}, 0);
+    QCOMPARE(int{std::get<SetHandpiece>(commands[2]).index}, 1);
 }
 
 void TestMainWindow::theServoHasTheLastWordOnDrillAndBur()

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "core/drilling/Bur.h"
+#include "core/settings/Handpiece.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
@@ -43,6 +44,15 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
         action->setCheckable(true);
         oneBur->addAction(action);
         burs.push_back(action);
+    }
+    auto* oneHandpiece = new QActionGroup(this);
+    digit = Qt::Key_7;
+    for (const core::settings::Handpiece& handpiece : core::settings::handpieces()) {
+        QAction* action =
+            add("handpiece", text::handpieceName(handpiece.name), tr("Take this handpiece"), {QKeySequence(digit++)});
+        action->setCheckable(true);
+        oneHandpiece->addAction(action);
+        handpieces.push_back(action);
     }
     otherHand =
         add("hand", tr("Other hand"), tr("Hold the handpiece from the other side; the view stays"), {Qt::Key_H});

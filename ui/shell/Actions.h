@@ -38,7 +38,8 @@ public:
     QAction* otherHand = nullptr;
     QAction* bringHome = nullptr;  ///< hidden where the device cannot lead a hand
     QAction* resetView = nullptr;
-    QList<QAction*> burs;  ///< checkable, one of them; in the order of core::drilling::burs()
+    QList<QAction*> handpieces;  ///< the same, of core::settings::handpieces(); visible where at hand
+    QList<QAction*> burs;        ///< checkable, one of them; in the order of core::drilling::burs()
     QAction* undo = nullptr;
     QAction* redo = nullptr;
     QAction* reload = nullptr;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPxPerMm = 11.0;
 /// How much of the shank is drawn above the longest head, mm.
-constexpr double kTopMm = 5.0;
+constexpr double kTopMm = 4.4;
 
 /// Both halves of the head, tip at the origin, y upwards negative.
 QPainterPath headOf(const core::drilling::Bur& bur)
@@ -68,7 +68,7 @@ void BurTile::paintEvent(QPaintEvent*)
     painter.setOpacity(isEnabled() ? 1.0 : 0.38);
 
     painter.save();
-    painter.translate(width() / 2.0, 62.0);
+    painter.translate(width() / 2.0, 50.0);
     painter.scale(kPxPerMm, kPxPerMm);
     painter.setPen(Qt::NoPen);
     painter.setBrush(p.color(QPalette::PlaceholderText));
@@ -79,7 +79,7 @@ void BurTile::paintEvent(QPaintEvent*)
 
     painter.setFont(typeface(kSmall, isChecked() ? QFont::DemiBold : QFont::Normal));
     painter.setPen(p.color(isChecked() ? QPalette::WindowText : QPalette::PlaceholderText));
-    painter.drawText(QRect(0, 64, width(), 18), Qt::AlignCenter,
+    painter.drawText(QRect(0, 51, width(), 18), Qt::AlignCenter,
                      QString::fromUtf8(m_bur.id.data(), static_cast<qsizetype>(m_bur.id.size())));
 }
 

@@ -18,7 +18,7 @@ class BurTile : public QAbstractButton
     Q_OBJECT
 public:
     BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* parent);
-    [[nodiscard]] QSize sizeHint() const override { return {46, 84}; }
+    [[nodiscard]] QSize sizeHint() const override { return {46, 70}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

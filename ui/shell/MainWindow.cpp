@@ -184,6 +184,8 @@ void MainWindow::connectActions()
     on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
+    for (int k = 0; k < m_actions->handpieces.size(); ++k)
+        on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
     on(m_actions->otherHand, [this](bool left) {
         m_view->setLeftHanded(left);
         memory().setValue(kLeftHanded, left);
@@ -380,6 +382,9 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     }
     if (servo.burIndex < m_actions->burs.size() && mayAnswer(m_burWish, servo.burIndex))
         m_actions->burs[servo.burIndex]->setChecked(true);
+    if (servo.handpieceIndex < m_handpieces.size() && mayAnswer(m_handpieceWish, servo.handpieceIndex))
+        if (const int shipped = m_handpieces[servo.handpieceIndex]; shipped >= 0)
+            m_actions->handpieces[shipped]->setChecked(true);
 }
 
 void MainWindow::takeSession()
@@ -466,6 +471,31 @@ void MainWindow::wishBur(int index)
     m_burWish.since.start();
 }
 
+void MainWindow::wishHandpiece(int shipped)
+{
+    const auto found = std::find(m_handpieces.begin(), m_handpieces.end(), shipped);
+    const auto index = static_cast<std::uint8_t>(found - m_handpieces.begin());
+    if (found == m_handpieces.end() || !send(core::session::SetHandpiece{index}))
+        return;
+    m_handpieceWish.value = index;
+    m_handpieceWish.since.start();
+}
+
+void MainWindow::setHandpieces(const std::vector<core::settings::Handpiece>& atHand)
+{
+    const auto shipped = core::settings::handpieces();
+    m_handpieces.clear();
+    for (const core::settings::Handpiece& handpiece : atHand) {
+        const auto found = std::find(shipped.begin(), shipped.end(), handpiece);
+        m_handpieces.push_back(found == shipped.end() ? -1 : static_cast<int>(found - shipped.begin()));
+    }
+    for (int k = 0; k < m_actions->handpieces.size(); ++k)
+        m_actions->handpieces[k]->setVisible(std::find(m_handpieces.begin(), m_handpieces.end(), k) !=
+                                             m_handpieces.end());
+    m_handpieceWish = {};
+    enableActions();
+}
+
 void MainWindow::goTo(QWidget* page)
 {
     m_help->hide();
@@ -503,6 +533,8 @@ void MainWindow::enableActions()
     m_actions->drill->setEnabled(inRoom && mine);
     for (QAction* bur : m_actions->burs)
         bur->setEnabled(inRoom && mine);
+    for (QAction* handpiece : m_actions->handpieces)
+        handpiece->setEnabled(inRoom && mine && handpiece->isVisible());
     m_actions->otherHand->setEnabled(inRoom);
     m_actions->bringHome->setEnabled(inRoom && mine && m_actions->bringHome->isVisible());
     for (QAction* action : m_viewMenu->actions())

@@ -98,6 +98,8 @@ public slots:
     void askForecast();
     /// The lesson that the tooth shown next is for; none: practised freely.
     void setAssignment(const lessons::Assignment& assignment);
+    /// The handpieces of the attempt that is shown next, in the order of its settings.
+    void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
@@ -162,6 +164,7 @@ private:
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
     void wishBur(int index);
+    void wishHandpiece(int shipped);
     void goTo(QWidget* page);
     void goBack();
     /// What the student has cut off the present tooth; all zero on a whole one.
@@ -218,7 +221,9 @@ private:
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth
     Wish m_drillWish;
     Wish m_burWish;
-    bool m_infractionStopped = false;    ///< the bur turned when it was told
+    Wish m_handpieceWish;
+    std::vector<int> m_handpieces;     ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
+    bool m_infractionStopped = false;  ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;

@@ -16,6 +16,7 @@
 #include "ui/shell/BurChooser.h"
 #include "ui/shell/DrillSwitch.h"
 #include "ui/shell/ForceBar.h"
+#include "ui/shell/HandpieceChooser.h"
 #include "ui/shell/MaterialSwatch.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
@@ -29,6 +30,7 @@ namespace {
 using core::terrain::Material;
 
 constexpr int kWidthPx = 272;
+constexpr double kRpmStep = 1000.0;  ///< finer says nothing
 constexpr int kSwatchPx = 18;
 /// Words and digits change this often at most; faster than that, the last digit is a blur.
 constexpr qint64 kWordsEveryMs = 80;
@@ -72,7 +74,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->setSpacing(kSpace2);
 
     column->addWidget(new DrillSwitch(actions.drill, content));
-    column->addSpacing(kSpace2);
+    column->addSpacing(kSpace1);
 
     m_swatch = new MaterialSwatch(28, content);
     m_material = addFigure(column, tr("Under the bur"), "materialFigure", m_swatch);
@@ -144,18 +146,24 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
 
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
-    column->addWidget(quietLabel(tr("Bur"), content));
+    auto* burRow = new QHBoxLayout;
+    burRow->addWidget(quietLabel(tr("Bur"), content));
+    burRow->addStretch(1);
+    m_rpm = new TabularLabel(content);
+    m_rpm->setFont(typeface(kSmall, QFont::Medium));
+    m_rpm->setObjectName(QStringLiteral("burRpm"));
+    m_rpm->setToolTip(brokenIntoLines(tr("Turns of the bur a minute: a load slows it, until it stalls")));
+    burRow->addWidget(m_rpm);
+    column->addLayout(burRow);
     column->addWidget(new BurChooser(actions.burs, content));
-    column->addSpacing(kSpace2);
+    column->addWidget(new HandpieceChooser(actions.handpieces, content));
 
     auto* pushRow = new QHBoxLayout;
     auto* pushLabel = quietLabel(tr("Push with"), content);
     m_pushText = new TabularLabel(content);
     m_pushText->setFont(typeface(kBody, QFont::Medium));
+    pushRow->setSpacing(kSpace2);
     pushRow->addWidget(pushLabel);
-    pushRow->addStretch(1);
-    pushRow->addWidget(m_pushText);
-    column->addLayout(pushRow);
     m_push = new QSlider(Qt::Horizontal, content);
     m_push->setRange(static_cast<int>(std::lround(tooth::PointerControl::kWeakestN / tooth::PointerControl::kStepN)),
                      static_cast<int>(std::lround(tooth::PointerControl::kStrongestN / tooth::PointerControl::kStepN)));
@@ -170,7 +178,9 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         setPushForce(steps * tooth::PointerControl::kStepN);
         emit pushForceChosen(m_pushN);
     });
-    column->addWidget(m_push);
+    pushRow->addWidget(m_push, 1);
+    pushRow->addWidget(m_pushText);
+    column->addLayout(pushRow);
     column->addStretch(1);
 
     auto* fill = new QVBoxLayout(this);
@@ -243,6 +253,8 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         setFigure(m_material, tr("Handpiece"), {}, quiet);
     else
         setFigure(m_material, tr("Air", "the bur touches nothing"), {}, quiet);
+    //: Turns a minute
+    m_rpm->setText(text::number(std::round(servo.burRpm / kRpmStep) * kRpmStep, 0), tr("rpm"));
     const double sidewaysN = glm::length(glm::dvec2(servo.forceN));
     QString unit = QStringLiteral("N");
     if (limited)

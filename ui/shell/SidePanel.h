@@ -64,6 +64,7 @@ private:
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
+    TabularLabel* m_rpm = nullptr;
     TabularLabel* m_overcut = nullptr;
     QLabel* m_health = nullptr;
     QSlider* m_push = nullptr;

@@ -117,6 +117,8 @@ QString aidWords(const ::lessons::Aids& aids)
     add(aids.heatMap, QT_TRANSLATE_NOOP("Lesson", "colours of depth"));
     add(aids.mirror, QT_TRANSLATE_NOOP("Lesson", "mirror"));
     add(aids.ideal, QT_TRANSLATE_NOOP("Lesson", "ideal preparation"));
+    add(aids.burColour, QT_TRANSLATE_NOOP("Lesson", "bur that changes colour"));
+    add(aids.fixture, QT_TRANSLATE_NOOP("Lesson", "guided hand"));
     if (aids == ::lessons::Aids{})
         return QCoreApplication::translate("Lesson", "all");
     return names.isEmpty() ? QCoreApplication::translate("Lesson", "none") : names.join(QStringLiteral(", "));

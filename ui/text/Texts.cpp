@@ -374,6 +374,18 @@ QString burName(std::string_view id)
     return QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
 }
 
+QString handpieceName(std::string_view name)
+{
+    if (name == "turbine")
+        return QCoreApplication::translate("Handpiece", "Turbine");
+    if (name == "electric")
+        //: A red-ring contra-angle: electric motor, geared up
+        return QCoreApplication::translate("Handpiece", "Electric");
+    if (name == "low-speed")
+        return QCoreApplication::translate("Handpiece", "Low-speed");
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
 QString healthText(std::uint32_t health)
 {
     if ((health & core::session::kDeviceLost) != 0)

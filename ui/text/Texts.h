@@ -59,6 +59,8 @@ enum class Failed {
 
 /// "Pear, No. 330"; the id itself for a bur we have no word for.
 [[nodiscard]] QString burName(std::string_view id);
+/// What a handpiece is called, by its name in settings; a name that is not known is said as it is.
+[[nodiscard]] QString handpieceName(std::string_view name);
 
 /// What a bit pattern of core::session::Health means for the person drilling, the gravest first; empty when well.
 [[nodiscard]] QString healthText(std::uint32_t health);
