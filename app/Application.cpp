@@ -13,6 +13,7 @@
 
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
+#include "core/preparation/CapturedIdeal.h"
 #include "core/recording/Replay.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -123,6 +124,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     });
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
+    connect(m_window.get(), &MainWindow::referenceSaveRequested, this, &Application::saveReference);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
@@ -460,6 +462,32 @@ void Application::saveRecording(const QString& path)
                 m_window->showSaved(path);
             else
                 m_window->showError(written.error(), Failed::SavingRecording, path);
+        });
+}
+
+/// The tooth as it stands, as an ideal for lessons to ask for.
+void Application::saveReference(const QString& path)
+{
+    const auto tooth = m_session.toothSoFar();
+    if (!tooth)
+        return;
+    inBackground(
+        this,
+        [tooth = *tooth, path] {
+            const core::terrain::Tooth* const one = &tooth;
+            const auto ideal = core::preparation::capture(
+                std::span(&one, 1), {},
+                {"an attempt of " + QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+            return ideal ? core::preparation::writeCaptured(std::filesystem::path(path.toStdU16String()), *ideal)
+                         : core::Status(tl::unexpected(ideal.error()));
+        },
+        [this, path](const core::Status& written) {
+            if (written)
+                m_window->showMessage(tr("The reference was saved as %1. A lesson names it, or choose it in the editor "
+                                         "of a lesson on this tooth.")
+                                          .arg(QDir::toNativeSeparators(path)));
+            else
+                m_window->showError(written.error(), Failed::SavingReference, path);
         });
 }
 

@@ -65,6 +65,7 @@ private:
     void finish(std::optional<int> expectedTenths);
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void saveRecording(const QString& path);
+    void saveReference(const QString& path);
     void openRecording(const QString& path);
     void keepJournal();
     void watchJournal();

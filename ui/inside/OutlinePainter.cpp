@@ -146,9 +146,12 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
         const glm::dvec2 way = scene.plane->direction();
         const glm::dvec2 through = scene.plane->throughMm;
         const double far = above.shownMm.width() + above.shownMm.height();
+        painter.save();
+        painter.setClipRect(area.adjusted(0.0, kMarginPx, 0.0, -kMarginPx), Qt::IntersectClip);
         painter.setPen(QPen(QColor(kPlane), 1.4, Qt::DashLine));
         painter.drawLine(fit.at({through.x - far * way.x, through.y - far * way.y}),
                          fit.at({through.x + far * way.x, through.y + far * way.y}));
+        painter.restore();
     }
 
     painter.setFont(shell::typeface(shell::kSmall, QFont::Medium));
@@ -176,8 +179,9 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     painter.drawLine(QPointF(x, y), QPointF(x + 20.0, y));
     x += 8.0;
     key(Qt::NoBrush, Qt::NoBrush, QCoreApplication::translate("Section", "ideal preparation"));
-    key(QColor::fromRgba(kBand), QBrush(QColor(kBandEdge), Qt::BDiagPattern),
-        QCoreApplication::translate("Section", "within tolerance"));
+    if (scene.toleranceMm > 0.0)
+        key(QColor::fromRgba(kBand), QBrush(QColor(kBandEdge), Qt::BDiagPattern),
+            QCoreApplication::translate("Section", "within tolerance"));
     if (scene.spanMm > 0.0)
         //: In the key of a picture: farther out, all points of this criterion are lost
         key(QColor::fromRgba(kSpan), Qt::NoBrush, QCoreApplication::translate("Section", "costs points"));

@@ -45,10 +45,12 @@ public:
     QAction* reload = nullptr;
     QAction* grade = nullptr;
     QAction* lessons = nullptr;
+    QAction* editLesson = nullptr;  ///< on the page of lessons
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
+    QAction* saveReference = nullptr;
     QAction* openRecording = nullptr;
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
     QAction* section = nullptr;      ///< checkable: the cross-section is there

@@ -36,6 +36,7 @@ class XrayPage;
 namespace ui::study {
 class Forecast;
 class InfractionCard;
+class LessonEditor;
 }  // namespace ui::study
 
 namespace ui::shell {
@@ -127,6 +128,8 @@ signals:
     /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
     void scanUnitChosen(const QString& unit);
     void recordingSaveRequested(const QString& path);
+    /// The tooth as it is cut is to be kept as a captured ideal; showMessage() or showError() answers.
+    void referenceSaveRequested(const QString& path);
     void recordingOpenRequested(const QString& path);
     void gradeRequested();
     /// What offerUnfinished() has offered; work that would be lost has been asked about.
@@ -146,7 +149,7 @@ protected:
 
 private:
     /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
-    enum class FileKind { Scan, Recording, Picture };
+    enum class FileKind { Scan, Recording, Picture, Reference };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -179,6 +182,7 @@ private:
     void enableActions();
     void placeOverlays();
     [[nodiscard]] QString workTitle() const;
+    void editLesson();
     void showIdeal();
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
@@ -199,6 +203,7 @@ private:
     ToothChooser* m_chooser;
     ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
+    study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
     inside::XrayPage* m_xray;
     MessageBar* m_messages;

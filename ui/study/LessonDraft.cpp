@@ -34,53 +34,83 @@ std::vector<IdealField> fieldsFrom(std::span<const core::NumberField<Design>> fi
     return made;
 }
 
-std::vector<IdealField> fieldsOf(const Lesson& lesson, const core::terrain::ToothAnatomy& anatomy)
+/// The kind of an ideal that is made by rule.
+std::optional<core::preparation::Kind> ruleOf(const Lesson& lesson)
+{
+    if (lesson.task != ::lessons::Task::CutIdeal || !lesson.ideal || lesson.ideal->captured)
+        return std::nullopt;
+    const auto kind = core::preparation::findKind(lesson.ideal->kind);
+    return kind ? std::optional(*kind) : std::nullopt;
+}
+
+/// With the sizes that the lesson sets otherwise.
+core::preparation::ToothDesign designOf(const Lesson& lesson, core::preparation::Kind kind,
+                                        core::preparation::ToothDesign usual)
+{
+    const auto fields = core::preparation::fieldsOf(kind);
+    for (const auto& [id, value] : lesson.ideal->sizes)
+        static_cast<void>(core::setNumber(std::span(fields), usual, id, value));
+    return usual;
+}
+
+std::vector<IdealField> fieldsOf(const Lesson& lesson, const std::optional<core::preparation::ToothDesign>& usual)
 {
     if (lesson.task == ::lessons::Task::TraceShape) {
         const auto design = ::lessons::designOf(std::get<::lessons::Block>(lesson.tooth));
         return design ? fieldsFrom<core::teeth::BlockDesign>(core::teeth::blockFields(), *design)
                       : std::vector<IdealField>();
     }
-    if (lesson.task != ::lessons::Task::CutIdeal || !lesson.ideal || lesson.ideal->captured)
-        return {};
-    const auto kind = core::preparation::findKind(lesson.ideal->kind);
-    if (!kind)
-        return {};
-    auto design = core::preparation::fittedDesign(*kind, anatomy);
-    if (!design)
+    const auto kind = ruleOf(lesson);
+    if (!kind || !usual)
         return {};
     const auto fields = core::preparation::fieldsOf(*kind);
-    for (const auto& [id, value] : lesson.ideal->sizes)
-        static_cast<void>(core::setNumber(std::span(fields), *design, id, value));
-    return fieldsFrom(std::span(fields), *design);
+    return fieldsFrom<core::preparation::ToothDesign>(fields, designOf(lesson, *kind, *usual));
 }
 
-bool hasSameTooth(const Lesson& a, const Lesson& b)
+/// What was made for the draft before, as far as it is the same.
+struct Kept
 {
-    return a.tooth == b.tooth && a.gridSide == b.gridSide && a.lesion == b.lesion;
+    std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
+    std::optional<core::preparation::ToothDesign> usual;
+    bool isSameIdeal = false;
+};
+
+Kept keptOf(const Weighed* before, const Lesson& lesson)
+{
+    if (before == nullptr || !before->assignment || !before->assignment->lesson)
+        return {};
+    const Lesson& old = *before->assignment->lesson;
+    if (old.tooth != lesson.tooth || old.gridSide != lesson.gridSide || old.lesion != lesson.lesion)
+        return {};
+    return {before->assignment->anatomy, ruleOf(old) == ruleOf(lesson) ? before->usual : std::nullopt,
+            old.ideal == lesson.ideal && old.task == lesson.task};
 }
 
-/// With the tooth and the ideal of before, where they are the same.
-core::Result<Assignment> assignmentFor(const Lesson& lesson, const Weighed* before)
+/// As lessons::assign(), with what is kept.
+core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, const Weighed* before)
 {
-    if (before == nullptr || !before->assignment || !before->assignment->lesson ||
-        !hasSameTooth(*before->assignment->lesson, lesson)) {
+    if (!kept.anatomy) {
         auto assigned = ::lessons::assign(lesson);
         if (!assigned)
             return tl::unexpected(assigned.error());
         return std::move(assigned->assignment);
     }
-    const Lesson& old = *before->assignment->lesson;
-    if (old.ideal == lesson.ideal && old.task == lesson.task) {
-        Assignment assignment = *before->assignment;
-        assignment.lesson = lesson;
-        assignment.rubric = lesson.rubric;
-        assignment.leeway.reset();
-        if (lesson.leeway)
-            assignment.leeway = core::grading::Leeway{lesson.leeway->sidesMm, lesson.leeway->bottomMm};
+    const auto kind = ruleOf(lesson);
+    if (!kept.isSameIdeal && !(kind && kept.usual))
+        return ::lessons::assignmentOf(kept.anatomy, lesson.json);
+    Assignment assignment = *before->assignment;
+    assignment.lesson = lesson;
+    assignment.rubric = lesson.rubric;
+    assignment.leeway.reset();
+    if (lesson.leeway)
+        assignment.leeway = core::grading::Leeway{lesson.leeway->sidesMm, lesson.leeway->bottomMm};
+    if (kept.isSameIdeal)
         return assignment;
-    }
-    return ::lessons::assignmentOf(before->assignment->anatomy, lesson.json);
+    auto ideal = core::preparation::makePreparation(*kind, designOf(lesson, *kind, *kept.usual), *kept.anatomy);
+    if (!ideal)
+        return tl::unexpected(ideal.error());
+    assignment.ideal = std::move(*ideal);
+    return assignment;
 }
 
 /// The fault that makes no lesson of it, beside the field that it is about where its sentence names one.
@@ -105,21 +135,32 @@ std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& fi
     weighed->read = ::lessons::readDraft(draft, file);
     const auto& lesson = weighed->read.lesson;
     if (lesson) {
-        auto assignment = assignmentFor(*lesson, before.get());
+        const Kept kept = keptOf(before.get(), *lesson);
+        weighed->usual = kept.usual;
+        auto assignment = assignmentFor(*lesson, kept, before.get());
         if (!assignment) {
             weighed->read.faults.push_back(faultOf(assignment.error(), file, *lesson));
             // The fields stay, or there would be no way back.
-            if (before && before->assignment)
-                weighed->fields = fieldsOf(*lesson, *before->assignment->anatomy);
+            weighed->fields = fieldsOf(*lesson, weighed->usual);
         } else {
             const core::terrain::ToothAnatomy& anatomy = *assignment->anatomy;
-            weighed->fields = fieldsOf(*lesson, anatomy);
+            if (const auto kind = ruleOf(*lesson); kind && !weighed->usual)
+                if (const auto usual = core::preparation::fittedDesign(*kind, anatomy))
+                    weighed->usual = *usual;
+            weighed->fields = fieldsOf(*lesson, weighed->usual);
             const core::grading::IdealTop ideal = assignment->shownIdeal();
             const bool isSame = before && before->assignment && before->assignment->ideal && assignment->ideal &&
                                 before->assignment->ideal->top == assignment->ideal->top;
             weighed->above = isSame ? before->above : inside::fromAbove(anatomy, ideal ? *ideal : anatomy.top);
             if (assignment->ideal) {
-                const auto tolerances = ::lessons::tolerancesOf(lesson->rubric, {0.0, 0.0, 0.0, 0.0});
+                core::preparation::Tolerances tolerances{0.0, 0.0, 0.0, 0.0};
+                if (assignment->leeway)
+                    tolerances = {assignment->leeway->sidesMm, assignment->leeway->bottomMm, 0.0, 0.0};
+                tolerances = ::lessons::tolerancesOf(lesson->rubric, tolerances);
+                weighed->outlineMm = tolerances.outlineMm;
+                weighed->depthMm = tolerances.depthMm;
+                for (const ::lessons::CriterionRule& rule : lesson->rubric.criteria)
+                    weighed->spanMm = rule.measure == "outline_p95_mm" ? rule.span : weighed->spanMm;
                 weighed->band = core::preparation::toleranceBand(anatomy, *assignment->ideal, tolerances.outlineMm,
                                                                  tolerances.depthMm);
             }

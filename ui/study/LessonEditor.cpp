@@ -8,6 +8,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -42,6 +43,7 @@ namespace {
 using namespace ui::shell;
 
 constexpr int kFormWidthPx = 430;
+constexpr int kNarrowFormPx = 360;
 constexpr int kSpinPx = 112;
 constexpr const char* kRecordings = "*.cusprec";
 constexpr const char* kIdeals = "*.cuspideal";
@@ -105,6 +107,7 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent) : Page(actio
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace4);
     auto* form = new ScrollPane(makeForm(), QPalette::Window, this);
+    form->setMinimumWidth(kNarrowFormPx);
     form->setMaximumWidth(kFormWidthPx);
     row->addWidget(form, 2);
     row->addWidget(makePictures(), 3);
@@ -132,7 +135,7 @@ const LessonDraft& LessonEditor::draft() const
 
 QDoubleSpinBox* LessonEditor::spin(double low, double high, int decimals, const QString& unit, const QString& name)
 {
-    auto* made = new QDoubleSpinBox;
+    auto* made = new QDoubleSpinBox(this);
     made->setRange(low, high);
     made->setDecimals(decimals);
     made->setSuffix(unit.isEmpty() ? QString() : unit == u"°" ? unit : QStringLiteral(" ") + unit);
@@ -420,6 +423,10 @@ void LessonEditor::take(const std::shared_ptr<const Weighed>& weighed)
     if (weighed->assignment) {
         m_good = weighed;
         m_view->show(weighed);
+    }
+    if (m_isWanted)
+        return;  // what is in the inputs is newer
+    if (weighed->assignment) {
         fillFields();
         fillRubric();
         fillReferences();
@@ -562,7 +569,7 @@ void LessonEditor::fillReferences()
     m_reference->setCurrentIndex(present.isEmpty() ? 0 : static_cast<int>(names.indexOf(present)) + 1);
 }
 
-/// Into the inputs, where nobody is typing the same.
+/// Into the inputs: what the draft says, be it from them or from a step back.
 void LessonEditor::showValues()
 {
     m_isFilling = true;
@@ -573,11 +580,7 @@ void LessonEditor::showValues()
                 continue;
             if (auto* box = qobject_cast<QCheckBox*>(found->second))
                 box->setChecked(field.value > 0.5);
-            else if (auto* number = qobject_cast<QDoubleSpinBox*>(found->second);
-                     number != nullptr && std::abs(number->value() - field.value) > 1.0e-9 && !number->hasFocus())
-                number->setValue(field.value);
-            else if (number != nullptr && number->hasFocus() && !m_isWeighing && !m_isWanted &&
-                     std::abs(number->value() - field.value) > 0.005)
+            else if (auto* number = qobject_cast<QDoubleSpinBox*>(found->second))
                 number->setValue(field.value);
         }
         const ::lessons::Rubric& rubric = (m_now->read.lesson ? *m_now->read.lesson : *m_good->assignment->lesson).rubric;

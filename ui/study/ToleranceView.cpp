@@ -8,7 +8,6 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "lessons/Capture.h"
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
 
@@ -74,16 +73,8 @@ void ToleranceView::paintEvent(QPaintEvent*)
         return;
     }
     const ::lessons::Assignment& assignment = *m_weighed->assignment;
-    const ::lessons::Rubric& rubric = assignment.rubric;
-    double toleranceMm = 0.0;
-    double spanMm = 0.0;
-    for (const ::lessons::CriterionRule& rule : rubric.criteria)
-        if (assignment.ideal && rule.measure == "outline_p95_mm") {
-            toleranceMm = rule.tolerance;
-            spanMm = rule.span;
-        }
     inside::paintOutline(painter, aboveArea(),
-                         {assignment.anatomy.get(), &m_weighed->above, toleranceMm, spanMm, m_plane});
+                         {assignment.anatomy.get(), &m_weighed->above, m_weighed->outlineMm, m_weighed->spanMm, m_plane});
     inside::SectionScene section;
     section.tooth = &*m_whole;
     section.plane = m_plane;
