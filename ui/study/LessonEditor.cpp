@@ -412,6 +412,8 @@ void LessonEditor::weighLater()
                     self->take(weighed);
                 if (std::exchange(self->m_isWanted, false) || of != self->m_present)
                     self->weighLater();
+                else if (self->m_isSaveWanted)
+                    self->save();
             },
             Qt::QueuedConnection);
     });
@@ -866,10 +868,9 @@ void LessonEditor::sweepAgain()
 
 void LessonEditor::save()
 {
-    if (!m_now || m_isWeighing) {
-        say(tr("Still being checked. Try again in a moment."), false);
-        return;
-    }
+    m_isSaveWanted = !m_now || m_isWeighing;
+    if (m_isSaveWanted)
+        return;  // as soon as it is checked
     for (const ::lessons::Fault& fault : m_now->read.faults)
         if (fault.grave) {
             say(tr("Not saved: %1").arg(fault.sentence()), true);

@@ -101,6 +101,7 @@ private:
     std::shared_ptr<const Weighed> m_good;  ///< the newest that is a lesson
     bool m_isWeighing = false;
     bool m_isWanted = false;  ///< weighed again as soon as it is done
+    bool m_isSaveWanted = false;
     bool m_isFilling = false;
 
     std::shared_ptr<const PastAttempts> m_past;
