@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QButtonGroup>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
@@ -467,10 +466,14 @@ void LessonEditor::fillFields()
         };
         QWidget* input = nullptr;
         if (isChoice) {
-            auto* box = new QCheckBox(m_fields);
-            box->setAccessibleName(field.name);
-            connect(box, &QCheckBox::toggled, this, [set](bool on) { set(on ? 1.0 : 0.0); });
-            input = box;
+            auto* choice = new QComboBox(m_fields);
+            choice->addItems({tr("no"), tr("yes")});
+            choice->setAccessibleName(field.name);
+            choice->setFixedWidth(kSpinPx);
+            choice->setFocusPolicy(Qt::StrongFocus);
+            choice->installEventFilter(this);
+            connect(choice, &QComboBox::activated, this, [set](int index) { set(index); });
+            input = choice;
         } else {
             auto* number = spin(field.minimum, field.maximum, field.whole ? 0 : 2, field.unit, field.name);
             number->setSingleStep(field.whole || field.unit == u"°" ? 1.0 : 0.05);
@@ -580,8 +583,8 @@ void LessonEditor::showValues()
             const auto found = m_fieldInputs.find(field.id);
             if (found == m_fieldInputs.end())
                 continue;
-            if (auto* box = qobject_cast<QCheckBox*>(found->second))
-                box->setChecked(field.value > 0.5);
+            if (auto* choice = qobject_cast<QComboBox*>(found->second))
+                choice->setCurrentIndex(field.value > 0.5 ? 1 : 0);
             else if (auto* number = qobject_cast<QDoubleSpinBox*>(found->second))
                 number->setValue(field.value);
         }
