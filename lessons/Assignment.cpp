@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/Assignment.h"
 
-#include <bit>
 #include <filesystem>
 
 #include "core/drilling/Bur.h"
@@ -234,7 +233,7 @@ core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth
     if (conduct) {
         result.measured.process = conduct->process;
         result.measured.infractions = conduct->infractions;
-        result.measured.aidsUsed = std::popcount(conduct->aids);
+        result.measured.aidsUsed = conduct->aidsUsed();
     }
     if (assignment.ideal) {
         auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);

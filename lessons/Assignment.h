@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -66,6 +67,7 @@ struct Conduct
     core::grading::Process process;
     int infractions = 0;
     std::uint8_t aids = 0;  ///< bits of core::session::Aid that were in use
+    [[nodiscard]] int aidsUsed() const { return std::popcount(aids); }
 };
 
 /// What an examiner of this assignment watches.

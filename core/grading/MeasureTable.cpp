@@ -513,4 +513,16 @@ std::optional<MeasureInfo> findMeasure(std::string_view id)
     return found != kTable.end() ? std::optional(*found) : std::nullopt;
 }
 
+bool isOfProcess(const MeasureInfo& measure)
+{
+    Process complete;
+    complete.firstCutS = complete.strokeMm = complete.strokeS = complete.jerkMmPerS3 = 0.0;
+    complete.force.emplace();
+    Measured way;
+    way.process = complete;
+    way.infractions = 0;
+    way.aidsUsed = 0;
+    return measure.value(way).has_value() && !measure.value(Measured{}).has_value();
+}
+
 }  // namespace core::grading

@@ -52,8 +52,16 @@ public:
     QAction* saveRecording = nullptr;
     QAction* saveReference = nullptr;
     QAction* openRecording = nullptr;
+    QAction* history = nullptr;  ///< checkable: the undo history is there
+    // While a recording is played. Otherwise they are hidden, and their keys mean something else to the tooth.
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
-    QAction* section = nullptr;      ///< checkable: the cross-section is there
+    QAction* stepBack = nullptr;
+    QAction* stepOn = nullptr;
+    QAction* replayBegin = nullptr;
+    QAction* replayEnd = nullptr;
+    QAction* slower = nullptr;
+    QAction* faster = nullptr;
+    QAction* section = nullptr;  ///< checkable: the cross-section is there
     QAction* turnSection = nullptr;
     QAction* radiograph = nullptr;
     QAction* turnRound = nullptr;
@@ -62,6 +70,8 @@ public:
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;
     QAction* idealColours = nullptr;
+    QAction* burColour = nullptr;
+    QAction* fixture = nullptr;  ///< checkable: the outline holds the hand
     QAction* handPlace = nullptr;
     QAction* neighbours = nullptr;
     QAction* distinctColours = nullptr;

@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QListView>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -27,6 +28,7 @@
 #include "lessons/LessonCatalog.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/replay/ReplayBar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -34,7 +36,6 @@
 #include "ui/shell/Memory.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
 #include "ui/shell/Theme.h"
@@ -45,12 +46,15 @@
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
+#include "ui/study/Limit.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
 namespace {
 
 /// How long the servo may take to follow a wish before its own word counts again.
+constexpr qint64 kGuideEveryMs = 100;
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
@@ -68,8 +72,6 @@ QString patternOf(const QStringList& suffixes)
         patterns << "*." + suffix << "*." + suffix.toUpper();
     return patterns.join(u' ');
 }
-
-constexpr int kReplayBarPx = 64;
 
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
@@ -89,7 +91,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new Actions(this)), m_viewMenu(new ViewMenu(*m_actions, this)),
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
-      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
+      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)),
       m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
@@ -112,6 +114,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
 
     connectActions();
     connectView();
+    connectReplay();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -135,6 +138,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         workOn();
     });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
+    connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (m_assignment && m_assignment->lesson && m_assignment->lesson->exam)
             emit gradeRequested();
@@ -147,8 +151,6 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
             newFileName(QStringLiteral("png")));
     });
-    connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
-    connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
@@ -189,6 +191,7 @@ void MainWindow::connectActions()
     on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
+    on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
     on(m_actions->otherHand, [this](bool left) {
@@ -257,10 +260,6 @@ void MainWindow::connectActions()
         askForFile(m_actions->openRecording->text(), FileKind::Recording,
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
-    on(m_actions->pauseReplay, [this] {
-        setReplayPaused(!m_replayPaused);
-        emit replayPauseRequested(m_replayPaused);
-    });
     on(m_actions->savePicture, [this] {
         askForFile(
             m_actions->savePicture->text(), FileKind::Picture,
@@ -299,7 +298,51 @@ void MainWindow::editLesson()
         return;
     }
     m_editor->edit(entry->read, folder);
+    emit knownAttemptsWanted(*entry->read.lesson);
     goTo(m_editor);
+}
+
+void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
+{
+    m_editor->setKnown(std::move(attempts));
+}
+
+void MainWindow::connectReplay()
+{
+    replay::ReplayBar& bar = m_room->replay();
+    connect(&bar, &replay::ReplayBar::stopWanted, this, &MainWindow::replayStopRequested);
+    connect(&bar, &replay::ReplayBar::speedChosen, this, &MainWindow::replaySpeedChosen);
+    connect(&bar, &replay::ReplayBar::seekWanted, this, &MainWindow::seekWanted);
+    const auto hold = [this](bool paused) {
+        showReplayPaused(paused);
+        emit replayPauseRequested(paused);
+    };
+    const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
+    on(m_actions->pauseReplay, [this, hold] { hold(!m_replayPaused); });
+    for (const bool onward : {false, true})
+        on(onward ? m_actions->stepOn : m_actions->stepBack, [&bar, hold, onward] {
+            hold(true);
+            bar.step(onward);
+        });
+    on(m_actions->replayBegin, [&bar] { bar.goToBegin(); });
+    on(m_actions->replayEnd, [&bar] { bar.goToEnd(); });
+    on(m_actions->slower, [&bar] { bar.changeSpeed(false); });
+    on(m_actions->faster, [&bar] { bar.changeSpeed(true); });
+    on(m_actions->history, [this](bool shown) {
+        m_room->history().setVisible(shown);
+        placeOverlays();
+        if (shown)
+            m_room->history().list().setFocus();
+        else
+            m_view->setFocus();
+    });
+    connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
+            [this](const core::session::GoTo& where) { send(where); });
+}
+
+void MainWindow::setHistorySource(replay::HistorySource source)
+{
+    m_room->history().setSource(std::move(source));
 }
 
 void MainWindow::offerHome()
@@ -317,6 +360,8 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->radiograph, aids.radiograph);
     Actions::setAllowed(m_actions->depthColours, aids.heatMap);
     Actions::setAllowed(m_actions->mirror, aids.mirror);
+    Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
+    Actions::setAllowed(m_actions->fixture, aids.fixture);
     m_room->panel().setDepthGauge(aids.depthGauge);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -377,6 +422,7 @@ void MainWindow::connectView()
         m_view->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
+        m_room->history().setColours(settings.look.palette);
         m_chooser->setMovesLittle(settings.movesLittle);
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
@@ -408,6 +454,7 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
         reading.dentinOverPulpMm.reset();
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
+    guide(servo);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -429,6 +476,26 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
             m_actions->handpieces[shipped]->setChecked(true);
 }
 
+/// How near the bur is to what is to be kept, and how far the work has come, ten times a second.
+void MainWindow::guide(const core::session::ServoState& servo)
+{
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    if (tooth == nullptr || m_ideal == nullptr || !m_aids.ideal || servo.tick == 0) {
+        m_view->setBurTint({});
+        m_room->panel().setGuide({}, {});
+        return;
+    }
+    std::optional<double> marginMm;
+    if (m_viewMenu->settings().showsMargin && servo.burIndex < core::drilling::burs().size())
+        marginMm =
+            core::guidance::marginMm(*tooth->anatomy, *m_ideal, core::drilling::burs()[servo.burIndex], servo.anchorMm);
+    m_view->setBurTint(study::limitColour(marginMm));
+    if (m_sinceGuide.isValid() && m_sinceGuide.elapsed() < kGuideEveryMs)
+        return;
+    m_sinceGuide.start();
+    m_room->panel().setGuide(marginMm, core::guidance::progressOf(*tooth->anatomy, *m_ideal, tooth->top));
+}
+
 void MainWindow::takeSession()
 {
     const core::session::SessionState& now = m_links.session.latest();
@@ -436,9 +503,11 @@ void MainWindow::takeSession()
     tellHarm(now);
     m_session = now;
     if (m_replaying)
-        m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
-    else if (m_session.toothGeneration == m_ownGeneration)
+        m_room->replay().setPosition(m_session.recordedS);
+    else if (m_session.toothGeneration == m_ownGeneration) {
         m_room->lesson().setTime(m_session.recordedS);
+        m_room->history().follow(m_session.historyVersion);
+    }
     if (moved)
         enableActions();
     tellAids();
@@ -458,6 +527,8 @@ void MainWindow::tellAids()
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
         inUse(m_actions->mirror->isChecked(), kMirrorAid) |
+        inUse(m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
+        inUse(m_actions->fixture->isChecked(), kFixtureAid) |
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
@@ -561,6 +632,8 @@ void MainWindow::goBack()
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
+    } else if (m_room->history().list().hasFocus()) {
+        m_view->setFocus();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
@@ -587,6 +660,9 @@ void MainWindow::enableActions()
     m_actions->idealColours->setEnabled(m_actions->idealColours->isEnabled() && m_aids.heatMap && m_aids.ideal &&
                                         m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
+    const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
+    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && m_aids.burColour && seesIdeal);
+    m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
@@ -605,7 +681,12 @@ void MainWindow::enableActions()
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine || inEditor);
-    m_actions->pauseReplay->setEnabled(inRoom && m_replaying);
+    m_actions->history->setEnabled(inRoom && mine);
+    for (QAction* action : {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin,
+                            m_actions->replayEnd, m_actions->slower, m_actions->faster}) {
+        action->setVisible(m_replaying);
+        action->setEnabled(inRoom && m_replaying);
+    }
 }
 
 void MainWindow::placeOverlays()
@@ -614,9 +695,7 @@ void MainWindow::placeOverlays()
     if (m_help->isVisible())
         m_help->raise();
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
-    // Above the bar of a replay.
-    const int bar = m_replaying ? kReplayBarPx : 0;
-    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - bar - m_stereoCard->height());
+    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
@@ -636,11 +715,14 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     if (!m_replaying && generation != m_ownGeneration) {
         m_ownGeneration = generation;
         m_savedWork = {};
+        m_room->history().setTooth(m_tooth);
     }
     m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
     const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
-    m_ideal = isAssigned ? m_assignment->shownIdeal() : core::grading::idealCavity(*m_tooth);
+    m_ideal = m_replaying  ? m_replayIdeal
+              : isAssigned ? m_assignment->shownIdeal()
+                           : core::grading::idealCavity(*m_tooth);
     m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
@@ -716,11 +798,10 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                           std::optional<int> expectedTenths)
+                           std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
-    m_scorePage->setScore(workTitle(), sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage(),
-                          expectedTenths);
+    m_scorePage->setScore(workTitle(), sheet, history, expectedTenths, scored);
     goTo(m_scorePage);
 }
 
@@ -758,6 +839,8 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
+    m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
+    m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     if (!assignment.lesson)
         return;
@@ -781,22 +864,28 @@ void MainWindow::showSaved(const QString& path)
         what();
 }
 
-void MainWindow::setReplaying(bool replaying, double lengthS)
+void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
-    m_replayLengthS = lengthS;
+    m_replayIdeal = std::move(ideal);
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
-    m_room->setReplayTime(0.0, lengthS);
-    setReplayPaused(false);
+    m_room->replay().begin(lengthS);
+    showReplayPaused(false);
     m_room->setReplaying(replaying);
+    m_room->history().setVisible(!replaying && m_actions->history->isChecked());
     enableActions();
 }
 
-void MainWindow::setReplayPaused(bool paused)
+void MainWindow::setReplayCourse(const replay::Course& course)
+{
+    m_room->replay().setCourse(course);
+}
+
+void MainWindow::showReplayPaused(bool paused)
 {
     m_replayPaused = paused;
     m_actions->showReplayPaused(paused);
@@ -804,6 +893,7 @@ void MainWindow::setReplayPaused(bool paused)
 
 void MainWindow::showReplayEnd()
 {
+    showReplayPaused(true);
     offerToStop(tr("The recording has come to its end."));
 }
 

@@ -6,13 +6,16 @@
 
 class QFrame;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 class QToolButton;
 
 namespace ui::inside {
 class SectionView;
 }
+
+namespace ui::replay {
+class HistoryPanel;
+class ReplayBar;
+}  // namespace ui::replay
 
 namespace ui::study {
 class LessonStrip;
@@ -38,6 +41,10 @@ public:
     [[nodiscard]] inside::SectionView& section() { return *m_section; }
     /// Above the tooth; hidden without a lesson.
     [[nodiscard]] study::LessonStrip& lesson() { return *m_lesson; }
+    /// In place of the work's own bar while a recording is played.
+    [[nodiscard]] replay::ReplayBar& replay() { return *m_replay; }
+    /// Over the tooth; hidden until it is wanted.
+    [[nodiscard]] replay::HistoryPanel& history() { return *m_history; }
     /// @param title  "Tooth 36", or the file
     /// @param name   "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);
@@ -47,7 +54,6 @@ public:
     void showNotice(const QString& what, const QString& whatToDo);
     void hideNotice();
     void setReplaying(bool replaying);
-    void setReplayTime(double playedS, double lengthS);
     /// Puts the side panel away, or shows it.
     void setPanelVisible(bool visible);
     /// Shows the cross-section beside the tooth, or puts it away.
@@ -58,8 +64,6 @@ public:
 signals:
     /// viewArea() is another one.
     void viewAreaChanged();
-    void replayStopRequested();
-    void replaySpeedChosen(int times);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -69,11 +73,8 @@ private:
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
     void makeNotice();
-    void makeReplayCard(const Actions& actions);
-    void showReplaySpeed(int times);
     void placeOverlays();
     void placeNotice();
-    void placeReplayCard();
 
     QWidget* m_view;
     SidePanel* m_panel;
@@ -81,12 +82,9 @@ private:
     study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
-    QWidget* m_replay = nullptr;
-    QLabel* m_replayWords = nullptr;
-    QProgressBar* m_replayProgress = nullptr;
-    TabularLabel* m_replayTime = nullptr;
-    QPushButton* m_replaySpeed = nullptr;
-    int m_replayTimes = 1;
+    QWidget* m_workBar = nullptr;
+    replay::ReplayBar* m_replay = nullptr;
+    replay::HistoryPanel* m_history = nullptr;
     QLabel* m_hint = nullptr;
     QFrame* m_notice = nullptr;
     QLabel* m_noticeWhat = nullptr;

@@ -346,6 +346,9 @@ void LessonEditor::edit(const ::lessons::ReadLesson& lesson, const QString& fold
     m_present = lesson.file;
     if (!m_drafts.contains(m_present))
         draft().begin(lesson, folder);
+    m_opened = lesson.lesson;
+    m_known.clear();
+    m_measured.clear();
     m_now.reset();
     m_measuredFor.reset();
     m_rubricShown.clear();
@@ -826,7 +829,11 @@ void LessonEditor::takeAttempts(const std::shared_ptr<const PastAttempts>& past)
 /// Against this ideal, if they have not been; then only marked.
 void LessonEditor::measureLater()
 {
-    if (!m_past || !m_good || !m_good->assignment)
+    if (!m_past) {
+        sweepAgain();
+        return;
+    }
+    if (!m_good || !m_good->assignment)
         return;
     const core::grading::IdealTop ideal = m_good->assignment->shownIdeal();
     if (m_measuredFor && m_measuredFor == ideal) {
@@ -850,21 +857,37 @@ void LessonEditor::measureLater()
     });
 }
 
+void LessonEditor::setKnown(std::vector<MeasuredAttempt> attempts)
+{
+    m_known = std::move(attempts);
+    sweepAgain();
+}
+
 void LessonEditor::sweepAgain()
 {
-    if (!m_past || !m_good || !m_good->assignment)
+    if (!m_good || !m_good->assignment)
         return;
-    m_chart->setSweep(sweepOf(m_good->assignment->rubric, m_measured, m_swept->currentIndex() - 1));
-    const auto all = static_cast<int>(m_past->attempts.size());
-    const auto used = static_cast<int>(m_measured.size());
+    // What the history knows was measured against the ideal as it was.
+    const ::lessons::Lesson& lesson = *m_good->assignment->lesson;
+    const bool isAsOpened = m_opened && m_opened->ideal == lesson.ideal && m_opened->tooth == lesson.tooth &&
+                            m_opened->lesion == lesson.lesion && m_opened->leeway == lesson.leeway;
+    std::vector<MeasuredAttempt> attempts = m_measured;
+    if (isAsOpened)
+        attempts.insert(attempts.end(), m_known.begin(), m_known.end());
+    if (!m_past && attempts.empty())
+        return;
+    m_chart->setSweep(sweepOf(m_good->assignment->rubric, attempts, m_swept->currentIndex() - 1));
     QStringList said;
-    if (used == 0)
-        said << tr("No attempt in this folder was made at this tooth.");
-    else
+    if (!attempts.empty())
         said << m_chart->words(1.0) + u'.';
-    if (used > 0 && all > used)
-        said << tr("%n attempt(s) at other teeth are left out.", nullptr, all - used);
-    if (!m_past->faults.isEmpty())
+    else
+        said << tr("No attempt in this folder was made at this tooth.");
+    if (isAsOpened && !m_known.empty())
+        said << tr("%n of them from the history.", nullptr, static_cast<int>(m_known.size()));
+    const int others = m_past ? static_cast<int>(m_past->attempts.size() - m_measured.size()) : 0;
+    if (!m_measured.empty() && others > 0)
+        said << tr("%n attempt(s) at other teeth are left out.", nullptr, others);
+    if (m_past && !m_past->faults.isEmpty())
         said << tr("%n recording(s) could not be read.", nullptr, static_cast<int>(m_past->faults.size()));
     m_sweepWords->setText(said.join(u' '));
 }

@@ -48,6 +48,9 @@ public:
     void redo();
     /// Writes the lesson, or says beside the button why not.
     void save();
+    /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
+    /// sweep until its ideal is changed.
+    void setKnown(std::vector<MeasuredAttempt> attempts);
     /// Replays the recordings of a folder for the sweep.
     void readFolder(const QString& folder);
 
@@ -106,6 +109,8 @@ private:
 
     std::shared_ptr<const PastAttempts> m_past;
     std::vector<MeasuredAttempt> m_measured;
+    std::vector<MeasuredAttempt> m_known;
+    std::optional<::lessons::Lesson> m_opened;
     core::grading::IdealTop m_measuredFor;
     int m_reading = 0;  ///< number of the newest reading: an older one comes to nothing
     std::shared_ptr<std::atomic<bool>> m_cancel;

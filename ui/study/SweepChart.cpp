@@ -85,6 +85,7 @@ void SweepChart::draw()
     m_view->setBackgroundBrush(Qt::NoBrush);
     m_view->setStyleSheet(QStringLiteral("background: transparent"));
     m_chart->legend()->setAlignment(Qt::AlignBottom);
+    m_chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     m_chart->legend()->setLabelColor(p.color(QPalette::WindowText));
     m_chart->legend()->setFont(shell::typeface(shell::kSmall));
     const auto axis = [&](double high, const QString& title, Qt::Alignment side, const QString& format) {

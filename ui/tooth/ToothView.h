@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include <QColor>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QPixmap>
@@ -59,6 +60,8 @@ public:
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
     /// For the look of the bur only.
     void setDrillOn(bool on);
+    /// Colours the head of the bur; an invalid colour is that of steel.
+    void setBurTint(const QColor& colour);
     /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen:
     /// turned round, an incisor would hide its lesion.
     void setLeftHanded(bool leftHanded);
@@ -172,6 +175,7 @@ private:
     bool m_surfaceIsNew = false;              ///< the renderer has not seen it
     render::ToothSurface::Changes m_changes;  ///< since the last picture
     bool m_drillOn = false;
+    QColor m_burTint;
     bool m_leftHanded = false;
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;      ///< of the bur
