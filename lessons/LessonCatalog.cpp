@@ -36,7 +36,8 @@ void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
         if (opened)
             addFolder(QDir(*opened), false, entries);
         else
-            entries.push_back({{file, {}, {{file, {}, QString::fromStdString(opened.error().detail), true}}, {}}, false});
+            entries.push_back(
+                {{file, {}, {{file, {}, QString::fromStdString(opened.error().detail), true}}, {}}, false});
     }
 }
 

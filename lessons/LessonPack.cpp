@@ -59,8 +59,9 @@ core::Result<QByteArray> contentOf(const QString& path, qint64 most)
 {
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
-        return refused(core::ErrorCode::FileUnreadable, QStringLiteral("%1 cannot be read; check its name and rights.")
-                                                            .arg(QDir::toNativeSeparators(path)));
+        return refused(
+            core::ErrorCode::FileUnreadable,
+            QStringLiteral("%1 cannot be read; check its name and rights.").arg(QDir::toNativeSeparators(path)));
     if (file.size() > most)
         return refused(core::ErrorCode::FileTooLarge,
                        QStringLiteral("%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.")
@@ -72,17 +73,19 @@ core::Result<PackedFile> packedFile(const QJsonObject& entry)
 {
     PackedFile file{entry.value(QStringLiteral("name")).toString(), {}};
     if (!isNameInPack(file.name))
-        return refused(core::ErrorCode::BadStructure,
-                       QStringLiteral("The pack names a file \"%1\", which leads out of its folder or is of no kind that "
-                                      "lessons have; nothing was unpacked.")
-                           .arg(file.name.left(80)));
+        return refused(
+            core::ErrorCode::BadStructure,
+            QStringLiteral("The pack names a file \"%1\", which leads out of its folder or is of no kind that "
+                           "lessons have; nothing was unpacked.")
+                .arg(file.name.left(80)));
     const auto decoded = QByteArray::fromBase64Encoding(entry.value(QStringLiteral("base64")).toString().toLatin1(),
                                                         QByteArray::AbortOnBase64DecodingErrors);
     if (!decoded || hashOf(decoded.decoded) != entry.value(QStringLiteral("sha256")).toString())
-        return refused(core::ErrorCode::BadStructure,
-                       QStringLiteral("The file \"%1\" in the pack is not what its hash says: it was damaged or changed; "
-                                      "nothing was unpacked. Ask for the pack again.")
-                           .arg(file.name));
+        return refused(
+            core::ErrorCode::BadStructure,
+            QStringLiteral("The file \"%1\" in the pack is not what its hash says: it was damaged or changed; "
+                           "nothing was unpacked. Ask for the pack again.")
+                .arg(file.name));
     file.content = decoded.decoded;
     return file;
 }
@@ -115,21 +118,21 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
             const QString key = name.toLower();
             if (packed.contains(key)) {
                 if (packed[key] != *content)
-                    return refused(core::ErrorCode::BadStructure,
-                                   QStringLiteral("Two different files are called \"%1\"; rename one of them.").arg(name));
+                    return refused(
+                        core::ErrorCode::BadStructure,
+                        QStringLiteral("Two different files are called \"%1\"; rename one of them.").arg(name));
                 continue;
             }
             packed[key] = *content;
             sum += content->size();
-            files.append(QJsonObject{{"name", name},
-                                     {"sha256", hashOf(*content)},
-                                     {"base64", QString::fromLatin1(content->toBase64())}});
+            files.append(QJsonObject{
+                {"name", name}, {"sha256", hashOf(*content)}, {"base64", QString::fromLatin1(content->toBase64())}});
         }
     }
     if (files.isEmpty() || files.size() > kMostPackedFiles)
-        return refused(core::ErrorCode::OutOfRange, QStringLiteral("A pack takes 1 to %1 files of lessons, not %2.")
-                                                        .arg(kMostPackedFiles)
-                                                        .arg(files.size()));
+        return refused(
+            core::ErrorCode::OutOfRange,
+            QStringLiteral("A pack takes 1 to %1 files of lessons, not %2.").arg(kMostPackedFiles).arg(files.size()));
     const QByteArray json = QJsonDocument(QJsonObject{{"format", kPackFormat}, {"cusp", "lessons"}, {"files", files}})
                                 .toJson(QJsonDocument::Compact);
     return QByteArray::fromStdString(core::recording::pack({json.constData(), static_cast<std::size_t>(json.size())}));
@@ -140,10 +143,11 @@ core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes)
     const auto json = core::recording::unpack({bytes.constData(), static_cast<std::size_t>(bytes.size())},
                                               static_cast<std::uint64_t>(kLargestJsonBytes));
     if (!json)
-        return refused(core::ErrorCode::WrongKind,
-                       QStringLiteral("This is no pack of lessons, it is damaged, or it holds more than %1; choose a file "
-                                      "that \"cusp lesson pack\" has made.")
-                           .arg(megabytes(kLargestPackBytes)));
+        return refused(
+            core::ErrorCode::WrongKind,
+            QStringLiteral("This is no pack of lessons, it is damaged, or it holds more than %1; choose a file "
+                           "that \"cusp lesson pack\" has made.")
+                .arg(megabytes(kLargestPackBytes)));
     const QJsonObject pack =
         QJsonDocument::fromJson(QByteArray::fromRawData(json->data(), static_cast<qsizetype>(json->size()))).object();
     const int format = pack.value(QStringLiteral("format")).toInt();
@@ -157,8 +161,9 @@ core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes)
                            .arg(kPackFormat));
     const QJsonArray list = pack.value(QStringLiteral("files")).toArray();
     if (list.isEmpty() || list.size() > kMostPackedFiles)
-        return refused(core::ErrorCode::BadStructure,
-                       QStringLiteral("The pack lists %1 files; it may hold 1 to %2.").arg(list.size()).arg(kMostPackedFiles));
+        return refused(
+            core::ErrorCode::BadStructure,
+            QStringLiteral("The pack lists %1 files; it may hold 1 to %2.").arg(list.size()).arg(kMostPackedFiles));
     std::vector<PackedFile> files;
     QSet<QString> names;
     for (const QJsonValue entry : list) {
@@ -204,16 +209,18 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
         }
         const auto there = contentOf(path, kLargestPackBytes);
         if (!there || *there != file.content)
-            return refused(core::ErrorCode::FileUnwritable,
-                           QStringLiteral("There is another file \"%1\" in %2 already; nothing was unpacked. Move it away, "
-                                          "or name another folder.")
-                               .arg(file.name, QDir::toNativeSeparators(folder)));
+            return refused(
+                core::ErrorCode::FileUnwritable,
+                QStringLiteral("There is another file \"%1\" in %2 already; nothing was unpacked. Move it away, "
+                               "or name another folder.")
+                    .arg(file.name, QDir::toNativeSeparators(folder)));
     }
     for (const PackedFile* const file : missing) {
         const QFileInfo place(into.filePath(file->name));
         if (!QDir().mkpath(place.absolutePath()))
-            return refused(core::ErrorCode::FileUnwritable, QStringLiteral("The folder %1 cannot be made; name another.")
-                                                                .arg(QDir::toNativeSeparators(place.absolutePath())));
+            return refused(core::ErrorCode::FileUnwritable,
+                           QStringLiteral("The folder %1 cannot be made; name another.")
+                               .arg(QDir::toNativeSeparators(place.absolutePath())));
         const core::Status written = core::writeWhole(
             std::filesystem::path(place.filePath().toStdU16String()),
             {file->content.constData(), static_cast<std::size_t>(file->content.size())}, "A file of the pack");
@@ -228,8 +235,8 @@ core::Result<QString> openPack(const QString& file)
     const auto bytes = contentOf(file, kLargestJsonBytes);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    const QDir cache(QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
-                         .filePath(QStringLiteral("packs")));
+    const QDir cache(
+        QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).filePath(QStringLiteral("packs")));
     const QString folder = cache.filePath(hashOf(*bytes));
     if (QFileInfo(folder).isDir())
         return folder;
@@ -239,9 +246,10 @@ core::Result<QString> openPack(const QString& file)
     // Whole or not at all: another Cusp may look meanwhile.
     QDir().mkpath(cache.path());
     QTemporaryDir beside(cache.filePath(QStringLiteral("part-XXXXXX")));
-    const core::Status put = beside.isValid() ? putInto(beside.path(), *files)
-                                              : refused(core::ErrorCode::FileUnwritable,
-                                                        QStringLiteral("The folder %1 cannot be written.").arg(cache.path()));
+    const core::Status put = beside.isValid()
+                                 ? putInto(beside.path(), *files)
+                                 : refused(core::ErrorCode::FileUnwritable,
+                                           QStringLiteral("The folder %1 cannot be written.").arg(cache.path()));
     if (!put)
         return tl::unexpected(put.error());
     if (QDir().rename(beside.path(), folder))

@@ -14,8 +14,8 @@
 ///
 ///     {"format": 1, "cusp": "lessons", "files": [{"name": "...", "sha256": "...", "base64": "..."}]}
 ///
-/// so `zstd -dc NAME.cusplessons` shows it to anyone. Debian's libraries for archives (libarchive, libzip, QuaZip) would
-/// be a dependency more and leave the checks for bombs, links and names that lead elsewhere to us just the same.
+/// so `zstd -dc NAME.cusplessons` shows it to anyone. Debian's libraries for archives (libarchive, libzip, QuaZip)
+/// would be a dependency more and leave the checks for bombs, links and names that lead elsewhere to us just the same.
 namespace lessons {
 
 inline constexpr qsizetype kMostPackedFiles = 500;

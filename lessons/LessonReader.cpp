@@ -369,10 +369,10 @@ public:
         checkWhole(lesson);
         lesson.json = QJsonDocument(m_whole).toJson(QJsonDocument::Compact).toStdString();
         if (lesson.json.size() > static_cast<std::size_t>(kLargestLessonBytes))
-            m_keys.fault("", QStringLiteral("has %1 with all that it names; a recording takes at most %2 along. Shorten "
-                                            "its texts")
-                                 .arg(sizeWords(static_cast<qint64>(lesson.json.size())),
-                                      sizeWords(kLargestLessonBytes)));
+            m_keys.fault("",
+                         QStringLiteral("has %1 with all that it names; a recording takes at most %2 along. Shorten "
+                                        "its texts")
+                             .arg(sizeWords(static_cast<qint64>(lesson.json.size())), sizeWords(kLargestLessonBytes)));
         lesson.hash = QCryptographicHash::hash(QByteArray::fromStdString(lesson.json), QCryptographicHash::Sha256)
                           .toHex()
                           .toStdString();
@@ -473,9 +473,10 @@ private:
         Ideal asked;
         const bool isCaptured = keys.has("captured");
         if (isCaptured && (keys.has("kind") || keys.has("sizes")))
-            keys.fault("captured",
-                       QStringLiteral("an ideal is captured, or has a kind and sizes; leave one out (where the lesson is "
-                                      "based on another, with \"kind\": null, \"sizes\": null)"));
+            keys.fault(
+                "captured",
+                QStringLiteral("an ideal is captured, or has a kind and sizes; leave one out (where the lesson is "
+                               "based on another, with \"kind\": null, \"sizes\": null)"));
         else if (isCaptured)
             asked.captured = takeCaptured(keys);
         else if (!keys.has("kind"))
@@ -506,9 +507,10 @@ private:
         } else {
             QFile file(QString::fromStdString(captured.file));
             if (file.size() > kLargestIdealBytes) {
-                keys.fault("captured", QStringLiteral("\"%1\" has %2; a lesson takes at most %3. Capture it on a coarser "
-                                                      "grid")
-                                           .arg(name, sizeWords(file.size()), sizeWords(kLargestIdealBytes)));
+                keys.fault("captured",
+                           QStringLiteral("\"%1\" has %2; a lesson takes at most %3. Capture it on a coarser "
+                                          "grid")
+                               .arg(name, sizeWords(file.size()), sizeWords(kLargestIdealBytes)));
                 return captured;
             }
             const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

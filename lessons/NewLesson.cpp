@@ -126,16 +126,16 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
 {
     if (!wishes.block.isEmpty() && wishes.fdi)
         return refused(QStringLiteral("a lesson has a tooth or a practice block, not both"));
-    QJsonObject object{{QStringLiteral("format"), kLessonFormat},
-                       {QStringLiteral("id"), wishes.id},
-                       {QStringLiteral("version"), 1}};
+    QJsonObject object{
+        {QStringLiteral("format"), kLessonFormat}, {QStringLiteral("id"), wishes.id}, {QStringLiteral("version"), 1}};
     if (!wishes.from.isEmpty()) {
         const auto base = baseOf(wishes.from, folder);
         if (!base)
             return tl::unexpected(base.error());
         object.insert(QStringLiteral("based_on"), *base);
         if (wishes.task)
-            object.insert(QStringLiteral("task"), QLatin1String(kBeginnings[static_cast<std::size_t>(*wishes.task)].task));
+            object.insert(QStringLiteral("task"),
+                          QLatin1String(kBeginnings[static_cast<std::size_t>(*wishes.task)].task));
         if (wishes.fdi || wishes.seed || !wishes.block.isEmpty()) {
             QJsonObject tooth;
             if (wishes.fdi)
@@ -189,8 +189,8 @@ QJsonObject ownVersion(const ReadLesson& lesson)
     QJsonObject title;
     for (const auto& [language, text] : lesson.lesson->title)
         title.insert(QString::fromStdString(language),
-                     QString::fromStdString(text) + (language == "de" ? QStringLiteral(" (eigene Fassung)")
-                                                                      : QStringLiteral(" (own version)")));
+                     QString::fromStdString(text) +
+                         (language == "de" ? QStringLiteral(" (eigene Fassung)") : QStringLiteral(" (own version)")));
     return {{QStringLiteral("format"), kLessonFormat},
             {QStringLiteral("based_on"), QFileInfo(lesson.file).fileName()},
             {QStringLiteral("id"), QString::fromStdString(lesson.lesson->id) + QStringLiteral("-own")},

@@ -26,7 +26,8 @@ struct NewLesson
 };
 
 /// A lesson to begin with, as its file says it. With `from` it holds only what differs. An error says which wishes do
-/// not go together, or that no ideal is made for the tooth. That it can be given is for readDraft() and assign() to say.
+/// not go together, or that no ideal is made for the tooth. That it can be given is for readDraft() and assign() to
+/// say.
 /// @param folder  where it will stand
 [[nodiscard]] core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& folder);
 

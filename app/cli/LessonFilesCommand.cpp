@@ -152,8 +152,8 @@ int newLessonPart(const QStringList& arguments)
     if (const auto assigned = lessons::assign(*read.lesson); !assigned)
         return failed(assigned.error());
     const QByteArray json = QJsonDocument(*object).toJson();
-    const core::Status written = core::writeWhole(
-        toPath(out), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
+    const core::Status written =
+        core::writeWhole(toPath(out), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
     if (!written)
         return failed(written.error());
     printText(QStringLiteral("%1\n").arg(printable(QDir::toNativeSeparators(out))));
@@ -186,10 +186,9 @@ int captureLessonPart(const QStringList& arguments)
     if (QFileInfo::exists(out) || QFileInfo(out).isSymLink())
         return failed(taken(out));
     core::preparation::Tolerances tolerances;
-    for (const auto& [name, tolerance] : {std::pair("outline", &tolerances.outlineMm),
-                                          std::pair("depth", &tolerances.depthMm),
-                                          std::pair("wall", &tolerances.wallDeg),
-                                          std::pair("floor", &tolerances.floorMm)}) {
+    for (const auto& [name, tolerance] :
+         {std::pair("outline", &tolerances.outlineMm), std::pair("depth", &tolerances.depthMm),
+          std::pair("wall", &tolerances.wallDeg), std::pair("floor", &tolerances.floorMm)}) {
         const auto number = numberOf(parser, QLatin1String(name));
         if (!number)
             return wrongUsage(QString::fromStdString(number.error().detail));
@@ -249,8 +248,8 @@ int packLessonsPart(const QStringList& arguments)
     const auto bytes = lessons::packLessons(parser.positionalArguments());
     if (!bytes)
         return failed(bytes.error());
-    const core::Status written = core::writeWhole(
-        toPath(out), {bytes->constData(), static_cast<std::size_t>(bytes->size())}, "The pack");
+    const core::Status written =
+        core::writeWhole(toPath(out), {bytes->constData(), static_cast<std::size_t>(bytes->size())}, "The pack");
     if (!written)
         return failed(written.error());
     // Read as another Cusp would.
@@ -277,8 +276,8 @@ int unpackLessonsPart(const QStringList& arguments)
         return *code;
     if (parser.positionalArguments().size() != 1)
         return wrongUsage(QStringLiteral("name one pack; usage: ") + usage);
-    const QString folder = parser.isSet(QStringLiteral("folder")) ? parser.value(QStringLiteral("folder"))
-                                                                  : lessons::teachersFolder();
+    const QString folder =
+        parser.isSet(QStringLiteral("folder")) ? parser.value(QStringLiteral("folder")) : lessons::teachersFolder();
     const auto files = lessons::readPack(parser.positionalArguments().front());
     if (!files)
         return failed(files.error());

@@ -93,7 +93,8 @@ core::Result<QImage> sheetOf(const lessons::Lesson& lesson, QSize size)
     const auto place = [&](int k) {
         return QRectF(page.left() + k * (wide + kGapPx), top, wide, kPicturesShare * page.height());
     };
-    const RenderSubject prepared{ideal ? core::terrain::restored(assignment.anatomy, *ideal) : whole, std::nullopt, ideal};
+    const RenderSubject prepared{ideal ? core::terrain::restored(assignment.anatomy, *ideal) : whole, std::nullopt,
+                                 ideal};
     const auto inSpace = rendered(prepared, {}, QStringLiteral("occlusal"), place(0).size().toSize());
     if (!inSpace)
         return inSpace;
@@ -110,15 +111,15 @@ core::Result<QImage> sheetOf(const lessons::Lesson& lesson, QSize size)
             plane.throughMm = assignment.ideal->isthmus->atMm;
     }
     const ui::inside::FromAbove above = ui::inside::fromAbove(anatomy, ideal ? *ideal : anatomy.top);
-    ui::inside::paintOutline(painter, place(1),
-                             {&anatomy, &above, band ? tolerances.outlineMm : 0.0, 0.0, plane});
+    ui::inside::paintOutline(painter, place(1), {&anatomy, &above, band ? tolerances.outlineMm : 0.0, 0.0, plane});
     ui::inside::SectionScene section;
     section.tooth = &whole;
     section.plane = plane;
     section.ideal = ideal;
     section.band = band ? &*band : nullptr;
     ui::inside::paintSection(painter, place(2), section);
-    paintText(painter, QRectF(page.left(), place(0).bottom() + 8.0, page.width(), page.bottom() - place(0).bottom() - 8.0),
+    paintText(painter,
+              QRectF(page.left(), place(0).bottom() + 8.0, page.width(), page.bottom() - place(0).bottom() - 8.0),
               lesson);
     return sheet;
 }
@@ -140,7 +141,8 @@ int previewLessonPart(const QStringList& arguments)
         return *code;
     const QString out = parser.value(QStringLiteral("out"));
     if (parser.positionalArguments().size() != 1 || !out.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
-        return wrongUsage(QStringLiteral("name one lesson, and --out with a picture that ends in .png; usage: ") + usage);
+        return wrongUsage(QStringLiteral("name one lesson, and --out with a picture that ends in .png; usage: ") +
+                          usage);
     const auto size = pictureSize(parser.value(QStringLiteral("size")));
     constexpr int kLeastWidePx = 600;
     constexpr int kLeastHighPx = 400;
@@ -151,7 +153,8 @@ int previewLessonPart(const QStringList& arguments)
         if (fault.grave)
             return failed({core::ErrorCode::BadStructure, fault.sentence().toStdString()});
     if (!hasDisplay()) {
-        const int code = runOnDisplay(QStringList{QStringLiteral("lesson"), QStringLiteral("preview")} + arguments, false);
+        const int code =
+            runOnDisplay(QStringList{QStringLiteral("lesson"), QStringLiteral("preview")} + arguments, false);
         return code >= 0 ? code
                          : failed({core::ErrorCode::FileUnreadable,
                                    "A picture needs a display with OpenGL 3.3, or xvfb-run (Debian package xvfb)"});

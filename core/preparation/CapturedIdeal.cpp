@@ -85,8 +85,7 @@ std::string payloadOf(const CapturedIdeal& ideal)
         out.put(number);
     out.put(static_cast<std::uint8_t>(ideal.isthmus ? 1 : 0));
     const auto isthmus = ideal.isthmus.value_or(grading::Preparation::Isthmus{});
-    for (const double number :
-         {isthmus.atMm.x, isthmus.atMm.y, isthmus.across.x, isthmus.across.y, isthmus.lengthMm})
+    for (const double number : {isthmus.atMm.x, isthmus.atMm.y, isthmus.across.x, isthmus.across.y, isthmus.lengthMm})
         out.put(number);
     out.put(static_cast<std::uint32_t>(ideal.sources.size()));
     for (const std::string& source : ideal.sources)
@@ -207,8 +206,8 @@ Result<CapturedIdeal> capture(std::span<const terrain::Tooth* const> attempts, c
     if (!mean)
         return tl::unexpected(mean.error());
     const terrain::ToothAnatomy& anatomy = *attempts.front()->anatomy;
-    CapturedIdeal ideal{anatomy.name, anatomy.fdi, anatomy.seed, surfaceHash(anatomy), anatomy.grid, mean->parts,
-                        {},           {},          tolerances,   std::move(sources)};
+    CapturedIdeal ideal{anatomy.name, anatomy.fdi, anatomy.seed, surfaceHash(anatomy), anatomy.grid,
+                        mean->parts,  {},          {},           tolerances,           std::move(sources)};
     for (std::size_t k = 0; k < ideal.parts.size(); ++k)
         if (ideal.parts[k] != Part::Keep)
             ideal.heightsMm.push_back((*mean->top)[k]);
@@ -226,11 +225,10 @@ Result<grading::Preparation> preparationOf(const CapturedIdeal& ideal, const ter
         const auto words = [](const std::string& name, std::uint64_t seed, int side) {
             return "'" + name + "' (seed " + std::to_string(seed) + ", grid " + std::to_string(side) + ")";
         };
-        return unexpected(ErrorCode::BadStructure, "The ideal was captured on the tooth " +
-                                                       words(ideal.tooth, ideal.seed, ideal.grid.side) +
-                                                       " and does not fit " +
-                                                       words(anatomy.name, anatomy.seed, anatomy.grid.side) +
-                                                       "; name that tooth, seed and grid, or capture it on this one.");
+        return unexpected(ErrorCode::BadStructure,
+                          "The ideal was captured on the tooth " + words(ideal.tooth, ideal.seed, ideal.grid.side) +
+                              " and does not fit " + words(anatomy.name, anatomy.seed, anatomy.grid.side) +
+                              "; name that tooth, seed and grid, or capture it on this one.");
     }
     std::vector<float> top = anatomy.top;
     auto height = ideal.heightsMm.begin();

@@ -48,7 +48,8 @@ inline constexpr std::size_t kMostSources = 100;
 /// The largest file that is read: any ideal on the finest grid fits.
 inline constexpr std::uintmax_t kLargestCapturedBytes = std::uintmax_t{8} * 1024 * 1024;
 
-/// FNV-1a over grid, upper and under surface, bit for bit. Two teeth that differ in layers or decay alone have the same.
+/// FNV-1a over grid, upper and under surface, bit for bit. Two teeth that differ in layers or decay alone have the
+/// same.
 [[nodiscard]] std::uint64_t surfaceHash(const terrain::ToothAnatomy& anatomy);
 
 /// averagePreparation() of the attempts as a value to keep. The isthmus is where a Class I of this tooth has it, if

@@ -66,8 +66,8 @@ void TestLessonCommand::whatIsBegunCanBeGiven()
 
 void TestLessonCommand::aCapturedIdealGoesIntoALesson()
 {
-    const Ending captured = runCusp({"lesson", "capture", "--out", file("own.cuspideal"), golden(), golden(),
-                                     "--outline", "0.4", "--json"});
+    const Ending captured = runCusp(
+        {"lesson", "capture", "--out", file("own.cuspideal"), golden(), golden(), "--outline", "0.4", "--json"});
     QVERIFY2(captured.exitCode == 0, captured.error.constData());
     QCOMPARE(captured.json()["outline_mm"].toDouble(), 0.4);
     QCOMPARE(captured.json()["sources"].toArray().size(), 2);
@@ -77,8 +77,7 @@ void TestLessonCommand::aCapturedIdealGoesIntoALesson()
     const Ending refused = runCusp(
         {"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured", file("own.cuspideal"), "--out", out});
     QCOMPARE(refused.exitCode, 1);
-    QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"),
-             refused.error.constData());
+    QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"), refused.error.constData());
     QVERIFY(!QFileInfo::exists(out));
 }
 
@@ -105,10 +104,9 @@ void TestLessonCommand::overwritesNothing()
         QFile there(file(name));
         QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
     }
-    for (const QStringList& command :
-         {QStringList{"new", "--id", "a", "--out", file("a.lesson.json")},
-          QStringList{"capture", golden(), "--out", file("a.cuspideal")},
-          QStringList{"pack", file("a.lesson.json"), "--out", file("a.cusplessons")}}) {
+    for (const QStringList& command : {QStringList{"new", "--id", "a", "--out", file("a.lesson.json")},
+                                       QStringList{"capture", golden(), "--out", file("a.cuspideal")},
+                                       QStringList{"pack", file("a.lesson.json"), "--out", file("a.cusplessons")}}) {
         const Ending refused = runCusp(QStringList{"lesson"} + command);
         QCOMPARE(refused.exitCode, 1);
         QVERIFY2(refused.isOneSentence() && refused.error.contains("is not overwritten"), refused.error.constData());
@@ -125,10 +123,11 @@ void TestLessonCommand::wrongUsage_data()
     QTest::newRow("nothing to pack") << QStringList{"pack", "--out", "a.cusplessons"};
     QTest::newRow("no pack named") << QStringList{"unpack"};
     QTest::newRow("no recording") << QStringList{"capture", "--out", "a.cuspideal"};
-    QTest::newRow("a tolerance in words") << QStringList{"capture", "--out", "a.cuspideal", "a.cusprec", "--depth", "x"};
+    QTest::newRow("a tolerance in words")
+        << QStringList{"capture", "--out", "a.cuspideal", "a.cusprec", "--depth", "x"};
     QTest::newRow("no picture named") << QStringList{"preview", "a.lesson.json"};
-    QTest::newRow("a picture too small")
-        << QStringList{"preview", "a.lesson.json", "--out", "a.png", "--size", "100x100"};
+    QTest::newRow("a picture too small") << QStringList{"preview", "a.lesson.json", "--out",
+                                                        "a.png",   "--size",        "100x100"};
 }
 
 void TestLessonCommand::wrongUsage()

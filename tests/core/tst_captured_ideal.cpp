@@ -250,8 +250,7 @@ void TestCapturedIdeal::theBandOfATrenchIsAsWideAsItsTolerance()
         mustMm += band.shallowestMm[k] < anatomy.top[k] ? grid.cellMm : 0.0;
     }
     QVERIFY(idealMm > 0.5);
-    QVERIFY2(std::abs(mayMm - idealMm - 2.0 * kOutlineMm) <= grid.cellMm,
-             qPrintable(QString::number(mayMm - idealMm)));
+    QVERIFY2(std::abs(mayMm - idealMm - 2.0 * kOutlineMm) <= grid.cellMm, qPrintable(QString::number(mayMm - idealMm)));
     QVERIFY2(std::abs(idealMm - mustMm - 2.0 * kOutlineMm) <= grid.cellMm,
              qPrintable(QString::number(idealMm - mustMm)));
     QVERIFY(std::abs(deepestMm - (floorMm - 0.2F)) < 1e-5F);

@@ -115,10 +115,7 @@ private:
                 {"sha256", QString::fromLatin1(QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex())},
                 {"base64", QString::fromLatin1(content.toBase64())}};
     }
-    static QJsonObject pack(const QJsonArray& files)
-    {
-        return {{"format", 1}, {"cusp", "lessons"}, {"files", files}};
-    }
+    static QJsonObject pack(const QJsonArray& files) { return {{"format", 1}, {"cusp", "lessons"}, {"files", files}}; }
 
     std::optional<QTemporaryDir> m_folder;
 };

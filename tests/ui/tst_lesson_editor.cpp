@@ -311,7 +311,7 @@ void TestLessonEditor::sweepMarksEachAttemptUnderEachTolerance()
     other.surface += 1;
     attempts.push_back(other);
     const auto measured = measureAttempts(assignment, attempts);
-    QCOMPARE(measured.size(), std::size_t{3});  // that of another tooth is left out
+    QCOMPARE(measured.size(), std::size_t{3});                // that of another tooth is left out
     const Sweep sweep = sweepOf(lesson.rubric, measured, 0);  // the depth alone
     QCOMPARE(sweep.times.size(), std::size_t{kSweepSteps});
     QCOMPARE(sweep.times.back(), kMostTimes);
@@ -347,7 +347,8 @@ void TestLessonEditor::attemptsOfAFolderAreReadAndTheRestIsNamed()
     noise.close();
     std::atomic<bool> cancel = false;
     int last = 0;
-    const PastAttempts past = readAttempts(m_folder->path(), [&](int done, int) { last = done; }, cancel);
+    const PastAttempts past = readAttempts(
+        m_folder->path(), [&](int done, int) { last = done; }, cancel);
     QCOMPARE(past.attempts.size(), std::size_t{2});
     QCOMPARE(last, 3);
     QCOMPARE(past.faults.size(), 1);
@@ -362,7 +363,9 @@ void TestLessonEditor::attemptsOfAFolderAreReadAndTheRestIsNamed()
 void TestLessonEditor::replayingIsCalledOff()
 {
     std::atomic<bool> cancel = true;
-    QVERIFY(readAttempts(QStringLiteral(CUSP_SOURCE_DIR "/tests/golden"), [](int, int) {}, cancel).attempts.empty());
+    QVERIFY(readAttempts(
+                QStringLiteral(CUSP_SOURCE_DIR "/tests/golden"), [](int, int) {}, cancel)
+                .attempts.empty());
 }
 
 QTEST_MAIN(TestLessonEditor)

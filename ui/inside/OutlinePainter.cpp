@@ -46,8 +46,9 @@ Fit fitOf(const QRectF& area, const FromAbove& above)
 {
     const QRectF plot = area.adjusted(kMarginPx, kMarginPx, -kMarginPx, -2.0 * kMarginPx);
     const QRectF mm = above.shownMm;
-    return {std::max(1.0, std::min(plot.width() / std::max(1.0, mm.width()), plot.height() / std::max(1.0, mm.height()))),
-            plot.center(), mm.center()};
+    return {
+        std::max(1.0, std::min(plot.width() / std::max(1.0, mm.width()), plot.height() / std::max(1.0, mm.height()))),
+        plot.center(), mm.center()};
 }
 
 /// The tooth as a soft light from the upper left shows it.
@@ -57,9 +58,8 @@ QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
     QImage picture(grid.side, grid.side, QImage::Format_ARGB32_Premultiplied);
     picture.fill(Qt::transparent);
     const auto height = [&](int i, int j, float otherwise) {
-        return grid.contains(i, j) && core::grading::wasSolid(anatomy, grid.index(i, j))
-                   ? anatomy.top[grid.index(i, j)]
-                   : otherwise;
+        return grid.contains(i, j) && core::grading::wasSolid(anatomy, grid.index(i, j)) ? anatomy.top[grid.index(i, j)]
+                                                                                         : otherwise;
     };
     for (int j = 0; j < grid.side; ++j) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(grid.side - 1 - j));
@@ -70,8 +70,10 @@ QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
             const glm::dvec2 at = grid.nodeMm(i, j);
             shownMm |= QRectF(at.x, at.y, grid.cellMm, grid.cellMm);
             const float here = anatomy.top[k];
-            const double dx = static_cast<double>(height(i + 1, j, here) - height(i - 1, j, here)) / (2.0 * grid.cellMm);
-            const double dy = static_cast<double>(height(i, j + 1, here) - height(i, j - 1, here)) / (2.0 * grid.cellMm);
+            const double dx =
+                static_cast<double>(height(i + 1, j, here) - height(i - 1, j, here)) / (2.0 * grid.cellMm);
+            const double dy =
+                static_cast<double>(height(i, j + 1, here) - height(i, j - 1, here)) / (2.0 * grid.cellMm);
             const double lit =
                 std::max(0.0, (-kLightX * dx - kLightY * dy + kLightZ) / std::sqrt(1.0 + dx * dx + dy * dy));
             const int grey = std::clamp(static_cast<int>(std::lround(70.0 + 150.0 * lit)), 0, 255);

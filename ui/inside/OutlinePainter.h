@@ -30,8 +30,8 @@ struct OutlineScene
 {
     const core::terrain::ToothAnatomy* anatomy = nullptr;
     const FromAbove* above = nullptr;
-    double toleranceMm = 0.0;  ///< a band so wide on each side of the outline
-    double spanMm = 0.0;       ///< and a paler one so much wider: beyond it all points are lost
+    double toleranceMm = 0.0;                          ///< a band so wide on each side of the outline
+    double spanMm = 0.0;                               ///< and a paler one so much wider: beyond it all points are lost
     std::optional<core::imaging::SectionPlane> plane;  ///< drawn as a line
 };
 

@@ -246,8 +246,7 @@ void paintBand(QPainter& painter, const Frame& frame, const SectionScene& scene,
         if (!high.samples[k].wasTooth || !(top > bottom) || bottom <= static_cast<double>(core::terrain::kEmptyTop))
             continue;
         const double x = frame.x(section.fromMm + (static_cast<double>(k) - 0.5) * section.stepMm);
-        band.addRect(QRectF(QPointF(x, frame.y(top)),
-                            QPointF(x + section.stepMm * frame.pxPerMm, frame.y(bottom))));
+        band.addRect(QRectF(QPointF(x, frame.y(top)), QPointF(x + section.stepMm * frame.pxPerMm, frame.y(bottom))));
     }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);

@@ -106,7 +106,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     setCentralWidget(m_pages);
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
-          static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor), static_cast<QWidget*>(m_forecast)})
+          static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
+          static_cast<QWidget*>(m_forecast)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
@@ -289,7 +290,8 @@ void MainWindow::editLesson()
 {
     const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
     if (entry == nullptr || !entry->read.lesson) {
-        showMessage(tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
+        showMessage(
+            tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
         return;
     }
     const QString folder = lessons::teachersFolder();

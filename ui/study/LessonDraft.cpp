@@ -29,8 +29,8 @@ std::vector<IdealField> fieldsFrom(std::span<const core::NumberField<Design>> fi
 {
     std::vector<IdealField> made;
     for (const core::NumberField<Design>& field : fields)
-        made.push_back({QString::fromLatin1(field.id), fieldName(field.name), fieldUnit(field.unit), design.*field.value,
-                        field.minimum, field.maximum, field.whole});
+        made.push_back({QString::fromLatin1(field.id), fieldName(field.name), fieldUnit(field.unit),
+                        design.*field.value, field.minimum, field.maximum, field.whole});
     return made;
 }
 

@@ -38,9 +38,9 @@ struct Weighed
     std::optional<::lessons::Assignment> assignment;
     std::vector<IdealField> fields;  ///< none of a captured ideal, and where decay is to be removed
     std::optional<core::preparation::ToothDesign> usual;  ///< for this tooth, where the ideal is made by rule
-    double outlineMm = 0.0;  ///< tolerance of the outline, or the leeway beside a shape
-    double spanMm = 0.0;     ///< beyond it, until all points of that criterion are lost
-    double depthMm = 0.0;    ///< tolerance of the depth, or the leeway below a shape
+    double outlineMm = 0.0;                               ///< tolerance of the outline, or the leeway beside a shape
+    double spanMm = 0.0;                                  ///< beyond it, until all points of that criterion are lost
+    double depthMm = 0.0;                                 ///< tolerance of the depth, or the leeway below a shape
     std::optional<core::preparation::ToleranceBand> band;
     inside::FromAbove above;
     std::optional<::lessons::ScoreSheet> itself;  ///< the ideal, marked as if a student had cut it

@@ -344,7 +344,7 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
 void LessonEditor::edit(const ::lessons::ReadLesson& lesson, const QString& folder)
 {
     m_present = lesson.file;
-    if (!m_drafts.contains(m_present))
+    if (!m_drafts.contains(m_present) || !draft().isChanged())
         draft().begin(lesson, folder);
     m_opened = lesson.lesson;
     m_known.clear();
@@ -354,9 +354,8 @@ void LessonEditor::edit(const ::lessons::ReadLesson& lesson, const QString& fold
     m_rubricShown.clear();
     setTitle(tr("Lesson editor: %1").arg(said(lesson.lesson->title)));
     m_title->setText(said(lesson.lesson->title));
-    say(lesson.file.startsWith(u':')
-            ? tr("A shipped lesson: saved, it becomes one of your own, based on it.")
-            : tr("This lesson of yours is changed where it stands."),
+    say(lesson.file.startsWith(u':') ? tr("A shipped lesson: saved, it becomes one of your own, based on it.")
+                                     : tr("This lesson of yours is changed where it stands."),
         false);
     // At once what can be seen at once; the rest comes from the pool.
     fillReferences();
@@ -481,9 +480,10 @@ void LessonEditor::fillFields()
             auto* number = spin(field.minimum, field.maximum, field.whole ? 0 : 2, field.unit, field.name);
             number->setSingleStep(field.whole || field.unit == u"°" ? 1.0 : 0.05);
             //: %1 and %2: the least and the greatest number that can be set; %3: a unit
-            number->setToolTip(tr("%1 to %2 %3")
-                                   .arg(QLocale().toString(field.minimum), QLocale().toString(field.maximum), field.unit)
-                                   .trimmed());
+            number->setToolTip(
+                tr("%1 to %2 %3")
+                    .arg(QLocale().toString(field.minimum), QLocale().toString(field.maximum), field.unit)
+                    .trimmed());
             connect(number, &QDoubleSpinBox::valueChanged, this, set);
             input = number;
         }
@@ -566,7 +566,8 @@ void LessonEditor::fillReferences()
     m_fromRecordings->setVisible(hasIdeal);
     const QString folder = QFileInfo(draft().file()).absolutePath();
     QStringList names = QDir(folder).entryList({QLatin1String(kIdeals)}, QDir::Files, QDir::Name);
-    const QString present = draft().object().value(QStringLiteral("ideal")).toObject().value(QStringLiteral("captured")).toString();
+    const QString present =
+        draft().object().value(QStringLiteral("ideal")).toObject().value(QStringLiteral("captured")).toString();
     if (!present.isEmpty() && !names.contains(present))
         names.prepend(present);
     m_reference->clear();
@@ -591,7 +592,8 @@ void LessonEditor::showValues()
             else if (auto* number = qobject_cast<QDoubleSpinBox*>(found->second))
                 number->setValue(field.value);
         }
-        const ::lessons::Rubric& rubric = (m_now->read.lesson ? *m_now->read.lesson : *m_good->assignment->lesson).rubric;
+        const ::lessons::Rubric& rubric =
+            (m_now->read.lesson ? *m_now->read.lesson : *m_good->assignment->lesson).rubric;
         for (std::size_t k = 0; k < m_criteria.size() && k < rubric.criteria.size() && m_now->read.lesson; ++k) {
             m_criteria[k].tolerance->setValue(rubric.criteria[k].tolerance);
             if (m_criteria[k].weight != nullptr)
@@ -675,13 +677,13 @@ void LessonEditor::showCheck()
     if (itself && !isFull)
         colours.setColor(QPalette::WindowText, tones(palette()).attentionText);
     m_check->setPalette(colours);
-    m_check->setText(!itself ? tr("The ideal is checked as soon as nothing is wrong.")
-                     : isFull
-                         ? QStringLiteral("✓ ") + tr("The ideal scores %1 on itself").arg(text::points(itself->totalTenths))
-                         //: %1: points; %2: names of criteria
-                         : QStringLiteral("⚠ ") + tr("The ideal scores only %1 on itself; it loses at: %2")
-                                                      .arg(text::points(itself->totalTenths),
-                                                           losing.join(QStringLiteral(", "))));
+    m_check->setText(
+        !itself ? tr("The ideal is checked as soon as nothing is wrong.")
+        : isFull
+            ? QStringLiteral("✓ ") + tr("The ideal scores %1 on itself").arg(text::points(itself->totalTenths))
+            //: %1: points; %2: names of criteria
+            : QStringLiteral("⚠ ") + tr("The ideal scores only %1 on itself; it loses at: %2")
+                                         .arg(text::points(itself->totalTenths), losing.join(QStringLiteral(", "))));
     m_fit->setVisible(itself && !isFull);
 }
 
@@ -715,8 +717,7 @@ void LessonEditor::chooseReference(int index)
     const QString name = m_reference->itemData(index).toString();
     std::optional<core::preparation::Tolerances> tolerances;
     if (!name.isEmpty())
-        if (const auto ideal =
-                core::preparation::readCaptured(toPath(QFileInfo(draft().file()).dir().filePath(name))))
+        if (const auto ideal = core::preparation::readCaptured(toPath(QFileInfo(draft().file()).dir().filePath(name))))
             tolerances = ideal->tolerances;
     draft().setCaptured(name, tolerances);
     changed();
@@ -738,9 +739,8 @@ void LessonEditor::captureFrom(const QStringList& recordings)
     std::vector<std::filesystem::path> paths;
     for (const QString& file : recordings)
         paths.push_back(toPath(file));
-    const auto tolerances = m_good && m_good->assignment
-                                ? ::lessons::tolerancesOf(m_good->assignment->rubric)
-                                : core::preparation::Tolerances{};
+    const auto tolerances = m_good && m_good->assignment ? ::lessons::tolerancesOf(m_good->assignment->rubric)
+                                                         : core::preparation::Tolerances{};
     const QFileInfo lesson(draft().file());
     QDir().mkpath(lesson.absolutePath());
     QString name;
@@ -761,7 +761,8 @@ void LessonEditor::captureFrom(const QStringList& recordings)
                     return;
                 self->m_fromRecordings->setEnabled(true);
                 if (!written) {
-                    self->say(tr("No reference was made: %1").arg(QString::fromStdString(written.error().detail)), true);
+                    self->say(tr("No reference was made: %1").arg(QString::fromStdString(written.error().detail)),
+                              true);
                     return;
                 }
                 self->m_drafts[of].setCaptured(name, {});
@@ -910,13 +911,14 @@ void LessonEditor::save()
     }
     const QString file = draft().file();
     if (!draft().isSavedOnce() && QFileInfo::exists(file)) {
-        say(tr("Not saved: there is a file %1 already. Open that lesson instead.").arg(QFileInfo(file).fileName()), true);
+        say(tr("Not saved: there is a file %1 already. Open that lesson instead.").arg(QFileInfo(file).fileName()),
+            true);
         return;
     }
     QDir().mkpath(QFileInfo(file).absolutePath());
     const QByteArray json = draft().stamped();
-    const core::Status written = core::writeWhole(
-        toPath(file), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
+    const core::Status written =
+        core::writeWhole(toPath(file), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
     if (!written) {
         say(tr("Not saved: %1").arg(QString::fromStdString(written.error().detail)), true);
         return;

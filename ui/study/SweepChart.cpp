@@ -155,8 +155,8 @@ void SweepChart::draw()
         half->setName(tr("Middle half"));
         attach(half, points);
     }
-    attach(lineOf([&](std::size_t s) { return m_sweep.medianTenths(s); },
-                  QPen(p.color(QPalette::WindowText), 2.4), tr("Median")),
+    attach(lineOf([&](std::size_t s) { return m_sweep.medianTenths(s); }, QPen(p.color(QPalette::WindowText), 2.4),
+                  tr("Median")),
            points);
     attach(lineOf([&](std::size_t) { return m_sweep.passMarkTenths; },
                   QPen(p.color(QPalette::PlaceholderText), 1.2, Qt::DotLine), tr("Pass mark")),
@@ -193,8 +193,8 @@ bool SweepChart::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseMove && !m_sweep.lines.empty()) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
-        const QPointF at = m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())),
-                                               m_chart->series().constLast());
+        const QPointF at =
+            m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
         emit pointedAt(words(at.x()));
     }
     return QWidget::eventFilter(watched, event);

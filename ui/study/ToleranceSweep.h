@@ -17,10 +17,10 @@ namespace ui::study {
 /// An attempt as its recording left it: replayed once, measured as often as the ideal changes.
 struct PastAttempt
 {
-    QString name;                    ///< of its file
-    std::uint64_t surface = 0;       ///< core::preparation::surfaceHash() of its tooth
-    std::vector<float> top;          ///< as it was cut
-    core::grading::Measured way;     ///< process, infractions and aids; the rest says nothing here
+    QString name;                 ///< of its file
+    std::uint64_t surface = 0;    ///< core::preparation::surfaceHash() of its tooth
+    std::vector<float> top;       ///< as it was cut
+    core::grading::Measured way;  ///< process, infractions and aids; the rest says nothing here
 };
 
 /// What was read of a folder.

@@ -25,7 +25,8 @@ ToleranceView::ToleranceView(QWidget* parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("The tolerances on the tooth"));
-    setToolTip(tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does"));
+    setToolTip(
+        tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does"));
 }
 
 void ToleranceView::show(std::shared_ptr<const Weighed> weighed)
@@ -73,8 +74,9 @@ void ToleranceView::paintEvent(QPaintEvent*)
         return;
     }
     const ::lessons::Assignment& assignment = *m_weighed->assignment;
-    inside::paintOutline(painter, aboveArea(),
-                         {assignment.anatomy.get(), &m_weighed->above, m_weighed->outlineMm, m_weighed->spanMm, m_plane});
+    inside::paintOutline(
+        painter, aboveArea(),
+        {assignment.anatomy.get(), &m_weighed->above, m_weighed->outlineMm, m_weighed->spanMm, m_plane});
     inside::SectionScene section;
     section.tooth = &*m_whole;
     section.plane = m_plane;
