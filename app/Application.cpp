@@ -485,20 +485,6 @@ void Application::finish(std::optional<int> expectedTenths)
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
 
-/// Plays the attempt that was graded, from that moment on.
-void Application::showMoment(double seconds)
-{
-    if (!m_graded)
-        return;
-    play(m_graded->recording);
-    if (!m_replay)
-        return;
-    m_replayThread.reset();
-    m_replay->tick(std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::duration<double>(seconds)));
-    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
-    m_replayThread->start();
-}
-
 /// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
 /// one person's.
 void Application::compareWithClass()
@@ -717,8 +703,8 @@ void Application::play(const core::recording::Recording& recording, std::optiona
 
 void Application::showMoment(double seconds)
 {
-    if (const auto recording = m_session.recordingSoFar(); recording && !m_replay)
-        play(*recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
+    if (m_graded && !m_replay)
+        play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
