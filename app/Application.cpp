@@ -17,6 +17,7 @@
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
 #include "core/guidance/Fixture.h"
+#include "core/preparation/CapturedIdeal.h"
 #include "core/recording/Replay.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -37,6 +38,7 @@ using ui::text::Failed;
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
+constexpr int kMostKnownAttempts = 200;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
@@ -112,6 +114,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
     connect(m_window.get(), &MainWindow::lessonChosen, this, &Application::openLesson);
     connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
+    connect(m_window.get(), &MainWindow::knownAttemptsWanted, this, &Application::tellKnownAttempts);
     connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [] {
         const QString folder = lessons::teachersFolder();
         QDir().mkpath(folder);
@@ -127,6 +130,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     });
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
+    connect(m_window.get(), &MainWindow::referenceSaveRequested, this, &Application::saveReference);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
     connect(m_window.get(), &MainWindow::besideWanted, this, &Application::openBeside);
     connect(m_window.get(), &MainWindow::expertWanted, this, &Application::openExpert);
@@ -286,6 +290,18 @@ void Application::showLessons()
         [this, standings](std::vector<lessons::CatalogEntry>& entries) {
             m_window->setLessons(std::move(entries), standings);
         });
+}
+
+/// What the score sheets say that was measured of attempts at exactly this lesson.
+void Application::tellKnownAttempts(const lessons::Lesson& lesson)
+{
+    std::vector<ui::study::MeasuredAttempt> known;
+    const auto records = m_attempts ? m_attempts->byLesson(lesson.id, kMostKnownAttempts)
+                                    : core::Result<std::vector<database::AttemptRecord>>();
+    for (const database::AttemptRecord& record : records.value_or(std::vector<database::AttemptRecord>{}))
+        if (record.lessonHash == lesson.hash)
+            known.push_back({QString::fromStdString(record.finishedUtc), lessons::measuredIn(record.scoreSheetJson)});
+    m_window->setKnownAttempts(std::move(known));
 }
 
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
@@ -524,6 +540,32 @@ void Application::saveRecording(const QString& path)
                 m_window->showSaved(path);
             else
                 m_window->showError(written.error(), Failed::SavingRecording, path);
+        });
+}
+
+/// The tooth as it stands, as an ideal for lessons to ask for.
+void Application::saveReference(const QString& path)
+{
+    const auto tooth = m_session.toothSoFar();
+    if (!tooth)
+        return;
+    inBackground(
+        this,
+        [tooth = *tooth, path] {
+            const core::terrain::Tooth* const one = &tooth;
+            const auto ideal = core::preparation::capture(
+                std::span(&one, 1), {},
+                {"an attempt of " + QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+            return ideal ? core::preparation::writeCaptured(std::filesystem::path(path.toStdU16String()), *ideal)
+                         : core::Status(tl::unexpected(ideal.error()));
+        },
+        [this, path](const core::Status& written) {
+            if (written)
+                m_window->showMessage(tr("The reference was saved as %1. A lesson names it, or choose it in the editor "
+                                         "of a lesson on this tooth.")
+                                          .arg(QDir::toNativeSeparators(path)));
+            else
+                m_window->showError(written.error(), Failed::SavingReference, path);
         });
 }
 

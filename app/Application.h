@@ -58,6 +58,7 @@ private:
     void openDatabase(const QString& file);
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
+    void tellKnownAttempts(const lessons::Lesson& lesson);
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {});
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
@@ -75,6 +76,7 @@ private:
     void openExpert();
     void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
     void saveRecording(const QString& path);
+    void saveReference(const QString& path);
     void openRecording(const QString& path);
     void keepJournal();
     void watchJournal();
@@ -121,7 +123,7 @@ private:
         std::optional<int> expectedTenths;
         ui::study::ScoredWork work;
         core::recording::Recording recording;
-        bool isKept = false;  ///< or nowhere to keep it
+        bool isKept = false;                                ///< or nowhere to keep it
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;

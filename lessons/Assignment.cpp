@@ -7,6 +7,7 @@
 #include "core/drilling/Bur.h"
 #include "core/grading/Columns.h"
 #include "core/preparation/BlockPreparation.h"
+#include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothPreparation.h"
 #include "lessons/LessonReader.h"
 
@@ -60,9 +61,24 @@ bool standsAt(const core::terrain::ToothAnatomy& anatomy, glm::dvec2 placeMm)
     return anatomy.grid.contains(i, j) && core::grading::wasSolid(anatomy, anatomy.grid.index(i, j));
 }
 
-/// The usual preparation of its kind for this tooth, with the sizes that the lesson sets otherwise.
+core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
+                                                    const core::terrain::ToothAnatomy& anatomy)
+{
+    const auto ideal = core::preparation::capturedFrom(captured.bytes);
+    auto preparation = ideal ? core::preparation::preparationOf(*ideal, anatomy)
+                             : core::Result<core::grading::Preparation>(tl::unexpected(ideal.error()));
+    if (!preparation)
+        return core::unexpected(preparation.error().code, std::filesystem::path(captured.file).filename().string() +
+                                                              ": " + preparation.error().detail);
+    return preparation;
+}
+
+/// The captured one; else the usual preparation of its kind for this tooth, with the sizes that the lesson sets
+/// otherwise.
 core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core::terrain::ToothAnatomy& anatomy)
 {
+    if (ideal.captured)
+        return capturedOf(*ideal.captured, anatomy);
     const auto kind = core::preparation::findKind(ideal.kind);
     if (!kind)
         return tl::unexpected(kind.error());

@@ -66,11 +66,21 @@ struct Lesion
     bool operator==(const Lesion&) const = default;
 };
 
-/// The preparation that is asked for, made by a rule whose numbers have names (core::preparation).
+/// A preparation that a teacher has cut (core/preparation/CapturedIdeal.h), a file beside the lesson.
+struct Captured
+{
+    std::string file;   ///< absolute path; in a lesson that a recording took along, its name
+    std::string hash;   ///< SHA-256 of its content, 64 hex digits
+    std::string bytes;  ///< its content, which goes along with a recording
+    bool operator==(const Captured& other) const { return hash == other.hash && bytes == other.bytes; }
+};
+
+/// The preparation that is asked for: made by a rule whose numbers have names (core::preparation), or captured.
 struct Ideal
 {
-    std::string kind;                     ///< "class1", "class2-mesial", "class2-distal", "access"
+    std::string kind;                     ///< "class1", "class2-mesial", "class2-distal", "access"; empty: captured
     std::map<std::string, double> sizes;  ///< by id, what differs from what is usual for the tooth
+    std::optional<Captured> captured;
     bool operator==(const Ideal&) const = default;
 };
 

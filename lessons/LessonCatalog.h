@@ -17,9 +17,9 @@ struct CatalogEntry
     [[nodiscard]] bool isFaulty() const { return !read.lesson; }
 };
 
-/// All lessons there are: those we ship and those in a teacher's folder, each by its own file (*.lesson.json). A faulty
-/// file is an entry with its faults; the others work. An id may be there once: of two, the shipped one stays, then the
-/// first by name.
+/// All lessons there are: those we ship and those in a teacher's folder, each by its own file (*.lesson.json) or in a
+/// pack (*.cusplessons, LessonPack.h). A faulty file is an entry with its faults; the others work. An id may be there
+/// once: of two, the shipped one stays, then the first by name.
 ///
 /// @param folder  the teacher's; may be missing or empty
 /// Shipped ones come first, each kind by file name. Any thread.

@@ -17,6 +17,7 @@
 #include "core/drilling/Bur.h"
 #include "core/grading/MeasureTable.h"
 #include "core/mesh/Placement.h"
+#include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothDesign.h"
 #include "core/teeth/ToothTable.h"
 #include "core/terrain/Grid.h"
@@ -56,13 +57,6 @@ QJsonObject merged(QJsonObject base, const QJsonObject& over)
     return base;
 }
 
-/// A name as a file may give it: of a file beside it or in a folder below. What leads elsewhere is refused.
-bool isNameBeside(const QString& name)
-{
-    return !name.isEmpty() && name.size() < 200 && QDir::isRelativePath(name) && !name.contains(QLatin1Char('\\')) &&
-           !name.split(QLatin1Char('/')).contains(QStringLiteral("..")) && !name.startsWith(QLatin1Char(':'));
-}
-
 QString sizeWords(qint64 bytes)
 {
     return bytes >= 1024 * 1024 ? QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1)
@@ -77,6 +71,18 @@ public:
 
     /// The object of a file with all that it is based on; nothing (and a fault) if any of it cannot be read.
     std::optional<QJsonObject> gather(const QString& file) { return gather(file, {}, {}); }
+    /// The same of an object that would stand there.
+    std::optional<QJsonObject> underlaid(const QJsonObject& object, const QString& file)
+    {
+        return underlaid(object, file, QStringList{file});
+    }
+    /// All that was read or found so far, but what we ship.
+    [[nodiscard]] const QStringList& uses() const { return m_uses; }
+    void note(const QString& file)
+    {
+        if (!file.startsWith(kShipped) && !m_uses.contains(file))
+            m_uses << file;
+    }
 
     /// Where a name in `file` leads: beside it, or to what we ship. Empty (and a fault) if it may not be named.
     QString find(const QString& file, const QString& key, const QString& name)
@@ -112,17 +118,23 @@ private:
         if (way.size() >= kMostFiles)
             return complain(QStringLiteral("more than %1 files are based on one another").arg(kMostFiles));
         way << file;
-        auto object = read(file, complain);
-        if (!object || !object->contains(QLatin1String(kBasedOn)))
+        note(file);
+        const auto object = read(file, complain);
+        return object ? underlaid(*object, file, way) : std::nullopt;
+    }
+
+    std::optional<QJsonObject> underlaid(const QJsonObject& object, const QString& file, const QStringList& way)
+    {
+        if (!object.contains(QLatin1String(kBasedOn)))
             return object;
-        const QJsonValue base = object->value(QLatin1String(kBasedOn));
+        const QJsonValue base = object.value(QLatin1String(kBasedOn));
         const QString baseFile = find(file, QLatin1String(kBasedOn), base.toString());
         if (baseFile.isEmpty())
             return std::nullopt;
         const auto under = gather(baseFile, file, way);
         if (!under)
             return std::nullopt;
-        QJsonObject whole = merged(*under, *object);
+        QJsonObject whole = merged(*under, object);
         whole.remove(QLatin1String(kBasedOn));
         return whole;
     }
@@ -170,6 +182,7 @@ public:
 
 private:
     std::vector<Fault>& m_faults;
+    QStringList m_uses;
 };
 
 bool checkFormat(JsonKeys& keys)
@@ -359,6 +372,11 @@ public:
         m_keys.nameTheRest();
         checkWhole(lesson);
         lesson.json = QJsonDocument(m_whole).toJson(QJsonDocument::Compact).toStdString();
+        if (lesson.json.size() > static_cast<std::size_t>(kLargestLessonBytes))
+            m_keys.fault("",
+                         QStringLiteral("has %1 with all that it names; a recording takes at most %2 along. Shorten "
+                                        "its texts")
+                             .arg(sizeWords(static_cast<qint64>(lesson.json.size())), sizeWords(kLargestLessonBytes)));
         lesson.hash = QCryptographicHash::hash(QByteArray::fromStdString(lesson.json), QCryptographicHash::Sha256)
                           .toHex()
                           .toStdString();
@@ -441,11 +459,72 @@ private:
         const QString found = m_files->find(m_file, keys.pathOf(QLatin1String(key)), name);
         if (found.isEmpty())
             return;
+        m_files->note(found);
         path = QFileInfo(found).absoluteFilePath().toStdString();
         hash = hashOf(found, keys, key);
+        putInto(parent, QStringLiteral("content"), QString::fromStdString(hash));
+    }
+
+    void putInto(const QString& parent, const QString& key, const QString& text)
+    {
         QJsonObject owner = m_whole.value(parent).toObject();
-        owner.insert(QStringLiteral("content"), QString::fromStdString(hash));
+        owner.insert(key, text);
         m_whole.insert(parent, owner);
+    }
+
+    Ideal takeIdeal(JsonKeys& keys)
+    {
+        Ideal asked;
+        const bool isCaptured = keys.has("captured");
+        if (isCaptured && (keys.has("kind") || keys.has("sizes")))
+            keys.fault(
+                "captured",
+                QStringLiteral("an ideal is captured, or has a kind and sizes; leave one out (where the lesson is "
+                               "based on another, with \"kind\": null, \"sizes\": null)"));
+        else if (isCaptured)
+            asked.captured = takeCaptured(keys);
+        else if (!keys.has("kind"))
+            keys.fault("kind", QStringLiteral("is missing; name the preparation, or a file \"captured\""));
+        else
+            asked.kind = keys.neededText("kind", 40);
+        for (const char* const ours : {"content", "data"})
+            static_cast<void>(keys.has(ours));
+        if (const auto kind = core::preparation::findKind(asked.kind); !kind && !asked.kind.empty())
+            keys.fault("kind", QString::fromStdString(kind.error().detail));
+        if (auto sizes = keys.object("sizes"))
+            asked.sizes = sizes->allNumbers(-1000.0, 1000.0);
+        keys.nameTheRest();
+        return asked;
+    }
+
+    /// The file goes into the text of the lesson, so that a recording can be marked again wherever it is.
+    Captured takeCaptured(JsonKeys& keys)
+    {
+        Captured captured;
+        const QString name = QString::fromStdString(keys.neededText("captured"));
+        takeFile(keys, "captured", QStringLiteral("ideal"), name, captured.file, captured.hash);
+        if (captured.file.empty() || captured.hash.empty())
+            return captured;
+        if (m_files == nullptr) {
+            const QByteArray data = QByteArray::fromStdString(keys.text("data", kLargestLessonBytes));
+            captured.bytes = QByteArray::fromBase64(data).toStdString();
+        } else {
+            QFile file(QString::fromStdString(captured.file));
+            if (file.size() > kLargestIdealBytes) {
+                keys.fault("captured",
+                           QStringLiteral("\"%1\" has %2; a lesson takes at most %3. Capture it on a coarser "
+                                          "grid")
+                               .arg(name, sizeWords(file.size()), sizeWords(kLargestIdealBytes)));
+                return captured;
+            }
+            const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+            captured.bytes = bytes.toStdString();
+            putInto(QStringLiteral("ideal"), QStringLiteral("data"), QString::fromLatin1(bytes.toBase64()));
+        }
+        if (const auto ideal = core::preparation::capturedFrom(captured.bytes); !ideal)
+            keys.fault("captured",
+                       QStringLiteral("\"%1\": %2").arg(name, QString::fromStdString(ideal.error().detail)));
+        return captured;
     }
 
     void takeWork(Lesson& lesson)
@@ -454,16 +533,8 @@ private:
             lesson.lesion = Lesion{lesion->number("extent", 0.0, 1.0, "", 0.5)};
             lesion->nameTheRest();
         }
-        if (auto ideal = m_keys.object("ideal")) {
-            Ideal asked;
-            asked.kind = ideal->neededText("kind", 40);
-            if (const auto kind = core::preparation::findKind(asked.kind); !kind && !asked.kind.empty())
-                ideal->fault("kind", QString::fromStdString(kind.error().detail));
-            if (auto sizes = ideal->object("sizes"))
-                asked.sizes = sizes->allNumbers(-1000.0, 1000.0);
-            lesson.ideal = asked;
-            ideal->nameTheRest();
-        }
+        if (auto ideal = m_keys.object("ideal"))
+            lesson.ideal = takeIdeal(*ideal);
         if (auto leeway = m_keys.object("leeway")) {
             lesson.leeway = LeewayZone{leeway->number("sides_mm", 0.0, 3.0, "mm", 0.3),
                                        leeway->number("bottom_mm", 0.0, 3.0, "mm", 0.3)};
@@ -624,6 +695,12 @@ private:
 
 }  // namespace
 
+bool isNameBeside(const QString& name)
+{
+    return !name.isEmpty() && name.size() < 200 && QDir::isRelativePath(name) && !name.contains(QLatin1Char('\\')) &&
+           !name.split(QLatin1Char('/')).contains(QStringLiteral("..")) && !name.startsWith(QLatin1Char(':'));
+}
+
 QString Fault::sentence() const
 {
     const QString where = QFileInfo(file).fileName();
@@ -631,21 +708,41 @@ QString Fault::sentence() const
            what;
 }
 
+namespace {
+
+void complete(const std::optional<QJsonObject>& gathered, const QString& file, Files& files, ReadLesson& result)
+{
+    result.uses = files.uses();
+    if (!gathered)
+        return;
+    QJsonObject whole = *gathered;
+    const auto rubric = rubricObject(whole.value(QStringLiteral("rubric")), file, files);
+    if (!rubric)
+        return;
+    whole.insert(QStringLiteral("rubric"), *rubric);
+    Lesson lesson = LessonMaker(whole, file, &files, result.faults).make();
+    result.uses = files.uses();
+    if (!anyGrave(result.faults))
+        result.lesson = std::move(lesson);
+}
+
+}  // namespace
+
 ReadLesson readLesson(const QString& file)
 {
     ReadLesson result;
     result.file = file;
     Files files(result.faults);
-    auto whole = files.gather(file);
-    if (!whole)
-        return result;
-    const auto rubric = rubricObject(whole->value(QStringLiteral("rubric")), file, files);
-    if (!rubric)
-        return result;
-    whole->insert(QStringLiteral("rubric"), *rubric);
-    Lesson lesson = LessonMaker(*whole, file, &files, result.faults).make();
-    if (!anyGrave(result.faults))
-        result.lesson = std::move(lesson);
+    complete(files.gather(file), file, files, result);
+    return result;
+}
+
+ReadLesson readDraft(const QJsonObject& draft, const QString& file)
+{
+    ReadLesson result;
+    result.file = file;
+    Files files(result.faults);
+    complete(files.underlaid(draft, file), file, files, result);
     return result;
 }
 

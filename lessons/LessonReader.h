@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include "core/base/Result.h"
 #include "lessons/Lesson.h"
@@ -27,17 +29,27 @@ struct ReadLesson
     QString file;
     std::optional<Lesson> lesson;
     std::vector<Fault> faults;
+    QStringList uses;  ///< the files it was read from and those it names, the lesson's first; none that we ship
 };
 
 inline constexpr qint64 kLargestLessonBytes = qint64{1} << 20;
+/// A captured ideal may have so much, or no recording could take the lesson along.
+inline constexpr qint64 kLargestIdealBytes = qint64{700} * 1024;
 inline constexpr int kLessonFormat = 1;
+
+/// A name as a file may give it: of a file beside it or in a folder below. What leads elsewhere is none.
+[[nodiscard]] bool isNameBeside(const QString& name);
 
 /// Reads a lesson's file (schema/lesson.schema.json) with all that it is based on and the rubric it names, from beside
 /// it or from those we ship. Never throws, holds little more than the file's size, follows at most 8 files. Any thread.
 [[nodiscard]] ReadLesson readLesson(const QString& file);
 
-/// The same from the text a recording holds: whole, so it names no other file (a scan's or a captured ideal's is kept
-/// but not looked for). @param name  what to call it in faults
+/// The same from an object that is not in a file yet.
+/// @param file  where it would stand: what it names is looked for beside it
+[[nodiscard]] ReadLesson readDraft(const QJsonObject& draft, const QString& file);
+
+/// The same from the text a recording holds: whole, so it names no other file (a scan's is kept but not looked for, a
+/// captured ideal stands in it). @param name  what to call it in faults
 [[nodiscard]] ReadLesson readLessonText(const QByteArray& json, const QString& name);
 
 /// Reads a rubric's file, or one of those we ship by its id.

@@ -73,4 +73,17 @@ QByteArray toJson(const ScoreSheet& sheet)
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 
+Values measuredIn(std::string_view json)
+{
+    Values values;
+    const QByteArray bytes(json.data(), static_cast<qsizetype>(json.size()));
+    for (const QJsonValue entry : QJsonDocument::fromJson(bytes).object().value(QStringLiteral("criteria")).toArray()) {
+        const QJsonValue measured = entry.toObject().value(QStringLiteral("measured"));
+        if (measured.isDouble())
+            values.emplace(entry.toObject().value(QStringLiteral("measure")).toString().toStdString(),
+                           measured.toDouble());
+    }
+    return values;
+}
+
 }  // namespace lessons

@@ -374,6 +374,15 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Ein Versuch, der nicht beendet wurde, kann nicht wieder aufgenommen werden. %1</translation>
     </message>
+    <message>
+        <source>Nothing has been cut yet that could be a reference.</source>
+        <translation>Es wurde noch nichts präpariert, das eine Referenz sein könnte.</translation>
+    </message>
+    <message>
+        <source>The reference was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Die Referenz wurde nicht gespeichert. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -381,6 +390,109 @@
         <source>height, mm</source>
         <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
         <translation>Höhe, mm</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>width of the isthmus</source>
+        <translation>Breite des Isthmus</translation>
+    </message>
+    <message>
+        <source>depth of the pulpal floor</source>
+        <translation>Tiefe des Pulpabodens</translation>
+    </message>
+    <message>
+        <source>width of the dovetail</source>
+        <translation>Breite des Schwalbenschwanzes</translation>
+    </message>
+    <message>
+        <source>extension into the grooves</source>
+        <translation>Ausdehnung in die Furchen</translation>
+    </message>
+    <message>
+        <source>marginal ridge that is left</source>
+        <translation>verbleibende Randleiste</translation>
+    </message>
+    <message>
+        <source>ridge across the tooth that is left on each side</source>
+        <translation>beidseits verbleibende Querleiste</translation>
+    </message>
+    <message>
+        <source>divergence of the end walls</source>
+        <translation>Divergenz der Endwände</translation>
+    </message>
+    <message>
+        <source>radius of the bur</source>
+        <translation>Radius des Bohrers</translation>
+    </message>
+    <message>
+        <source>radius between floor and wall</source>
+        <translation>Radius zwischen Boden und Wand</translation>
+    </message>
+    <message>
+        <source>floor along the junction</source>
+        <translation>Boden entlang der Schmelz-Dentin-Grenze</translation>
+    </message>
+    <message>
+        <source>depth of the floor in dentin</source>
+        <translation>Tiefe des Bodens im Dentin</translation>
+    </message>
+    <message>
+        <source>depth of the gingival floor</source>
+        <translation>Tiefe des gingivalen Bodens</translation>
+    </message>
+    <message>
+        <source>depth of the axial wall</source>
+        <translation>Tiefe der axialen Wand</translation>
+    </message>
+    <message>
+        <source>width of the box</source>
+        <translation>Breite des Kastens</translation>
+    </message>
+    <message>
+        <source>lean of the access walls</source>
+        <translation>Neigung der Zugangswände</translation>
+    </message>
+    <message>
+        <source>margin around the chamber</source>
+        <translation>Rand um die Kammer</translation>
+    </message>
+    <message>
+        <source>block&apos;s side</source>
+        <translation>Seite des Blocks</translation>
+    </message>
+    <message>
+        <source>block&apos;s height</source>
+        <translation>Höhe des Blocks</translation>
+    </message>
+    <message>
+        <source>thickness of the enamel layer</source>
+        <translation>Dicke der Schmelzschicht</translation>
+    </message>
+    <message>
+        <source>width of the channel</source>
+        <translation>Breite der Rinne</translation>
+    </message>
+    <message>
+        <source>depth of the channel</source>
+        <translation>Tiefe der Rinne</translation>
+    </message>
+    <message>
+        <source>length of the shape</source>
+        <translation>Länge der Form</translation>
+    </message>
+    <message>
+        <source>flare of the dovetail</source>
+        <translation>Weitung des Schwalbenschwanzes</translation>
+    </message>
+    <message>
+        <source>number of steps</source>
+        <translation>Zahl der Stufen</translation>
+    </message>
+    <message>
+        <source>radius of inner corners</source>
+        <translation>Radius der Innenecken</translation>
     </message>
 </context>
 <context>
@@ -529,6 +641,43 @@
         <translation>geführte Hand</translation>
     </message>
     <message>
+        <source>%1, give or take %2, costs nothing</source>
+        <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
+        <translation>%1, mehr oder weniger um %2, kostet nichts</translation>
+    </message>
+    <message>
+        <source>From %1 up costs nothing</source>
+        <translation>Ab %1 kostet nichts</translation>
+    </message>
+    <message>
+        <source>Up to %1 costs nothing</source>
+        <translation>Bis %1 kostet nichts</translation>
+    </message>
+    <message>
+        <source> (more, where the decay is larger)</source>
+        <translation> (mehr, wo die Karies größer ist)</translation>
+    </message>
+    <message>
+        <source>beyond it the attempt fails</source>
+        <translation>darüber hinaus ist der Versuch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>beyond it all %1 points are lost</source>
+        <translation>darüber hinaus gehen alle %1 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>%1 off, all %2 points are lost</source>
+        <translation>um %1 daneben gehen alle %2 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>at %1 all %2 points are lost</source>
+        <translation>bei %1 sind alle %2 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>from %1 on all %2 points are lost</source>
+        <translation>ab %1 sind alle %2 Punkte verloren</translation>
+    </message>
+    <message>
         <source>The first minutes</source>
         <translation>Die ersten Minuten</translation>
     </message>
@@ -674,6 +823,16 @@
         <source>ideal preparation</source>
         <translation>ideale Präparation</translation>
     </message>
+    <message>
+        <source>within tolerance</source>
+        <extracomment>In the key of a picture: what may be cut or left without losing points</extracomment>
+        <translation>in der Toleranz</translation>
+    </message>
+    <message>
+        <source>costs points</source>
+        <extracomment>In the key of a picture: farther out, all points of this criterion are lost</extracomment>
+        <translation>kostet Punkte</translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -742,14 +901,6 @@
         <translation>Ideal</translation>
     </message>
     <message>
-        <source>colour of the bur</source>
-        <translation>Farbe des Instruments</translation>
-    </message>
-    <message>
-        <source>held within the outline</source>
-        <translation>innerhalb des Umrisses gehalten</translation>
-    </message>
-    <message>
         <source>No aid in use</source>
         <translation>Keine Hilfe in Gebrauch</translation>
     </message>
@@ -774,10 +925,6 @@
         <translation>Instrument %1: %2</translation>
     </message>
     <message>
-        <source>Another handpiece</source>
-        <translation>Anderes Handstück</translation>
-    </message>
-    <message>
         <source>Note %1</source>
         <translation>Notiz %1</translation>
     </message>
@@ -788,6 +935,18 @@
     <message>
         <source>Taken up again</source>
         <translation>Wieder aufgenommen</translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation>Farbe des Instruments</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>innerhalb des Umrisses gehalten</translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation>Anderes Handstück</translation>
     </message>
 </context>
 <context>
@@ -925,6 +1084,10 @@
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder wähle sie im Editor einer Lektion an diesem Zahn.</translation>
     </message>
     <message>
         <source>This exercise has not been begun yet, so there is nothing to grade.</source>
@@ -1500,24 +1663,12 @@
         <translation>Wählen, was geübt wird</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Dieses Handstück nehmen</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
     <message>
         <source>Show what can be gone back to, branches and all, or put it away</source>
         <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
-    </message>
-    <message>
-        <source>The expert&apos;s attempt</source>
-        <translation>Versuch des Experten</translation>
-    </message>
-    <message>
-        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
-        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -1572,20 +1723,8 @@
         <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation>Noch einer daneben</translation>
-    </message>
-    <message>
-        <source>Open another attempt beside this one, or put it away</source>
-        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
-    </message>
-    <message>
-        <source>Be led along</source>
-        <translation>Sich führen lassen</translation>
-    </message>
-    <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
-        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
+        <source>Take this handpiece</source>
+        <translation>Dieses Handstück nehmen</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -1603,6 +1742,46 @@
     <message>
         <source>Let a gentle force hold the hand within the outline</source>
         <translation>Eine sanfte Kraft hält die Hand im Umriss</translation>
+    </message>
+    <message>
+        <source>Edit the lesson …</source>
+        <translation>Lektion bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
+        <translation>Ideal und Bewertung der Lektion ändern, die in der Liste gewählt ist</translation>
+    </message>
+    <message>
+        <source>Save this attempt as the reference …</source>
+        <translation>Diesen Versuch als Referenz speichern …</translation>
+    </message>
+    <message>
+        <source>Keep what you have cut as the ideal that lessons ask for</source>
+        <translation>Behält, was du präpariert hast, als Ideal für Lektionen</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Noch einer daneben</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Sich führen lassen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
     </message>
 </context>
 <context>
@@ -1997,6 +2176,18 @@
         <translation>Verwerfen</translation>
     </message>
     <message>
+        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
+        <translation>Diese Datei kann nicht als Lektion gestellt werden, also gibt es nichts zu bearbeiten. Behebe erst, was genannt ist.</translation>
+    </message>
+    <message>
+        <source>This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack).</source>
+        <translation>Diese Lektion liegt in einem Paket. Packe es in deinen Ordner aus, um sie zu ändern (cusp lesson unpack).</translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation>Abgenommene Ideale (%1)</translation>
+    </message>
+    <message>
         <source>This attempt</source>
         <translation>Dieser Versuch</translation>
     </message>
@@ -2177,15 +2368,6 @@
         <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
-        <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
-    </message>
-    <message>
-        <source>rpm</source>
-        <extracomment>Turns a minute</extracomment>
-        <translation>U/min</translation>
-    </message>
-    <message>
         <source>To the limit</source>
         <extracomment>How far the bur is from what is to be kept</extracomment>
         <translation>Bis zur Grenze</translation>
@@ -2193,6 +2375,15 @@
     <message>
         <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
         <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
+        <translation>U/min</translation>
     </message>
     <message>
         <source>Still to cut</source>
@@ -2565,6 +2756,312 @@
     </message>
 </context>
 <context>
+    <name>ui::study::LessonEditor</name>
+    <message>
+        <source>Lesson editor</source>
+        <translation>Lektionseditor</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Titel der Lektion</translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>Ideale Präparation</translation>
+    </message>
+    <message>
+        <source>What the ideal is</source>
+        <translation>Was das Ideal ist</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>Aufnahmen als Referenz nehmen …</translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation>Wähle einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
+    </message>
+    <message>
+        <source>Marking</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestanden ab</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>On the tooth</source>
+        <translation>Am Zahn</translation>
+    </message>
+    <message>
+        <source>What the tolerances mean on the tooth</source>
+        <translation>Was die Toleranzen am Zahn bedeuten</translation>
+    </message>
+    <message>
+        <source>Past attempts</source>
+        <translation>Frühere Versuche</translation>
+    </message>
+    <message>
+        <source>How attempts would score under other tolerances</source>
+        <translation>Wie Versuche bei anderen Toleranzen bewertet würden</translation>
+    </message>
+    <message>
+        <source>The lesson&apos;s file</source>
+        <translation>Die Datei der Lektion</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The lesson as its file says it</source>
+        <translation>Die Lektion, wie sie in ihrer Datei steht</translation>
+    </message>
+    <message>
+        <source>Recordings …</source>
+        <translation>Aufnahmen …</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation>Den Ordner mit Aufnahmen von Versuchen wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation>Ordner mit Aufnahmen wählen</translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation>Wessen Toleranz geändert wird</translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation>Aufnahmen, die abgespielt werden</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation>Abspielen anhalten</translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation>Mit denen weiterarbeiten, die fertig sind</translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation>Wähle einen Ordner mit Aufnahmen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Write the lesson into your folder (Ctrl+S)</source>
+        <translation>Die Lektion in deinen Ordner schreiben (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Widen the tolerances until the ideal itself loses nothing</source>
+        <translation>Die Toleranzen weiten, bis das Ideal selbst nichts verliert</translation>
+    </message>
+    <message>
+        <source>Fit the tolerances to the ideal</source>
+        <translation>Toleranzen an das Ideal anpassen</translation>
+    </message>
+    <message>
+        <source>Lesson editor: %1</source>
+        <translation>Lektionseditor: %1</translation>
+    </message>
+    <message>
+        <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
+        <translation>Eine mitgelieferte Lektion: Gespeichert wird daraus deine eigene, die auf ihr aufbaut.</translation>
+    </message>
+    <message>
+        <source>This lesson of yours is changed where it stands.</source>
+        <translation>Diese eigene Lektion wird an ihrem Ort geändert.</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation>Alle Toleranzen</translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation>Toleranz von: %1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>entscheidet</translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation>Gewicht von: %1</translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation>Das Ideal ist die Karies selbst: Es gibt nichts einzustellen</translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <translation>Nach Regel</translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>Abgenommen: %1</translation>
+    </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation>Umriss %1 mm nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation>Boden %1 mm höher oder tiefer</translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation>Wände %1°, das sind %2 mm auf 1,5 mm Tiefe</translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation>Boden eben auf %1 mm</translation>
+    </message>
+    <message>
+        <source>This rubric has no criterion that can be drawn on the tooth.</source>
+        <translation>Diese Bewertung hat kein Kriterium, das sich am Zahn zeichnen lässt.</translation>
+    </message>
+    <message>
+        <source>Costs nothing: %1.</source>
+        <translation>Kostet nichts: %1.</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation>Alle Gewichte: %1 Punkte</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
+        <translation>Alle Gewichte: %1 Punkte; es müssen 100 sein</translation>
+    </message>
+    <message>
+        <source>The ideal is checked as soon as nothing is wrong.</source>
+        <translation>Das Ideal wird geprüft, sobald nichts mehr falsch ist.</translation>
+    </message>
+    <message>
+        <source>The ideal scores %1 on itself</source>
+        <translation>Das Ideal erreicht an sich selbst %1</translation>
+    </message>
+    <message>
+        <source>The ideal scores only %1 on itself; it loses at: %2</source>
+        <translation>Das Ideal erreicht an sich selbst nur %1; es verliert bei: %2</translation>
+    </message>
+    <message>
+        <source>Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
+        <translation>An diesem Ideal nicht messbar, also hilft keine Toleranz: %1. Bewerte nach anderen Kriterien.</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Aufnahmen (%1)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replaying %n recording(s) …</source>
+        <translation>
+            <numerusform>%n Aufnahme wird abgespielt …</numerusform>
+            <numerusform>%n Aufnahmen werden abgespielt …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No reference was made: %1</source>
+        <translation>Keine Referenz: %1</translation>
+    </message>
+    <message>
+        <source>The reference is %1 beside your lessons.</source>
+        <translation>Die Referenz ist %1 neben deinen Lektionen.</translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation>Kein Versuch in diesem Ordner wurde an diesem Zahn gemacht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>%n davon aus dem Verlauf.</numerusform>
+            <numerusform>%n davon aus dem Verlauf.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>%n Versuch an einem anderen Zahn bleibt weg.</numerusform>
+            <numerusform>%n Versuche an anderen Zähnen bleiben weg.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n Aufnahme war nicht lesbar.</numerusform>
+            <numerusform>%n Aufnahmen waren nicht lesbar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances that are named, or press Fit.</source>
+        <translation>Nicht gespeichert: Wer genau dieses Ideal präpariert, verlöre Punkte. Weite die genannten Toleranzen oder drücke „Anpassen“.</translation>
+    </message>
+    <message>
+        <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
+        <translation>Nicht gespeichert: Es gibt schon eine Datei %1. Öffne stattdessen diese Lektion.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::LessonStrip</name>
     <message>
         <source>The step before</source>
@@ -2852,6 +3349,69 @@
     <message>
         <source>This is the first grade here.</source>
         <translation>Das ist hier die erste Note.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepChart</name>
+    <message>
+        <source>Scores of past attempts over the tolerance</source>
+        <translation>Noten früherer Versuche über der Toleranz</translation>
+    </message>
+    <message>
+        <source>At %1 times the tolerance %2 of %3 pass; median %4</source>
+        <extracomment>%1: a number, &quot;1.5&quot;; %2 of %3 attempts; %4: points</extracomment>
+        <translation>Beim %1-Fachen der Toleranz bestehen %2 von %3; Median %4</translation>
+    </message>
+    <message>
+        <source>Times the tolerance</source>
+        <translation>Vielfaches der Toleranz</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Each attempt</source>
+        <translation>Jeder Versuch</translation>
+    </message>
+    <message>
+        <source>%1: %2 points at %3 times the tolerance</source>
+        <translation>%1: %2 Punkte beim %3-Fachen der Toleranz</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>Mittlere Hälfte</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Attempts that pass</source>
+        <translation>Bestandene Versuche</translation>
+    </message>
+    <message>
+        <source>As set</source>
+        <translation>Wie eingestellt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ToleranceView</name>
+    <message>
+        <source>The tolerances on the tooth</source>
+        <translation>Die Toleranzen am Zahn</translation>
+    </message>
+    <message>
+        <source>Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does</source>
+        <translation>Ziehe die Linie des Schnitts; Pfeiltasten verschieben sie, mit Umschalt drehen sie, ebenso ein Doppelklick</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet: what is wrong is said at the left.</source>
+        <translation>Noch nichts zu zeigen: Was falsch ist, steht links.</translation>
     </message>
 </context>
 <context>

@@ -374,12 +374,124 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing has been cut yet that could be a reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
         <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>width of the isthmus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the pulpal floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width of the dovetail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>extension into the grooves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marginal ridge that is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ridge across the tooth that is left on each side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>divergence of the end walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius of the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius between floor and wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floor along the junction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the floor in dentin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the gingival floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the axial wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lean of the access walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>margin around the chamber</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>block&apos;s side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>block&apos;s height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thickness of the enamel layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width of the channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length of the shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flare of the dovetail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius of inner corners</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -529,6 +641,43 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1, give or take %2, costs nothing</source>
+        <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 up costs nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to %1 costs nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (more, where the decay is larger)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond it the attempt fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond it all %1 points are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off, all %2 points are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 all %2 points are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 on all %2 points are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The first minutes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -674,6 +823,16 @@
         <source>ideal preparation</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>within tolerance</source>
+        <extracomment>In the key of a picture: what may be cut or left without losing points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>costs points</source>
+        <extracomment>In the key of a picture: farther out, all points of this criterion are lost</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Surface</name>
@@ -742,14 +901,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colour of the bur</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>held within the outline</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No aid in use</source>
         <translation type="unfinished"></translation>
     </message>
@@ -774,10 +925,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another handpiece</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Note %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -787,6 +934,18 @@
     </message>
     <message>
         <source>Taken up again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -924,6 +1083,10 @@
     </message>
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1500,23 +1663,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>History</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show what can be gone back to, branches and all, or put it away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expert&apos;s attempt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1572,19 +1723,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another beside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open another attempt beside this one, or put it away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Be led along</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <source>Take this handpiece</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1602,6 +1741,46 @@
     </message>
     <message>
         <source>Let a gentle force hold the hand within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit the lesson …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this attempt as the reference …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what you have cut as the ideal that lessons ask for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1997,6 +2176,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This attempt</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2177,21 +2368,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rpm</source>
-        <extracomment>Turns a minute</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>To the limit</source>
         <extracomment>How far the bur is from what is to be kept</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2565,6 +2756,312 @@
     </message>
 </context>
 <context>
+    <name>ui::study::LessonEditor</name>
+    <message>
+        <source>Lesson editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the ideal is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the tolerances mean on the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Past attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How attempts would score under other tolerances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lesson&apos;s file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lesson as its file says it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the lesson into your folder (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widen the tolerances until the ideal itself loses nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the tolerances to the ideal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lesson editor: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This lesson of yours is changed where it stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rubric has no criterion that can be drawn on the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Costs nothing: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal is checked as soon as nothing is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal scores %1 on itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal scores only %1 on itself; it loses at: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Replaying %n recording(s) …</source>
+        <translation>
+            <numerusform>Replaying %n recording …</numerusform>
+            <numerusform>Replaying %n recordings …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No reference was made: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference is %1 beside your lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>%n of them from the history.</numerusform>
+            <numerusform>%n of them from the history.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>%n attempt at another tooth is left out.</numerusform>
+            <numerusform>%n attempts at other teeth are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n recording could not be read.</numerusform>
+            <numerusform>%n recordings could not be read.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances that are named, or press Fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::LessonStrip</name>
     <message>
         <source>The step before</source>
@@ -2851,6 +3348,69 @@
     </message>
     <message>
         <source>This is the first grade here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepChart</name>
+    <message>
+        <source>Scores of past attempts over the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 times the tolerance %2 of %3 pass; median %4</source>
+        <extracomment>%1: a number, &quot;1.5&quot;; %2 of %3 attempts; %4: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 points at %3 times the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts that pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As set</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ToleranceView</name>
+    <message>
+        <source>The tolerances on the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to show yet: what is wrong is said at the left.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -20,7 +20,7 @@ constexpr Command kCommands[] = {
     {"simulate", "drive the servo tick over a device path and write what happened", simulateCommand},
     {"replay", "replay a recording, measure and score it", replayCommand},
     {"render", "draw a tooth, or what an attempt left of it, into a picture", renderCommand, Draws::Tooth},
-    {"lesson", "list lessons, check a teacher's own", lessonCommand},
+    {"lesson", "list lessons; check, begin, preview and pack a teacher's own", lessonCommand, Draws::Tooth, "preview"},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},
@@ -101,7 +101,9 @@ std::optional<int> run(int& argc, char** argv)
     if (!help && !version && first.startsWith(u'-'))
         return std::nullopt;
     const Command* const command = findCommand(first);
-    const auto application = makeApplication(argc, argv, command != nullptr ? command->draws : Draws::Nothing);
+    const bool draws = command != nullptr &&
+                       (command->drawingPart == nullptr || (argc > 2 && qstrcmp(argv[2], command->drawingPart) == 0));
+    const auto application = makeApplication(argc, argv, draws ? command->draws : Draws::Nothing);
     const QStringList arguments = QCoreApplication::arguments().mid(2);
     if (help)
         return helpCommand(arguments);

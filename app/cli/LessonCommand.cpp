@@ -9,6 +9,7 @@
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "app/cli/LessonParts.h"
 #include "core/base/WholeFile.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
@@ -198,6 +199,11 @@ struct Part
 constexpr std::array kParts{
     Part{"list", "the lessons there are", listLessons},
     Part{"check", "what is wrong with lessons", checkLessons},
+    Part{"new", "writes a lesson to begin with", newLessonPart},
+    Part{"preview", "draws what a lesson asks for", previewLessonPart},
+    Part{"capture", "makes an ideal of recordings", captureLessonPart},
+    Part{"pack", "puts lessons and all they need into one file", packLessonsPart},
+    Part{"unpack", "takes them out again", unpackLessonsPart},
     Part{"measures", "what a rubric can judge", listMeasures},
 };
 
@@ -216,7 +222,8 @@ int lessonCommand(const QStringList& arguments)
 {
     if (arguments.isEmpty())
         return wrongUsage(
-            QStringLiteral("say what about lessons: list, check or measures; \"cusp lesson --help\" explains"));
+            QStringLiteral("say what about lessons: list, check, new, preview, capture, pack, unpack or measures; "
+                           "\"cusp lesson --help\" explains"));
     const QString& first = arguments.front();
     if (first == u"--help" || first == u"-h" || first == u"help") {
         printText(partsHelp());

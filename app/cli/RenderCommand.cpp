@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QBuffer>
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QImage>
@@ -9,7 +8,6 @@
 #include "app/cli/Commands.h"
 #include "app/cli/render/Pictures.h"
 #include "app/cli/render/Wishes.h"
-#include "core/base/WholeFile.h"
 #include "core/preparation/BlockPreparation.h"
 #include "core/preparation/ToothPreparation.h"
 #include "core/recording/Recording.h"
@@ -72,17 +70,6 @@ core::Status findIdeal(RenderSubject& subject, const RenderWishes& wishes)
     if (wishes.prepared && subject.ideal)
         subject.tooth = core::terrain::restored(anatomy, *subject.ideal);
     return {};
-}
-
-core::Status save(const QImage& picture, const QString& file)
-{
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (!picture.save(&buffer, "PNG"))
-        return core::unexpected(core::ErrorCode::FileUnwritable, "the picture could not be made a PNG");
-    return core::writeWhole(file.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())},
-                            "The picture");
 }
 
 }  // namespace
@@ -148,7 +135,7 @@ int renderCommand(const QStringList& arguments)
     }
     if (!picture)
         return failed(picture.error());
-    const core::Status saved = save(*picture, out);
+    const core::Status saved = savePng(*picture, out);
     return saved ? kDone : failed(saved.error());
 }
 

@@ -321,6 +321,14 @@ void TestRubric::jsonHoldsEveryNumberBitForBit()
     rubric.hash = std::string("abc");
     const ScoreSheet sheet = grade(rubric, {{"a", 1.0 + 1.0 / 3.0}});
     const QJsonObject object = QJsonDocument::fromJson(toJson(sheet)).object();
+    // What was measured is found again, bit for bit.
+    const Values again = measuredIn(toJson(sheet).toStdString());
+    for (const Criterion& line : sheet.criteria) {
+        QCOMPARE(again.contains(line.measure), line.measured.has_value());
+        if (line.measured)
+            QCOMPARE(again.at(line.measure), *line.measured);
+    }
+    QVERIFY(measuredIn("").empty() && measuredIn("{\"criteria\": 3}").empty() && measuredIn("hello").empty());
     QCOMPARE(object["format"].toInt(), 2);
     QCOMPARE(object["total_tenths"].toInt(), sheet.totalTenths);
     QCOMPARE(object["rubric_hash"].toString(), QString("abc"));

@@ -24,6 +24,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QStackedWidget>
 #include <QTest>
 #include <QToolButton>
 #include <QTranslator>
@@ -58,6 +59,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/study/LessonEditor.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -2081,6 +2083,23 @@ void TestMainWindow::nothingIsClipped()
     window.setLessons(lessons::readCatalog({}), {{"decay-21-small", {3, 872, true}}});
     a->lessons->trigger();
     check("lessons");
+    {
+        auto* editor = window.findChild<ui::study::LessonEditor*>();
+        const auto catalog = lessons::readCatalog({});
+        const auto classOne = std::find_if(catalog.begin(), catalog.end(), [](const lessons::CatalogEntry& entry) {
+            return entry.read.lesson->id == "class1-36";
+        });
+        editor->edit(classOne->read, QDir::temp().filePath(QStringLiteral("no such folder")));
+        qobject_cast<QStackedWidget*>(editor->parentWidget())->setCurrentWidget(editor);
+        QTRY_VERIFY(editor->findChild<QLabel*>("selfCheck")->text().startsWith(QChar(0x2713)));
+        check("editor");
+        for (auto* choice : editor->findChildren<QPushButton*>())
+            if (choice->property("kind") == "segment") {
+                choice->click();
+                check("editor-parts");
+            }
+        a->lessons->trigger();
+    }
     a->back->trigger();
     std::uint64_t generation = 2;
     for (const lessons::CatalogEntry& entry : lessons::readCatalog({})) {

@@ -33,6 +33,8 @@ constexpr QRgb kWords = 0xFFB6BDBF;
 constexpr QRgb kSurface = 0xFF56C7C9;  ///< the surface as it was
 constexpr QRgb kIdeal = 0xFFFFD23F;    ///< and as it ought to become
 constexpr QRgb kUnderIdeal = 0xB0101214;
+constexpr QRgb kBand = 0x9056C7C9;  ///< between the limits of a tolerance
+constexpr QRgb kBandEdge = 0xFF0B4F51;
 constexpr QRgb kSteel = 0xE6AEB8BC;
 constexpr QRgb kBorder = 0xFF000000;
 constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
@@ -227,6 +229,32 @@ QPen idealPen()
     return pen;
 }
 
+/// Between the highest and the lowest that costs nothing, sample by sample; hatched, so that it is seen on any colour.
+void paintBand(QPainter& painter, const Frame& frame, const SectionScene& scene, const Section& section)
+{
+    const double toMm = section.fromMm + static_cast<double>(section.samples.size() - 1) * section.stepMm;
+    const int count = static_cast<int>(section.samples.size());
+    const auto limit = [&](const std::vector<float>& heights) {
+        return core::imaging::sectionOf(*scene.tooth, scene.plane, section.fromMm, toMm, count, &heights);
+    };
+    const Section high = limit(scene.band->shallowestMm);
+    const Section low = limit(scene.band->deepestMm);
+    QPainterPath band;
+    for (std::size_t k = 0; k < section.samples.size(); ++k) {
+        const double top = static_cast<double>(high.samples[k].idealTopMm);
+        const double bottom = static_cast<double>(low.samples[k].idealTopMm);
+        if (!high.samples[k].wasTooth || !(top > bottom) || bottom <= static_cast<double>(core::terrain::kEmptyTop))
+            continue;
+        const double x = frame.x(section.fromMm + (static_cast<double>(k) - 0.5) * section.stepMm);
+        band.addRect(QRectF(QPointF(x, frame.y(top)), QPointF(x + section.stepMm * frame.pxPerMm, frame.y(bottom))));
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.fillPath(band, QColor::fromRgba(kBand));
+    painter.fillPath(band, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+    painter.restore();
+}
+
 void paintBur(QPainter& painter, const Frame& frame, const SectionScene& scene)
 {
     const double along = scene.plane.alongMm({scene.tipMm.x, scene.tipMm.y});
@@ -338,6 +366,14 @@ void paintLegend(QPainter& painter, const QRectF& area, const SectionScene& scen
     line(surfacePen(), kSquarePx, scene.ideal ? shortly : original);
     if (scene.ideal)
         line(idealPen(), 2.0 * kSquarePx, QCoreApplication::translate("Section", "ideal preparation"));
+    if (scene.band != nullptr) {
+        const QRectF square(x, row.center().y() - 0.5 * kSquarePx, kSquarePx, kSquarePx);
+        painter.fillRect(square, QColor::fromRgba(kBand));
+        painter.fillRect(square, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+        x += kSquarePx + 5.0;
+        //: In the key of a picture: what may be cut or left without losing points
+        word(QCoreApplication::translate("Section", "within tolerance"));
+    }
 }
 
 }  // namespace
@@ -365,6 +401,8 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     painter.drawImage(plot.topLeft(), materials);
     paintGrid(painter, frame, QColor::fromRgba(kOverTissue));
     painter.setRenderHint(QPainter::Antialiasing);
+    if (scene.band != nullptr)
+        paintBand(painter, frame, scene, section);
     if (scene.ideal) {
         // Dark beneath, so that it is seen on every tissue.
         QPen ground = idealPen();

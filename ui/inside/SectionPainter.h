@@ -10,6 +10,7 @@
 #include "core/drilling/Bur.h"
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
+#include "core/preparation/ToleranceBand.h"
 #include "ui/shell/MaterialLook.h"
 
 class QPainter;
@@ -22,6 +23,8 @@ struct SectionScene
     const core::terrain::Tooth* tooth = nullptr;
     core::imaging::SectionPlane plane;
     core::grading::IdealTop ideal;  ///< drawn as a broken line; null: none
+    /// What may be cut at no cost, drawn as a band around the ideal; null: none.
+    const core::preparation::ToleranceBand* band = nullptr;
     /// A bur whose axis lies in the plane, drawn at its true size; null: none.
     const core::drilling::Bur* bur = nullptr;
     glm::dvec3 tipMm{0.0};

@@ -65,12 +65,17 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
 
     m_groups.push_back({tr("Tooth and files"), {}});
     lessons = add("lessons", tr("Lessons"), tr("Choose what to practise"), {Qt::Key_F2});
+    editLesson = add("edit", tr("Edit the lesson …"),
+                     tr("Change the ideal and the marking of the lesson that is chosen in the list"), {Qt::Key_F4});
     chooseTooth = add("tooth", tr("Choose a tooth"), tr("Show the arches and choose one of 16 teeth"), {Qt::Key_T});
     mouth = add("mouth", tr("Whole mouth"), tr("Choose a tooth in the whole mouth, or go back to the flat arches"),
                 {Qt::Key_M});
     openScan = add("open", tr("Open a scan"), tr("Open the scan of a tooth: OBJ, STL or PLY"), {Qt::CTRL | Qt::Key_O});
     saveRecording = add("save", tr("Save the recording"), tr("Save every movement of this attempt to a file"),
                         {Qt::CTRL | Qt::Key_S});
+    saveReference =
+        add("reference", tr("Save this attempt as the reference …"),
+            tr("Keep what you have cut as the ideal that lessons ask for"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S});
     openRecording =
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
     expert =

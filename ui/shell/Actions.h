@@ -45,10 +45,12 @@ public:
     QAction* reload = nullptr;
     QAction* grade = nullptr;
     QAction* lessons = nullptr;
+    QAction* editLesson = nullptr;  ///< on the page of lessons
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
+    QAction* saveReference = nullptr;
     QAction* openRecording = nullptr;
     QAction* history = nullptr;  ///< checkable: the undo history is there
     // While a recording is played. Otherwise they are hidden, and their keys mean something else to the tooth.

@@ -26,6 +26,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/teeth/Block.h"
+#include "lessons/LessonCatalog.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/replay/ReplayBar.h"
@@ -44,6 +45,7 @@
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/study/LessonEditor.h"
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/Limit.h"
@@ -92,7 +94,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
-      m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
+      m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)),
+      m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
       m_infractionCard(new study::InfractionCard(m_room)),
@@ -106,7 +109,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     setCentralWidget(m_pages);
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
-          static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_forecast)})
+          static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
+          static_cast<QWidget*>(m_forecast)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
@@ -124,6 +128,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
+    connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
+    connect(m_editor, &study::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
     const auto workOn = [this] {
         m_room->section().setHeld({});
         if (m_infractionStopped)
@@ -204,8 +210,18 @@ void MainWindow::connectActions()
     on(m_actions->bringHome, [this] { send(core::session::BringHome{}); });
     on(m_actions->turnRound, [this] { m_view->turnRound(); });
     on(m_actions->resetView, [this] { m_view->resetCamera(); });
-    on(m_actions->undo, [this] { send(core::session::Undo{}); });
-    on(m_actions->redo, [this] { send(core::session::Redo{}); });
+    on(m_actions->undo, [this] {
+        if (m_pages->currentWidget() == m_editor)
+            m_editor->undo();
+        else
+            send(core::session::Undo{});
+    });
+    on(m_actions->redo, [this] {
+        if (m_pages->currentWidget() == m_editor)
+            m_editor->redo();
+        else
+            send(core::session::Redo{});
+    });
     on(m_actions->reload, [this] {
         goTo(m_room);
         if (send(core::session::Reload{}))
@@ -234,7 +250,18 @@ void MainWindow::connectActions()
         askForFile(m_actions->openScan->text(), FileKind::Scan,
                    [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
+    on(m_actions->editLesson, [this] { editLesson(); });
+    on(m_actions->saveReference, [this] {
+        askForFile(
+            m_actions->saveReference->text(), FileKind::Reference,
+            [this](const QString& path) { emit referenceSaveRequested(path); },
+            newFileName(QStringLiteral("cuspideal")));
+    });
     on(m_actions->saveRecording, [this] {
+        if (m_pages->currentWidget() == m_editor) {
+            m_editor->save();
+            return;
+        }
         m_afterSaving = {};
         askToSave();
     });
@@ -265,6 +292,29 @@ void MainWindow::connectActions()
     });
     on(m_actions->back, [this] { goBack(); });
     on(m_actions->quit, [this] { close(); });
+}
+
+void MainWindow::editLesson()
+{
+    const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
+    if (entry == nullptr || !entry->read.lesson) {
+        showMessage(
+            tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
+        return;
+    }
+    const QString folder = lessons::teachersFolder();
+    if (!entry->isShipped && QFileInfo(entry->read.file).absolutePath() != QDir(folder).absolutePath()) {
+        showMessage(tr("This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack)."));
+        return;
+    }
+    m_editor->edit(entry->read, folder);
+    emit knownAttemptsWanted(*entry->read.lesson);
+    goTo(m_editor);
+}
+
+void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
+{
+    m_editor->setKnown(std::move(attempts));
 }
 
 void MainWindow::connectReplay()
@@ -718,6 +768,8 @@ void MainWindow::goBack()
     if (m_help->isVisible()) {
         m_help->hide();
         m_view->setFocus();
+    } else if (m_pages->currentWidget() == m_editor) {
+        goTo(m_lessonsPage);
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
     } else if (m_infractionCard->isVisible()) {
@@ -753,15 +805,19 @@ void MainWindow::enableActions()
                                         m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
     const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
-    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && m_aids.burColour && seesIdeal);
+    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && !m_replaying && m_aids.burColour &&
+                                     seesIdeal);
     m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
     m_actions->turnSection->setEnabled(inRoom && m_aids.section && m_actions->section->isChecked());
     m_actions->radiograph->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && m_aids.radiograph);
-    m_actions->undo->setEnabled(inRoom && mine && m_session.undoSteps > 0);
-    m_actions->redo->setEnabled(inRoom && mine && m_session.redoSteps > 0);
+    const bool inEditor = m_pages->currentWidget() == m_editor;
+    m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mine && m_session.undoSteps > 0);
+    m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mine && m_session.redoSteps > 0);
+    m_actions->editLesson->setEnabled(m_pages->currentWidget() == m_lessonsPage);
+    m_actions->saveReference->setEnabled(inRoom && mine);
     m_actions->reload->setEnabled(mine);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->lessons->setEnabled(!m_busy->isWorking());
@@ -769,7 +825,7 @@ void MainWindow::enableActions()
     m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
-    m_actions->saveRecording->setEnabled(mine);
+    m_actions->saveRecording->setEnabled(mine || inEditor);
     m_actions->history->setEnabled(inRoom && mine);
     for (QAction* action :
          {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin, m_actions->replayEnd,
@@ -1095,6 +1151,11 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         filter = tr("Recordings (%1)").arg(patternOf({suffix}));
         key = QStringLiteral("folders/recording");
         break;
+    case FileKind::Reference:
+        suffix = QStringLiteral("cuspideal");
+        filter = tr("Captured ideals (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/reference");
+        break;
     case FileKind::Picture:
         suffix = QStringLiteral("png");
         filter = tr("Pictures (%1)").arg(patternOf({suffix}));
@@ -1102,6 +1163,9 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         break;
     }
     QString folder = memory().value(key).toString();
+    // An ideal is named by lessons that lie beside it.
+    if (kind == FileKind::Reference && folder.isEmpty() && QDir().mkpath(lessons::teachersFolder()))
+        folder = lessons::teachersFolder();
     if (!QFileInfo(folder).isDir())
         folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     auto* dialog = new QFileDialog(this, title, folder);

@@ -25,6 +25,7 @@
 #include "ui/replay/HistoryPanel.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScoredWork.h"
+#include "ui/study/ToleranceSweep.h"
 #include "ui/text/Texts.h"
 
 class QStackedWidget;
@@ -41,6 +42,7 @@ namespace ui::study {
 class ExerciseCard;
 class Forecast;
 class InfractionCard;
+class LessonEditor;
 class ScorePage;
 }  // namespace ui::study
 
@@ -110,6 +112,8 @@ public slots:
     /// The handpieces of the attempt that is shown next, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
+    /// What was measured of attempts at the lesson that is edited, as it is.
+    void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
     /// @param ideal  what was to be cut; null: nothing
@@ -145,6 +149,8 @@ signals:
     /// The page of lessons opens: what it shows is to be brought up to date.
     void lessonsWanted();
     void lessonFolderWanted();
+    /// A lesson is edited: what is known of attempts at it is wanted, for setKnownAttempts().
+    void knownAttemptsWanted(const lessons::Lesson& lesson);
     /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
     void momentWanted(double seconds);
     /// @param worst  the criterion expected to cost most, by id; empty: none
@@ -153,6 +159,8 @@ signals:
     /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
     void scanUnitChosen(const QString& unit);
     void recordingSaveRequested(const QString& path);
+    /// The tooth as it is cut is to be kept as a captured ideal; showMessage() or showError() answers.
+    void referenceSaveRequested(const QString& path);
     void recordingOpenRequested(const QString& path);
     void gradeRequested();
     /// What offerUnfinished() has offered; work that would be lost has been asked about.
@@ -182,7 +190,7 @@ protected:
 
 private:
     /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
-    enum class FileKind { Scan, Recording, Picture };
+    enum class FileKind { Scan, Recording, Picture, Reference };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -217,6 +225,7 @@ private:
     void enableActions();
     void placeOverlays();
     [[nodiscard]] QString workTitle() const;
+    void editLesson();
     void showIdeal();
     void layExercise();
     void markExercise();
@@ -240,6 +249,7 @@ private:
     ToothChooser* m_chooser;
     study::ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
+    study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
     inside::XrayPage* m_xray;
     MessageBar* m_messages;

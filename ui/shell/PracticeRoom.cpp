@@ -163,7 +163,10 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     frame->mayFold(lessons);
     row->addWidget(barButton(actions.openScan, false, frame));
     row->addWidget(barButton(actions.openRecording, false, frame));
-    row->addWidget(barButton(actions.saveRecording, false, frame));
+    auto* save = barButton(actions.saveRecording, false, frame);
+    save->addAction(actions.saveReference);
+    save->setPopupMode(QToolButton::MenuButtonPopup);
+    row->addWidget(save);
     row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));

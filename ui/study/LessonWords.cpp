@@ -12,6 +12,48 @@ namespace ui::study {
 using ::lessons::Lesson;
 using ::lessons::Task;
 
+namespace {
+
+// The names that the numbers of an ideal and of a block have in core, for translators.
+[[maybe_unused]] constexpr const char* kFieldNames[] = {
+    QT_TRANSLATE_NOOP("Field", "width of the isthmus"),
+    QT_TRANSLATE_NOOP("Field", "depth of the pulpal floor"),
+    QT_TRANSLATE_NOOP("Field", "width of the dovetail"),
+    QT_TRANSLATE_NOOP("Field", "extension into the grooves"),
+    QT_TRANSLATE_NOOP("Field", "marginal ridge that is left"),
+    QT_TRANSLATE_NOOP("Field", "ridge across the tooth that is left on each side"),
+    QT_TRANSLATE_NOOP("Field", "divergence of the end walls"),
+    QT_TRANSLATE_NOOP("Field", "radius of the bur"),
+    QT_TRANSLATE_NOOP("Field", "radius between floor and wall"),
+    QT_TRANSLATE_NOOP("Field", "floor along the junction"),
+    QT_TRANSLATE_NOOP("Field", "depth of the floor in dentin"),
+    QT_TRANSLATE_NOOP("Field", "depth of the gingival floor"),
+    QT_TRANSLATE_NOOP("Field", "depth of the axial wall"),
+    QT_TRANSLATE_NOOP("Field", "width of the box"),
+    QT_TRANSLATE_NOOP("Field", "lean of the access walls"),
+    QT_TRANSLATE_NOOP("Field", "margin around the chamber"),
+    QT_TRANSLATE_NOOP("Field", "block's side"),
+    QT_TRANSLATE_NOOP("Field", "block's height"),
+    QT_TRANSLATE_NOOP("Field", "thickness of the enamel layer"),
+    QT_TRANSLATE_NOOP("Field", "width of the channel"),
+    QT_TRANSLATE_NOOP("Field", "depth of the channel"),
+    QT_TRANSLATE_NOOP("Field", "length of the shape"),
+    QT_TRANSLATE_NOOP("Field", "flare of the dovetail"),
+    QT_TRANSLATE_NOOP("Field", "number of steps"),
+    QT_TRANSLATE_NOOP("Field", "radius of inner corners")};
+
+}  // namespace
+
+QString fieldName(const char* name)
+{
+    return text::capitalised(QCoreApplication::translate("Field", name));
+}
+
+QString fieldUnit(const char* unit)
+{
+    return qstrcmp(unit, "degrees") == 0 ? QStringLiteral("°") : QString::fromLatin1(unit);
+}
+
 QString said(const ::lessons::LocalText& text)
 {
     return QString::fromStdString(::lessons::inLanguage(text, QLocale().name().toStdString()));
@@ -97,14 +139,53 @@ QString timeWords(const Lesson& lesson)
                : QCoreApplication::translate("Lesson", "no limit");
 }
 
+QString titleOf(const ::lessons::CriterionRule& rule)
+{
+    ::lessons::Criterion line;
+    line.title = rule.title;
+    line.measure = rule.measure;
+    return text::criterionName(line);
+}
+
+QString ruleWords(const ::lessons::CriterionRule& rule)
+{
+    const QString unit = text::unitName(rule.unit);
+    const auto figure = [&](double value) {
+        return (QLocale().toString(value, 'g', 4) + (unit == u"°" ? QString() : QStringLiteral(" ")) + unit).trimmed();
+    };
+    const bool isUnder = rule.side == ::lessons::Side::Under;
+    const double free = isUnder ? rule.target - rule.tolerance : rule.target + rule.tolerance;
+    const double end = isUnder ? free - rule.span : free + rule.span;
+    QString words;
+    if (rule.side == ::lessons::Side::Both)
+        //: %1: a target; %2: how far off it one may be at no cost
+        words = QCoreApplication::translate("Lesson", "%1, give or take %2, costs nothing")
+                    .arg(figure(rule.target), figure(rule.tolerance));
+    else
+        words = (isUnder ? QCoreApplication::translate("Lesson", "From %1 up costs nothing")
+                         : QCoreApplication::translate("Lesson", "Up to %1 costs nothing"))
+                    .arg(figure(free));
+    if (rule.allowance)
+        words += QCoreApplication::translate("Lesson", " (more, where the decay is larger)");
+    words += QStringLiteral("; ");
+    if (rule.critical)
+        return words + QCoreApplication::translate("Lesson", "beyond it the attempt fails");
+    const QString points = text::points(rule.weightTenths);
+    if (rule.span <= 0.0)
+        return words + QCoreApplication::translate("Lesson", "beyond it all %1 points are lost").arg(points);
+    if (rule.side == ::lessons::Side::Both)
+        return words + QCoreApplication::translate("Lesson", "%1 off, all %2 points are lost")
+                           .arg(figure(rule.tolerance + rule.span), points);
+    return words + (isUnder ? QCoreApplication::translate("Lesson", "at %1 all %2 points are lost")
+                            : QCoreApplication::translate("Lesson", "from %1 on all %2 points are lost"))
+                       .arg(figure(end), points);
+}
+
 QStringList criteriaWords(const ::lessons::Rubric& rubric)
 {
     QStringList lines;
     for (const ::lessons::CriterionRule& rule : rubric.criteria) {
-        ::lessons::Criterion line;
-        line.title = rule.title;
-        line.measure = rule.measure;
-        const QString name = text::criterionName(line);
+        const QString name = titleOf(rule);
         lines << (rule.critical
                       //: %1 is a criterion
                       ? QCoreApplication::translate("Lesson", "%1: fails the attempt").arg(name)

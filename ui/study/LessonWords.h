@@ -26,4 +26,13 @@ namespace ui::study {
 /// Each criterion with what it may cost: "Decay left: 60.0 points".
 [[nodiscard]] QStringList criteriaWords(const ::lessons::Rubric& rubric);
 
+/// What a criterion asks, in a sentence: "Up to 0.3 mm costs nothing; from 1 mm on all 20.0 points are lost".
+[[nodiscard]] QString ruleWords(const ::lessons::CriterionRule& rule);
+/// Of a number of an ideal or a block, by its English name (core::NumberField::name), beginning with a capital.
+[[nodiscard]] QString fieldName(const char* name);
+/// "mm", "°"; empty for a plain number.
+[[nodiscard]] QString fieldUnit(const char* unit);
+/// The criterion's own title, or the name of its measure.
+[[nodiscard]] QString titleOf(const ::lessons::CriterionRule& rule);
+
 }  // namespace ui::study

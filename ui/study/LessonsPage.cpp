@@ -146,7 +146,7 @@ QWidget* LessonsPage::makeList()
     return side;
 }
 
-QWidget* LessonsPage::makeDetails(const Actions&)
+QWidget* LessonsPage::makeDetails(const Actions& actions)
 {
     auto* side = new QWidget(this);
     auto* column = new QVBoxLayout(side);
@@ -181,6 +181,7 @@ QWidget* LessonsPage::makeDetails(const Actions&)
     folder->setAutoDefault(false);
     connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
     buttons->addWidget(m_start);
+    buttons->addWidget(pageButton(actions.editLesson, "", whole));
     buttons->addWidget(folder);
     buttons->addStretch(1);
     stack->addLayout(buttons);

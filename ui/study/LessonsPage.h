@@ -36,6 +36,8 @@ public:
     void setLessons(std::vector<::lessons::CatalogEntry> entries, std::map<std::string, Standing> standings);
     /// The lesson on the table, marked in the list; empty for none.
     void setPresent(const std::string& lessonId);
+    /// What is chosen in the list; null for none.
+    [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
 
 signals:
     void lessonChosen(const ::lessons::Lesson& lesson);
@@ -50,7 +52,6 @@ private:
     QWidget* makeDetails(const shell::Actions& actions);
     void fillList();
     void describe();
-    [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
     void start();
 
     std::vector<::lessons::CatalogEntry> m_entries;

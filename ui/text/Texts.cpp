@@ -72,6 +72,7 @@ QString remedy(Failed failed)
         return QCoreApplication::translate("Error", "Ask who made the lesson, or choose another one.");
     case Failed::MakingTooth:
     case Failed::SavingRecording:
+    case Failed::SavingReference:
     case Failed::Marking:
     case Failed::KeepingAttempt:
         return QCoreApplication::translate("Error", "Try again.");
@@ -93,6 +94,7 @@ QString wrongKind(Failed failed)
     case Failed::OpeningLesson:
     case Failed::MakingTooth:
     case Failed::SavingRecording:
+    case Failed::SavingReference:
     case Failed::Marking:
     case Failed::KeepingAttempt:
         return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
@@ -165,6 +167,11 @@ QString errorText(const core::Error& error, Failed failed)
     case Failed::SavingRecording:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "The recording was not saved. %1").arg(reason(error.code, failed));
+    case Failed::SavingReference:
+        if (error.code == core::ErrorCode::BadStructure)
+            return QCoreApplication::translate("Error", "Nothing has been cut yet that could be a reference.");
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "The reference was not saved. %1").arg(reason(error.code, failed));
     case Failed::KeepingGrades:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error",

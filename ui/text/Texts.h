@@ -22,6 +22,7 @@ enum class Failed {
     OpeningLesson,
     OpeningRecording,
     SavingRecording,
+    SavingReference,
     Marking,
     KeepingGrades,
     KeepingAttempt,  ///< on the disk, while it goes on

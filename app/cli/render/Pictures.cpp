@@ -6,8 +6,10 @@
 #include <numbers>
 #include <span>
 
+#include <QBuffer>
 #include <QPainter>
 
+#include "core/base/WholeFile.h"
 #include "core/drilling/Bur.h"
 #include "core/imaging/Bitewing.h"
 #include "core/imaging/Radiograph.h"
@@ -212,6 +214,17 @@ core::Result<QImage> renderedArch(int chosenFdi, QSize size)
         renderer.drawRoom(glm::vec2(size.width(), size.height()), {0.0F, 0.0F});
         renderer.draw(scene);
     });
+}
+
+core::Status savePng(const QImage& picture, const QString& file)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, "PNG"))
+        return core::unexpected(core::ErrorCode::FileUnwritable, "the picture could not be made a PNG");
+    return core::writeWhole(file.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                            "The picture");
 }
 
 core::Result<QImage> rendered(const RenderSubject& subject, const RenderWishes& wishes, const QString& view, QSize size)

@@ -33,4 +33,7 @@ struct RenderSubject
 /// @param chosenFdi  is tinted; 0: none
 [[nodiscard]] core::Result<QImage> renderedArch(int chosenFdi, QSize size);
 
+/// An older file survives any failure.
+[[nodiscard]] core::Status savePng(const QImage& picture, const QString& file);
+
 }  // namespace app::cli

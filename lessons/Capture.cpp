@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/Capture.h"
+
+#include <array>
+#include <vector>
+
+#include <QJsonArray>
+
+#include "core/recording/Replay.h"
+
+namespace lessons {
+namespace {
+
+using core::preparation::Tolerances;
+
+struct Meant
+{
+    const char* measure;
+    double Tolerances::*tolerance;
+};
+constexpr std::array<Meant, 4> kMeant{{{"outline_p95_mm", &Tolerances::outlineMm},
+                                       {"depth_error_p95_mm", &Tolerances::depthMm},
+                                       {"wall_angle_error_deg", &Tolerances::wallDeg},
+                                       {"floor_flatness_mm", &Tolerances::floorMm}}};
+
+}  // namespace
+
+core::Result<core::preparation::CapturedIdeal> captureFrom(std::span<const std::filesystem::path> recordings,
+                                                           const Tolerances& tolerances,
+                                                           const std::function<bool()>& mayGoOn)
+{
+    std::vector<core::terrain::Tooth> teeth;
+    std::vector<std::string> sources;
+    for (const std::filesystem::path& path : recordings) {
+        if (mayGoOn && !mayGoOn())
+            return core::unexpected(core::ErrorCode::BadStructure, "The capture was called off.");
+        const auto recording = core::recording::readRecording(path);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        auto outcome = core::recording::replay(*recording);
+        if (!outcome)
+            return core::unexpected(outcome.error().code, path.string() + ": " + outcome.error().detail);
+        teeth.push_back(std::move(outcome->tooth));
+        sources.push_back(path.filename().string());
+    }
+    std::vector<const core::terrain::Tooth*> attempts;
+    for (const core::terrain::Tooth& tooth : teeth)
+        attempts.push_back(&tooth);
+    return core::preparation::capture(attempts, tolerances, std::move(sources));
+}
+
+QJsonObject withTolerances(QJsonObject rubric, const Tolerances& tolerances)
+{
+    QJsonArray criteria = rubric.value(QStringLiteral("criteria")).toArray();
+    for (qsizetype k = 0; k < criteria.size(); ++k) {
+        QJsonObject criterion = criteria[k].toObject();
+        for (const Meant& meant : kMeant)
+            if (criterion.value(QStringLiteral("measure")).toString() == QLatin1String(meant.measure))
+                criterion.insert(QStringLiteral("tolerance"), tolerances.*meant.tolerance);
+        criteria[k] = criterion;
+    }
+    rubric.insert(QStringLiteral("criteria"), criteria);
+    return rubric;
+}
+
+Tolerances tolerancesOf(const Rubric& rubric, Tolerances otherwise)
+{
+    for (const CriterionRule& rule : rubric.criteria)
+        for (const Meant& meant : kMeant)
+            if (rule.measure == meant.measure)
+                otherwise.*meant.tolerance = rule.tolerance;
+    return otherwise;
+}
+
+}  // namespace lessons

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/LessonPack.h"
+
+#include <algorithm>
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include "core/base/WholeFile.h"
+#include "core/recording/Format.h"
+#include "lessons/LessonReader.h"
+
+namespace lessons {
+namespace {
+
+/// Base64 takes a third more, and names and hashes need room.
+constexpr qint64 kLargestJsonBytes = kLargestPackBytes / 3 * 4 + qint64{1024} * 1024;
+const QStringList kSuffixes{QStringLiteral("json"), QStringLiteral("cuspideal"), QStringLiteral("stl"),
+                            QStringLiteral("obj"),  QStringLiteral("ply"),       QStringLiteral("mtl")};
+
+tl::unexpected<core::Error> refused(core::ErrorCode code, const QString& sentence)
+{
+    return core::unexpected(code, sentence.toStdString());
+}
+
+QString megabytes(qint64 bytes)
+{
+    return QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1);
+}
+
+QString hashOf(const QByteArray& content)
+{
+    return QString::fromLatin1(QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex());
+}
+
+/// Whether a file of a pack may be called so: on any system, and nothing that a program would run.
+bool isNameInPack(const QString& name)
+{
+    if (!isNameBeside(name) || !kSuffixes.contains(QFileInfo(name).suffix().toLower()))
+        return false;
+    const QStringList parts = name.split(u'/');
+    return std::all_of(parts.begin(), parts.end(), [](const QString& part) {
+        return !part.isEmpty() && !part.startsWith(u'.') && !part.endsWith(u' ') &&
+               std::all_of(part.begin(), part.end(), [](QChar letter) {
+                   return letter.isPrint() && !QStringLiteral("<>:\"|?*").contains(letter);
+               });
+    });
+}
+
+core::Result<QByteArray> contentOf(const QString& path, qint64 most)
+{
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return refused(
+            core::ErrorCode::FileUnreadable,
+            QStringLiteral("%1 cannot be read; check its name and rights.").arg(QDir::toNativeSeparators(path)));
+    if (file.size() > most)
+        return refused(core::ErrorCode::FileTooLarge,
+                       QStringLiteral("%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.")
+                           .arg(QFileInfo(path).fileName(), megabytes(file.size()), megabytes(kLargestPackBytes)));
+    return file.readAll();
+}
+
+core::Result<PackedFile> packedFile(const QJsonObject& entry)
+{
+    PackedFile file{entry.value(QStringLiteral("name")).toString(), {}};
+    if (!isNameInPack(file.name))
+        return refused(
+            core::ErrorCode::BadStructure,
+            QStringLiteral("The pack names a file \"%1\", which leads out of its folder or is of no kind that "
+                           "lessons have; nothing was unpacked.")
+                .arg(file.name.left(80)));
+    const auto decoded = QByteArray::fromBase64Encoding(entry.value(QStringLiteral("base64")).toString().toLatin1(),
+                                                        QByteArray::AbortOnBase64DecodingErrors);
+    if (!decoded || hashOf(decoded.decoded) != entry.value(QStringLiteral("sha256")).toString())
+        return refused(
+            core::ErrorCode::BadStructure,
+            QStringLiteral("The file \"%1\" in the pack is not what its hash says: it was damaged or changed; "
+                           "nothing was unpacked. Ask for the pack again.")
+                .arg(file.name));
+    file.content = decoded.decoded;
+    return file;
+}
+
+}  // namespace
+
+core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
+{
+    QJsonArray files;
+    QMap<QString, QByteArray> packed;
+    qint64 sum = 0;
+    for (const QString& lessonFile : lessonFiles) {
+        const ReadLesson read = readLesson(lessonFile);
+        if (!read.lesson) {
+            const auto grave =
+                std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+            return refused(core::ErrorCode::BadStructure,
+                           QStringLiteral("%1. Only a lesson that can be given is packed.").arg(grave->sentence()));
+        }
+        const QDir folder = QFileInfo(lessonFile).absoluteDir();
+        for (const QString& path : read.uses) {
+            const QString name = folder.relativeFilePath(QFileInfo(path).absoluteFilePath());
+            if (!isNameInPack(name))
+                return refused(core::ErrorCode::BadStructure,
+                               QStringLiteral("A file of the name \"%1\" cannot go into a pack; rename it (%2).")
+                                   .arg(name, kSuffixes.join(QStringLiteral(", "))));
+            const auto content = contentOf(path, kLargestPackBytes - sum);
+            if (!content)
+                return tl::unexpected(content.error());
+            const QString key = name.toLower();
+            if (packed.contains(key)) {
+                if (packed[key] != *content)
+                    return refused(
+                        core::ErrorCode::BadStructure,
+                        QStringLiteral("Two different files are called \"%1\"; rename one of them.").arg(name));
+                continue;
+            }
+            packed[key] = *content;
+            sum += content->size();
+            files.append(QJsonObject{
+                {"name", name}, {"sha256", hashOf(*content)}, {"base64", QString::fromLatin1(content->toBase64())}});
+        }
+    }
+    if (files.isEmpty() || files.size() > kMostPackedFiles)
+        return refused(
+            core::ErrorCode::OutOfRange,
+            QStringLiteral("A pack takes 1 to %1 files of lessons, not %2.").arg(kMostPackedFiles).arg(files.size()));
+    const QByteArray json = QJsonDocument(QJsonObject{{"format", kPackFormat}, {"cusp", "lessons"}, {"files", files}})
+                                .toJson(QJsonDocument::Compact);
+    return QByteArray::fromStdString(core::recording::pack({json.constData(), static_cast<std::size_t>(json.size())}));
+}
+
+core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes)
+{
+    const auto json = core::recording::unpack({bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                                              static_cast<std::uint64_t>(kLargestJsonBytes));
+    if (!json)
+        return refused(
+            core::ErrorCode::WrongKind,
+            QStringLiteral("This is no pack of lessons, it is damaged, or it holds more than %1; choose a file "
+                           "that \"cusp lesson pack\" has made.")
+                .arg(megabytes(kLargestPackBytes)));
+    const QJsonObject pack =
+        QJsonDocument::fromJson(QByteArray::fromRawData(json->data(), static_cast<qsizetype>(json->size()))).object();
+    const int format = pack.value(QStringLiteral("format")).toInt();
+    if (pack.value(QStringLiteral("cusp")).toString() != u"lessons" || format < 1)
+        return refused(core::ErrorCode::WrongKind,
+                       QStringLiteral("This is no pack of lessons; choose a file that \"cusp lesson pack\" has made."));
+    if (format > kPackFormat)
+        return refused(core::ErrorCode::NewerVersion,
+                       QStringLiteral("The pack is of format %1, from a newer Cusp; this one reads %2. Update Cusp.")
+                           .arg(format)
+                           .arg(kPackFormat));
+    const QJsonArray list = pack.value(QStringLiteral("files")).toArray();
+    if (list.isEmpty() || list.size() > kMostPackedFiles)
+        return refused(
+            core::ErrorCode::BadStructure,
+            QStringLiteral("The pack lists %1 files; it may hold 1 to %2.").arg(list.size()).arg(kMostPackedFiles));
+    std::vector<PackedFile> files;
+    QSet<QString> names;
+    for (const QJsonValue entry : list) {
+        auto file = packedFile(entry.toObject());
+        if (!file)
+            return tl::unexpected(file.error());
+        if (names.contains(file->name.toLower()))
+            return refused(core::ErrorCode::BadStructure,
+                           QStringLiteral("The pack holds \"%1\" twice; nothing was unpacked.").arg(file->name));
+        names << file->name.toLower();
+        files.push_back(std::move(*file));
+    }
+    return files;
+}
+
+core::Result<std::vector<PackedFile>> readPack(const QString& file)
+{
+    const auto bytes = contentOf(file, kLargestJsonBytes);
+    auto files = bytes ? unpackLessons(*bytes) : core::Result<std::vector<PackedFile>>(tl::unexpected(bytes.error()));
+    if (!files && bytes)
+        return core::unexpected(files.error().code,
+                                QFileInfo(file).fileName().toStdString() + ": " + files.error().detail);
+    return files;
+}
+
+core::Status putInto(const QString& folder, const std::vector<PackedFile>& files)
+{
+    const QDir into(folder);
+    std::vector<const PackedFile*> missing;
+    for (const PackedFile& file : files) {
+        QString way = folder;
+        for (const QString& part : file.name.split(u'/')) {
+            way = QDir(way).filePath(part);
+            if (QFileInfo(way).isSymLink())
+                return refused(core::ErrorCode::FileUnwritable,
+                               QStringLiteral("%1 is a link to elsewhere; nothing was unpacked. Name another folder.")
+                                   .arg(QDir::toNativeSeparators(way)));
+        }
+        const QString path = into.filePath(file.name);
+        if (!QFileInfo::exists(path)) {
+            missing.push_back(&file);
+            continue;
+        }
+        const auto there = contentOf(path, kLargestPackBytes);
+        if (!there || *there != file.content)
+            return refused(
+                core::ErrorCode::FileUnwritable,
+                QStringLiteral("There is another file \"%1\" in %2 already; nothing was unpacked. Move it away, "
+                               "or name another folder.")
+                    .arg(file.name, QDir::toNativeSeparators(folder)));
+    }
+    for (const PackedFile* const file : missing) {
+        const QFileInfo place(into.filePath(file->name));
+        if (!QDir().mkpath(place.absolutePath()))
+            return refused(core::ErrorCode::FileUnwritable,
+                           QStringLiteral("The folder %1 cannot be made; name another.")
+                               .arg(QDir::toNativeSeparators(place.absolutePath())));
+        const core::Status written = core::writeWhole(
+            std::filesystem::path(place.filePath().toStdU16String()),
+            {file->content.constData(), static_cast<std::size_t>(file->content.size())}, "A file of the pack");
+        if (!written)
+            return written;
+    }
+    return {};
+}
+
+core::Result<QString> openPack(const QString& file)
+{
+    const auto bytes = contentOf(file, kLargestJsonBytes);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const QDir cache(
+        QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).filePath(QStringLiteral("packs")));
+    const QString folder = cache.filePath(hashOf(*bytes));
+    if (QFileInfo(folder).isDir())
+        return folder;
+    const auto files = unpackLessons(*bytes);
+    if (!files)
+        return tl::unexpected(files.error());
+    // Whole or not at all: another Cusp may look meanwhile.
+    QDir().mkpath(cache.path());
+    QTemporaryDir beside(cache.filePath(QStringLiteral("part-XXXXXX")));
+    const core::Status put = beside.isValid()
+                                 ? putInto(beside.path(), *files)
+                                 : refused(core::ErrorCode::FileUnwritable,
+                                           QStringLiteral("The folder %1 cannot be written.").arg(cache.path()));
+    if (!put)
+        return tl::unexpected(put.error());
+    if (QDir().rename(beside.path(), folder))
+        beside.setAutoRemove(false);
+    else if (!QFileInfo(folder).isDir())
+        return refused(core::ErrorCode::FileUnwritable,
+                       QStringLiteral("The folder %1 cannot be written.").arg(cache.path()));
+    return folder;
+}
+
+}  // namespace lessons

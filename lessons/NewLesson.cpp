@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/NewLesson.h"
+
+#include <array>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "core/preparation/CapturedIdeal.h"
+#include "core/preparation/ToothDesign.h"
+#include "lessons/Capture.h"
+#include "lessons/LessonCatalog.h"
+
+namespace lessons {
+namespace {
+
+constexpr int kUsualTooth = 36;
+constexpr double kUsualExtent = 0.5;
+constexpr double kUsualMinutes = 10.0;
+const QString kShipped = QStringLiteral(":/lessons/");
+
+struct Beginning
+{
+    const char* task;
+    const char* rubric;
+    const char* titleEn;
+    const char* titleDe;
+    const char* goalEn;
+    const char* goalDe;
+};
+constexpr std::array<Beginning, 3> kBeginnings{
+    {{"remove_decay", "decay_removal", "Decay on %1", "Karies an %1",
+      "Take all of the decay out and spare what is sound; keep the pulp closed.",
+      "Entferne die ganze Karies und schone, was gesund ist; die Pulpa bleibt geschlossen."},
+     {"cut_ideal", "class1", "Preparation of %1", "Präparation an %1",
+      "Cut the preparation as shown: outline, depth, walls and floor.",
+      "Präpariere wie gezeigt: Umriss, Tiefe, Wände und Boden."},
+     {"trace_shape", "trace_shape", "Practice block: %1", "Übungsblock: %1",
+      "Mill the shape to its depth and stay inside its lines.",
+      "Fräse die Form in ihrer Tiefe und bleibe in ihren Linien."}}};
+
+tl::unexpected<core::Error> refused(const QString& sentence)
+{
+    return core::unexpected(core::ErrorCode::OutOfRange, sentence.toStdString());
+}
+
+std::optional<QJsonObject> objectIn(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    return QJsonDocument::fromJson(file.read(kLargestLessonBytes)).object();
+}
+
+/// The file that a lesson may be based on, from the folder: its own name there, or that of one we ship.
+core::Result<QString> baseOf(const QString& from, const QString& folder)
+{
+    if (isNameBeside(from) && QFileInfo(QDir(folder).filePath(from)).isFile())
+        return from;
+    for (const CatalogEntry& entry : readCatalog(folder)) {
+        if (!entry.read.lesson || QString::fromStdString(entry.read.lesson->id) != from)
+            continue;
+        const QFileInfo file(entry.read.file);
+        if (entry.isShipped || file.absolutePath() == QDir(folder).absolutePath())
+            return file.fileName();
+    }
+    return core::unexpected(core::ErrorCode::UnknownName,
+                            QStringLiteral("there is no lesson \"%1\" to begin from; \"cusp lesson list\" names them")
+                                .arg(from.left(80))
+                                .toStdString());
+}
+
+QString toothName(const NewLesson& wishes)
+{
+    return wishes.block.isEmpty() ? QString::number(wishes.fdi.value_or(kUsualTooth)) : wishes.block;
+}
+
+QJsonObject toothOf(const NewLesson& wishes)
+{
+    QJsonObject tooth;
+    if (wishes.block.isEmpty())
+        tooth.insert(QStringLiteral("fdi"), wishes.fdi.value_or(kUsualTooth));
+    else
+        tooth.insert(QStringLiteral("block"), wishes.block);
+    tooth.insert(QStringLiteral("seed"), wishes.seed.value_or(0));
+    return tooth;
+}
+
+/// The kind of ideal that is usual for a tooth, and the rubric for it.
+core::Result<std::pair<QString, QString>> kindFor(int fdi)
+{
+    using core::preparation::Kind;
+    for (const auto& [kind, rubric] : {std::pair(Kind::ClassOne, "class1"), std::pair(Kind::Access, "access")})
+        if (core::preparation::usualDesign(kind, fdi)) {
+            const std::string_view id = core::preparation::kindId(kind);
+            return std::pair(QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())), QLatin1String(rubric));
+        }
+    return refused(QStringLiteral("no ideal is made for tooth %1; give a captured one, or remove decay").arg(fdi));
+}
+
+/// The captured ideal, with its tolerances in a rubric of the lesson's own.
+core::Status nameCaptured(QJsonObject& object, const QString& captured, const QString& folder, bool isBased)
+{
+    const QString path = QDir(folder).filePath(captured);
+    const auto ideal = core::preparation::readCaptured(std::filesystem::path(path.toStdU16String()));
+    if (!ideal)
+        return tl::unexpected(ideal.error());
+    QJsonObject names{{QStringLiteral("captured"), captured}};
+    if (isBased) {
+        names.insert(QStringLiteral("kind"), QJsonValue());
+        names.insert(QStringLiteral("sizes"), QJsonValue());
+    }
+    object.insert(QStringLiteral("ideal"), names);
+    const QString draft = QDir(folder).filePath(QStringLiteral("draft.lesson.json"));
+    if (const ReadLesson read = readDraft(object, draft); read.lesson)
+        object.insert(QStringLiteral("rubric"), withTolerances(ownRubric(*read.lesson), ideal->tolerances));
+    return {};
+}
+
+}  // namespace
+
+core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& folder)
+{
+    if (!wishes.block.isEmpty() && wishes.fdi)
+        return refused(QStringLiteral("a lesson has a tooth or a practice block, not both"));
+    QJsonObject object{
+        {QStringLiteral("format"), kLessonFormat}, {QStringLiteral("id"), wishes.id}, {QStringLiteral("version"), 1}};
+    if (!wishes.from.isEmpty()) {
+        const auto base = baseOf(wishes.from, folder);
+        if (!base)
+            return tl::unexpected(base.error());
+        object.insert(QStringLiteral("based_on"), *base);
+        if (wishes.task)
+            object.insert(QStringLiteral("task"),
+                          QLatin1String(kBeginnings[static_cast<std::size_t>(*wishes.task)].task));
+        if (wishes.fdi || wishes.seed || !wishes.block.isEmpty()) {
+            QJsonObject tooth;
+            if (wishes.fdi)
+                tooth.insert(QStringLiteral("fdi"), *wishes.fdi);
+            if (wishes.seed)
+                tooth.insert(QStringLiteral("seed"), *wishes.seed);
+            if (!wishes.block.isEmpty())
+                tooth.insert(QStringLiteral("block"), wishes.block);
+            object.insert(QStringLiteral("tooth"), tooth);
+        }
+        if (!wishes.title.isEmpty())
+            object.insert(QStringLiteral("title"), wishes.title);
+    } else {
+        const Task task = wishes.task.value_or(wishes.block.isEmpty() ? Task::RemoveDecay : Task::TraceShape);
+        if (task == Task::TraceShape && wishes.block.isEmpty())
+            return refused(QStringLiteral("a shape is traced in a practice block; name one, such as \"cross\""));
+        const Beginning& beginning = kBeginnings[static_cast<std::size_t>(task)];
+        const auto texts = [](const QString& en, const QString& de) { return QJsonObject{{"en", en}, {"de", de}}; };
+        QString rubric = QLatin1String(beginning.rubric);
+        object.insert(QStringLiteral("title"),
+                      wishes.title.isEmpty()
+                          ? QJsonValue(texts(QString::fromUtf8(beginning.titleEn).arg(toothName(wishes)),
+                                             QString::fromUtf8(beginning.titleDe).arg(toothName(wishes))))
+                          : QJsonValue(wishes.title));
+        object.insert(QStringLiteral("goal"),
+                      texts(QString::fromUtf8(beginning.goalEn), QString::fromUtf8(beginning.goalDe)));
+        object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
+        object.insert(QStringLiteral("tooth"), toothOf(wishes));
+        if (task == Task::RemoveDecay)
+            object.insert(QStringLiteral("lesion"), QJsonObject{{"extent", kUsualExtent}});
+        if (task == Task::CutIdeal && wishes.captured.isEmpty()) {
+            const auto kind = kindFor(wishes.fdi.value_or(kUsualTooth));
+            if (!kind)
+                return tl::unexpected(kind.error());
+            object.insert(QStringLiteral("ideal"), QJsonObject{{"kind", kind->first}});
+            rubric = kind->second;
+        }
+        object.insert(QStringLiteral("minutes"), kUsualMinutes);
+        object.insert(QStringLiteral("rubric"), rubric);
+    }
+    if (!wishes.captured.isEmpty())
+        if (core::Status named = nameCaptured(object, wishes.captured, folder, !wishes.from.isEmpty()); !named)
+            return tl::unexpected(named.error());
+    return object;
+}
+
+QJsonObject ownVersion(const ReadLesson& lesson)
+{
+    if (!lesson.file.startsWith(kShipped))
+        return objectIn(lesson.file).value_or(QJsonObject());
+    QJsonObject title;
+    for (const auto& [language, text] : lesson.lesson->title)
+        title.insert(QString::fromStdString(language),
+                     QString::fromStdString(text) +
+                         (language == "de" ? QStringLiteral(" (eigene Fassung)") : QStringLiteral(" (own version)")));
+    return {{QStringLiteral("format"), kLessonFormat},
+            {QStringLiteral("based_on"), QFileInfo(lesson.file).fileName()},
+            {QStringLiteral("id"), QString::fromStdString(lesson.lesson->id) + QStringLiteral("-own")},
+            {QStringLiteral("version"), 1},
+            {QStringLiteral("title"), title}};
+}
+
+QJsonObject ownRubric(const Lesson& lesson)
+{
+    QJsonObject rubric = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.json))
+                             .object()
+                             .value(QStringLiteral("rubric"))
+                             .toObject();
+    const QString id = rubric.value(QStringLiteral("id")).toString();
+    if (QFile::exists(kShipped + id + QStringLiteral(".rubric.json")))
+        rubric.insert(QStringLiteral("id"), id + QStringLiteral("-own"));
+    return rubric;
+}
+
+}  // namespace lessons

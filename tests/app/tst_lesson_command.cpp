@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/Program.h"
+
+using support::Ending;
+using support::runCusp;
+
+/// The parts of `cusp lesson` that write files, run as a teacher does.
+class TestLessonCommand : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { m_folder.emplace(); }
+
+    void whatIsBegunCanBeGiven_data();
+    void whatIsBegunCanBeGiven();
+    void aCapturedIdealGoesIntoALesson();
+    void captureRefusesWithASentence();
+    void overwritesNothing();
+    void wrongUsage_data();
+    void wrongUsage();
+    void aPackGoesThere();
+    void drawsWhatALessonAsksFor();
+
+private:
+    QString file(const QString& name) const { return m_folder->filePath(name); }
+    static QString golden() { return QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec"); }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+void TestLessonCommand::whatIsBegunCanBeGiven_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("nothing said") << QStringList{};
+    QTest::newRow("decay on 24") << QStringList{"--tooth", "24", "--task", "remove_decay", "--seed", "3"};
+    QTest::newRow("a Class I on 26") << QStringList{"--tooth", "26", "--task", "cut_ideal"};
+    QTest::newRow("an access on 21") << QStringList{"--tooth", "21", "--task", "cut_ideal"};
+    QTest::newRow("a block") << QStringList{"--tooth", "block:cross"};
+    QTest::newRow("from a shipped one") << QStringList{"--from", "class1-36", "--title", "Mine"};
+    QTest::newRow("from a shipped one, on another tooth") << QStringList{"--from", "class1-36", "--tooth", "37"};
+}
+
+void TestLessonCommand::whatIsBegunCanBeGiven()
+{
+    QFETCH(QStringList, options);
+    const QString out = file("mine.lesson.json");
+    const Ending begun = runCusp(QStringList{"lesson", "new", "--id", "mine", "--out", out} + options);
+    QVERIFY2(begun.exitCode == 0, begun.error.constData());
+    const Ending checked = runCusp({"lesson", "check", out, "--json"});
+    QVERIFY2(checked.exitCode == 0, checked.out.constData());
+    const QJsonObject lesson = checked.json()["lessons"].toArray()[0].toObject();
+    QCOMPARE(lesson["id"].toString(), QString("mine"));
+    QVERIFY2(lesson["faults"].toArray().isEmpty(), checked.out.constData());
+}
+
+void TestLessonCommand::aCapturedIdealGoesIntoALesson()
+{
+    const Ending captured = runCusp(
+        {"lesson", "capture", "--out", file("own.cuspideal"), golden(), golden(), "--outline", "0.4", "--json"});
+    QVERIFY2(captured.exitCode == 0, captured.error.constData());
+    QCOMPARE(captured.json()["outline_mm"].toDouble(), 0.4);
+    QCOMPARE(captured.json()["sources"].toArray().size(), 2);
+    QVERIFY(captured.json()["columns"].toInt() > 10);
+    // That tooth is none that a lesson could name: it says so, and leaves nothing behind.
+    const QString out = file("mine.lesson.json");
+    const Ending refused = runCusp(
+        {"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured", file("own.cuspideal"), "--out", out});
+    QCOMPARE(refused.exitCode, 1);
+    QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"), refused.error.constData());
+    QVERIFY(!QFileInfo::exists(out));
+}
+
+void TestLessonCommand::captureRefusesWithASentence()
+{
+    const QString out = file("own.cuspideal");
+    QFile noise(file("noise.cusprec"));
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
+    noise.close();
+    for (const QStringList& recordings : {QStringList{file("none.cusprec")}, QStringList{golden(), noise.fileName()}}) {
+        const Ending refused = runCusp(QStringList{"lesson", "capture", "--out", out} + recordings);
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.isOneSentence(), refused.error.constData());
+        QVERIFY2(refused.error.contains("cusprec"), refused.error.constData());
+    }
+    const Ending wide = runCusp({"lesson", "capture", "--out", out, golden(), "--depth", "-1"});
+    QVERIFY2(wide.exitCode == 1 && wide.error.contains("tolerance of the depth"), wide.error.constData());
+    QVERIFY(!QFileInfo::exists(out));
+}
+
+void TestLessonCommand::overwritesNothing()
+{
+    for (const QString name : {"a.lesson.json", "a.cuspideal", "a.cusplessons"}) {
+        QFile there(file(name));
+        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
+    }
+    for (const QStringList& command : {QStringList{"new", "--id", "a", "--out", file("a.lesson.json")},
+                                       QStringList{"capture", golden(), "--out", file("a.cuspideal")},
+                                       QStringList{"pack", file("a.lesson.json"), "--out", file("a.cusplessons")}}) {
+        const Ending refused = runCusp(QStringList{"lesson"} + command);
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.isOneSentence() && refused.error.contains("is not overwritten"), refused.error.constData());
+    }
+}
+
+void TestLessonCommand::wrongUsage_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("no id") << QStringList{"new", "--out", "x.lesson.json"};
+    QTest::newRow("a task unheard of") << QStringList{"new", "--id", "a", "--task", "polish"};
+    QTest::newRow("a tooth in words") << QStringList{"new", "--id", "a", "--tooth", "molar"};
+    QTest::newRow("another suffix") << QStringList{"new", "--id", "a", "--out", "a.txt"};
+    QTest::newRow("nothing to pack") << QStringList{"pack", "--out", "a.cusplessons"};
+    QTest::newRow("no pack named") << QStringList{"unpack"};
+    QTest::newRow("no recording") << QStringList{"capture", "--out", "a.cuspideal"};
+    QTest::newRow("a tolerance in words")
+        << QStringList{"capture", "--out", "a.cuspideal", "a.cusprec", "--depth", "x"};
+    QTest::newRow("no picture named") << QStringList{"preview", "a.lesson.json"};
+    QTest::newRow("a picture too small") << QStringList{"preview", "a.lesson.json", "--out",
+                                                        "a.png",   "--size",        "100x100"};
+}
+
+void TestLessonCommand::wrongUsage()
+{
+    QFETCH(QStringList, arguments);
+    const Ending ending = runCusp(QStringList{"lesson"} + arguments);
+    QCOMPARE(ending.exitCode, 2);
+    QVERIFY2(ending.isOneSentence(), ending.error.constData());
+}
+
+void TestLessonCommand::aPackGoesThere()
+{
+    const QString lesson = file("mine.lesson.json");
+    QCOMPARE(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}).exitCode, 0);
+    const QString pack = file("course.cusplessons");
+    const Ending packed = runCusp({"lesson", "pack", lesson, "--out", pack});
+    QVERIFY2(packed.exitCode == 0, packed.error.constData());
+    QVERIFY(packed.out.contains("mine.lesson.json"));
+    const Ending unpacked = runCusp({"lesson", "unpack", pack, "--folder", file("theirs")});
+    QVERIFY2(unpacked.exitCode == 0, unpacked.error.constData());
+    QCOMPARE(runCusp({"lesson", "check", file("theirs/mine.lesson.json")}).exitCode, 0);
+    // And without being unpacked, where the packs of a folder are looked for.
+    const Ending listed =
+        runCusp({"lesson", "list", "--folder", m_folder->path(), "--json"}, {"XDG_CACHE_HOME=" + file("cache")});
+    bool offered = false;
+    for (const QJsonValue entry : listed.json()["lessons"].toArray())
+        offered = offered || entry.toObject()["id"].toString() == "mine";
+    QVERIFY(offered);
+    // A damaged one is refused, and nothing is written.
+    QFile damaged(pack);
+    QVERIFY(damaged.resize(damaged.size() / 2));
+    const Ending refused = runCusp({"lesson", "unpack", pack, "--folder", file("nobody")});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("course.cusplessons"),
+             refused.error.constData());
+    QVERIFY(!QFileInfo::exists(file("nobody")));
+}
+
+void TestLessonCommand::drawsWhatALessonAsksFor()
+{
+    const QString lesson = file("mine.lesson.json");
+    QCOMPARE(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}).exitCode, 0);
+    const Ending drawn = runCusp({"lesson", "preview", lesson, "--out", file("a.png"), "--size", "1000x700"});
+    QVERIFY2(drawn.exitCode == 0, drawn.error.constData());
+    const QImage sheet(file("a.png"));
+    QCOMPARE(sheet.size(), QSize(1000, 700));
+    QVERIFY(drawn.out.isEmpty());
+    QFile faulty(file("faulty.lesson.json"));
+    QVERIFY(faulty.open(QIODevice::WriteOnly) && faulty.write("{\"format\": 1}") > 0);
+    faulty.close();
+    const Ending refused = runCusp({"lesson", "preview", faulty.fileName(), "--out", file("b.png")});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
+    QVERIFY(!QFileInfo::exists(file("b.png")));
+}
+
+QTEST_GUILESS_MAIN(TestLessonCommand)
+#include "tst_lesson_command.moc"

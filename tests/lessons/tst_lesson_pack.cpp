@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/recording/Format.h"
+#include "core/teeth/ToothBuilder.h"
+#include "lessons/Assignment.h"
+#include "lessons/Capture.h"
+#include "lessons/LessonCatalog.h"
+#include "lessons/LessonPack.h"
+
+using namespace lessons;
+
+/// A captured ideal in a lesson, and lessons in a pack.
+class TestLessonPack : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+    void init() { m_folder.emplace(); }
+
+    void aCapturedIdealEarnsFullPointsOnItself();
+    void aRecordingTakesTheCapturedIdealAlong();
+    void faultsOfACapturedIdealNameFileAndKey();
+    void aCapturedIdealTakesThePlaceOfARule();
+    void theHashKnowsTheCapturedIdeal();
+    void tolerancesGoIntoTheRubric();
+
+    void aPackHoldsAllThatItsLessonsNeed();
+    void aPackInTheFolderIsOffered();
+    void unpackingOverwritesNothing();
+    void refusesNamesThatLeadElsewhere_data();
+    void refusesNamesThatLeadElsewhere();
+    void refusesAWrongHash();
+    void refusesABomb();
+    void truncatedOrFlippedIsRefused();
+    void refusesANewerFormat();
+    void refusesLinks();
+    void aFaultyLessonIsNotPacked();
+
+private:
+    QString write(const QString& name, const QByteArray& content) const
+    {
+        const QString path = m_folder->filePath(name);
+        QDir().mkpath(QFileInfo(path).path());
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("the scratch folder cannot be written");
+        return path;
+    }
+    QString write(const QString& name, const QJsonObject& object) const
+    {
+        return write(name, QJsonDocument(object).toJson());
+    }
+    static QString sentences(const ReadLesson& read)
+    {
+        QStringList all;
+        for (const Fault& fault : read.faults)
+            all << fault.sentence();
+        return all.join(QLatin1Char('\n'));
+    }
+    /// The Class I of 36, cut by rule and captured.
+    static core::preparation::CapturedIdeal captured()
+    {
+        const Lesson lesson = *readLesson(QStringLiteral(":/lessons/ideal-1-class1-1-36.lesson.json")).lesson;
+        const Assignment assignment = assign(lesson)->assignment;
+        const core::terrain::Tooth tooth = core::terrain::restored(assignment.anatomy, *assignment.ideal->top);
+        const core::terrain::Tooth* const one = &tooth;
+        return *core::preparation::capture(std::span(&one, 1), {}, {"shown.cusprec"});
+    }
+    QString writeCaptured(const QString& name) const
+    {
+        const std::string bytes = core::preparation::toBytes(captured());
+        return write(name, QByteArray::fromStdString(bytes));
+    }
+    static QJsonObject lesson()
+    {
+        return {{"format", 1},
+                {"id", "own-36"},
+                {"title", "Own"},
+                {"goal", "Cut as shown."},
+                {"task", "cut_ideal"},
+                {"tooth", QJsonObject{{"fdi", 36}, {"seed", 0}}},
+                {"ideal", QJsonObject{{"captured", "own.cuspideal"}}},
+                {"rubric", "class1"}};
+    }
+    /// A lesson with a base, a rubric of its own and a captured ideal.
+    QString writeLesson() const
+    {
+        writeCaptured("own.cuspideal");
+        QFile shipped(QStringLiteral(":/lessons/class1.rubric.json"));
+        if (!shipped.open(QIODevice::ReadOnly))
+            qFatal("a rubric is missing");
+        write("parts/own.rubric.json", shipped.readAll());
+        QJsonObject base = lesson();
+        base["rubric"] = "parts/own.rubric.json";
+        write("own.base.json", base);
+        return write("own.lesson.json", QJsonObject{{"format", 1}, {"based_on", "own.base.json"}});
+    }
+    static QByteArray packed(const QJsonObject& pack)
+    {
+        return QByteArray::fromStdString(core::recording::pack(QJsonDocument(pack).toJson().toStdString()));
+    }
+    static QJsonObject entry(const QString& name, const QByteArray& content)
+    {
+        return {{"name", name},
+                {"sha256", QString::fromLatin1(QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex())},
+                {"base64", QString::fromLatin1(content.toBase64())}};
+    }
+    static QJsonObject pack(const QJsonArray& files) { return {{"format", 1}, {"cusp", "lessons"}, {"files", files}}; }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+void TestLessonPack::aCapturedIdealEarnsFullPointsOnItself()
+{
+    writeCaptured("own.cuspideal");
+    const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
+    const auto assigned = assign(*read.lesson);
+    QVERIFY2(assigned, assigned ? "" : assigned.error().detail.c_str());
+    const Assignment& assignment = assigned->assignment;
+    const auto marked = mark(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top));
+    QVERIFY(marked);
+    for (const Criterion& line : marked->sheet.criteria)
+        QVERIFY2(line.lostTenths == 0 && line.measured, line.id.c_str());
+    QCOMPARE(marked->sheet.totalTenths, kFullTenths);
+    QVERIFY(!mark(assignment, core::terrain::Tooth(assignment.anatomy))->sheet.passed());
+}
+
+void TestLessonPack::aRecordingTakesTheCapturedIdealAlong()
+{
+    const QString ideal = writeCaptured("own.cuspideal");
+    const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+    const Assignment assignment = assign(*read.lesson)->assignment;
+    QVERIFY(core::recording::checkLesson(read.lesson->json));
+    const core::recording::Recording recording({}, assignment.anatomy, read.lesson->json);
+    QFile::remove(ideal);
+    const auto again = core::recording::Recording::fromBytes(recording.toBytes());
+    const auto marked = markAgain(*again);
+    QVERIFY2(marked, marked ? "" : marked.error().detail.c_str());
+    QVERIFY(marked->mark.measured.deviation->idealMm3 > 5.0);
+    const auto text = readLessonText(QByteArray::fromStdString(read.lesson->json), QStringLiteral("text"));
+    QVERIFY2(text.lesson, qPrintable(sentences(text)));
+    QVERIFY(*text.lesson == *read.lesson);
+}
+
+void TestLessonPack::faultsOfACapturedIdealNameFileAndKey()
+{
+    const auto says = [&](const QByteArray& content, const char* words) {
+        write("own.cuspideal", content);
+        const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+        QVERIFY(!read.lesson);
+        QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\"") &&
+                     sentences(read).contains(words),
+                 qPrintable(sentences(read)));
+    };
+    const QByteArray good = QByteArray::fromStdString(core::preparation::toBytes(captured()));
+    says(QByteArray(), "is empty");
+    says("hello", "not a captured ideal");
+    says(good.left(good.size() / 2), "ends early");
+    QByteArray flipped = good;
+    flipped[100] = static_cast<char>(flipped[100] ^ 4);
+    says(flipped, "is damaged");
+    says(QByteArray(10 * 1024 * 1024, 'x'), "has 10.0 MB");
+    QFile::remove(m_folder->filePath("own.cuspideal"));
+    QVERIFY(sentences(readLesson(write("own.lesson.json", lesson()))).contains("there is no file \"own.cuspideal\""));
+    QJsonObject out = lesson();
+    out["ideal"] = QJsonObject{{"captured", "../own.cuspideal"}};
+    QVERIFY(sentences(readLesson(write("own.lesson.json", out))).contains("leads out of the lesson's folder"));
+    // Of another tooth: the lesson reads well and cannot be given.
+    write("own.cuspideal", good);
+    QJsonObject other = lesson();
+    other["tooth"] = QJsonObject{{"fdi", 36}, {"seed", 5}};
+    const ReadLesson read = readLesson(write("own.lesson.json", other));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    const auto assigned = assign(*read.lesson);
+    QVERIFY(!assigned);
+    QVERIFY2(assigned.error().detail.find("own.cuspideal: The ideal was captured on the tooth '36' (seed 0") == 0,
+             assigned.error().detail.c_str());
+}
+
+void TestLessonPack::aCapturedIdealTakesThePlaceOfARule()
+{
+    writeCaptured("own.cuspideal");
+    QJsonObject object{{"format", 1},
+                       {"based_on", "ideal-1-class1-1-36.lesson.json"},
+                       {"id", "own"},
+                       {"ideal", QJsonObject{{"captured", "own.cuspideal"}}}};
+    QVERIFY(sentences(readLesson(write("own.lesson.json", object))).contains("\"kind\": null"));
+    object["ideal"] = QJsonObject{{"captured", "own.cuspideal"}, {"kind", QJsonValue()}, {"sizes", QJsonValue()}};
+    const ReadLesson read = readLesson(write("own.lesson.json", object));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QVERIFY(read.lesson->ideal->captured && read.lesson->ideal->kind.empty());
+}
+
+void TestLessonPack::theHashKnowsTheCapturedIdeal()
+{
+    writeCaptured("own.cuspideal");
+    const QString file = write("own.lesson.json", lesson());
+    const std::string first = readLesson(file).lesson->hash;
+    QCOMPARE(readLesson(file).lesson->hash, first);
+    auto other = captured();
+    other.heightsMm.front() -= 0.01F;
+    write("own.cuspideal", QByteArray::fromStdString(core::preparation::toBytes(other)));
+    QVERIFY(readLesson(file).lesson->hash != first);
+}
+
+void TestLessonPack::tolerancesGoIntoTheRubric()
+{
+    QFile shipped(QStringLiteral(":/lessons/class1.rubric.json"));
+    QVERIFY(shipped.open(QIODevice::ReadOnly));
+    const core::preparation::Tolerances wanted{0.12, 0.34, 3.5, 0.07};
+    QJsonObject object = lesson();
+    writeCaptured("own.cuspideal");
+    object["rubric"] = withTolerances(QJsonDocument::fromJson(shipped.readAll()).object(), wanted);
+    const ReadLesson read = readLesson(write("own.lesson.json", object));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QVERIFY(tolerancesOf(read.lesson->rubric) == wanted);
+    QVERIFY(tolerancesOf(Rubric{}, wanted) == wanted);
+}
+
+void TestLessonPack::aPackHoldsAllThatItsLessonsNeed()
+{
+    const QString file = writeLesson();
+    const auto bytes = packLessons({file, file});
+    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    const auto files = unpackLessons(*bytes);
+    QVERIFY2(files, files ? "" : files.error().detail.c_str());
+    QStringList names;
+    for (const PackedFile& packedFile : *files)
+        names << packedFile.name;
+    names.sort();
+    QCOMPARE(names, (QStringList{"own.base.json", "own.cuspideal", "own.lesson.json", "parts/own.rubric.json"}));
+    QTemporaryDir elsewhere;
+    QVERIFY(putInto(elsewhere.filePath("mine"), *files));
+    const ReadLesson there = readLesson(elsewhere.filePath("mine/own.lesson.json"));
+    QVERIFY2(there.lesson, qPrintable(sentences(there)));
+    QCOMPARE(there.lesson->hash, readLesson(file).lesson->hash);
+}
+
+void TestLessonPack::aPackInTheFolderIsOffered()
+{
+    const auto bytes = packLessons({writeLesson()});
+    QTemporaryDir teachers;
+    const auto put = [&](const QString& name, const QByteArray& content) {
+        QFile file(teachers.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+    };
+    put("course.cusplessons", *bytes);
+    put("damaged.cusplessons", bytes->left(bytes->size() / 2));
+    const auto shipped = readCatalog({}).size();
+    auto entries = readCatalog(teachers.path());
+    QCOMPARE(entries.size(), shipped + 2);
+    const CatalogEntry& offered = entries[shipped];
+    QVERIFY2(offered.read.lesson && offered.read.lesson->id == "own-36", qPrintable(sentences(offered.read)));
+    QVERIFY(assign(*offered.read.lesson));
+    QVERIFY2(entries.back().isFaulty() && sentences(entries.back().read).contains("damaged.cusplessons"),
+             qPrintable(sentences(entries.back().read)));
+    // Unpacked beside its pack, it is there once.
+    QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
+    QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
+}
+
+void TestLessonPack::unpackingOverwritesNothing()
+{
+    const auto files = *unpackLessons(*packLessons({writeLesson()}));
+    QVERIFY(putInto(m_folder->path(), files));  // all is there as it is in the pack
+    write("own.base.json", QByteArray("mine"));
+    QFile::remove(m_folder->filePath("own.cuspideal"));
+    const auto refused = putInto(m_folder->path(), files);
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().detail.find("own.base.json") != std::string::npos, refused.error().detail.c_str());
+    QVERIFY(!QFileInfo::exists(m_folder->filePath("own.cuspideal")));  // nothing was written
+}
+
+void TestLessonPack::refusesNamesThatLeadElsewhere_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString name :
+         {"../a.json", "/etc/a.json", "a/../../b.json", "C:\\a.json", ":/lessons/a.json", "", ".bashrc.json",
+          "a/.hidden/b.json", "a//b.json", "run.sh", "a.json/", "C:a.json", "tab\t.json", "a.desktop"})
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void TestLessonPack::refusesNamesThatLeadElsewhere()
+{
+    QFETCH(QString, name);
+    const auto refused = unpackLessons(packed(pack({entry("good.json", "{}"), entry(name, "x")})));
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().detail.find("leads out of its folder") != std::string::npos,
+             refused.error().detail.c_str());
+}
+
+void TestLessonPack::refusesAWrongHash()
+{
+    QJsonObject wrong = entry("a.json", "{}");
+    wrong["sha256"] = entry("a.json", "{ }")["sha256"];
+    const auto refused = unpackLessons(packed(pack({wrong})));
+    QVERIFY2(!refused && refused.error().detail.find("not what its hash says") != std::string::npos,
+             refused.error().detail.c_str());
+    wrong = entry("a.json", "{}");
+    wrong["base64"] = "e30=*";
+    QVERIFY(!unpackLessons(packed(pack({wrong}))));
+    QVERIFY(!unpackLessons(packed(pack({entry("a.json", "{}"), entry("A.json", "{}")}))));
+}
+
+void TestLessonPack::refusesABomb()
+{
+    // 200 MB of nothing in a few kilobytes.
+    const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(std::string(200'000'000, ' ')));
+    QVERIFY(bomb.size() < 100'000);
+    const auto refused = unpackLessons(bomb);
+    QVERIFY2(!refused && refused.error().detail.find("more than 64.0 MB") != std::string::npos,
+             refused.error().detail.c_str());
+    QJsonArray many;
+    for (int k = 0; k < 600; ++k)
+        many << entry(QStringLiteral("%1.json").arg(k), "{}");
+    QVERIFY(unpackLessons(packed(pack(many))).error().detail.find("600 files") != std::string::npos);
+    QVERIFY(!unpackLessons(packed(pack({}))));
+}
+
+void TestLessonPack::truncatedOrFlippedIsRefused()
+{
+    const QByteArray whole = *packLessons({write("own.lesson.json", [] {
+        QJsonObject plain = lesson();
+        plain["ideal"] = QJsonObject{{"kind", "class1"}};
+        return plain;
+    }())});
+    for (qsizetype length = 0; length < whole.size(); ++length)
+        QVERIFY(!unpackLessons(whole.left(length)));
+    QByteArray bytes = whole;
+    int accepted = 0;
+    for (qsizetype k = 0; k < bytes.size(); ++k)
+        for (int bit = 0; bit < 8; ++bit) {
+            bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
+            // A bit that changes no file, such as one in the frame's head that nobody reads, harms nobody.
+            if (const auto files = unpackLessons(bytes)) {
+                ++accepted;
+                QCOMPARE(files->size(), std::size_t{1});
+                QCOMPARE(files->front().content, unpackLessons(whole)->front().content);
+            }
+            bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
+        }
+    qInfo("%d of %d flipped bits changed no file", accepted, static_cast<int>(8 * bytes.size()));
+}
+
+void TestLessonPack::refusesANewerFormat()
+{
+    QJsonObject newer = pack({entry("a.json", "{}")});
+    newer["format"] = 2;
+    QVERIFY(unpackLessons(packed(newer)).error().code == core::ErrorCode::NewerVersion);
+    QVERIFY(unpackLessons(packed(QJsonObject{{"format", 1}})).error().code == core::ErrorCode::WrongKind);
+    QVERIFY(unpackLessons("hello").error().code == core::ErrorCode::WrongKind);
+}
+
+void TestLessonPack::refusesLinks()
+{
+    QTemporaryDir outside;
+    QVERIFY(QFile::link(outside.path(), m_folder->filePath("sub")));
+    const auto refused = putInto(m_folder->path(), {{"sub/a.json", "{}"}});
+    QVERIFY(!refused && refused.error().detail.find("is a link to elsewhere") != std::string::npos);
+    QVERIFY(!QFileInfo::exists(outside.filePath("a.json")));
+}
+
+void TestLessonPack::aFaultyLessonIsNotPacked()
+{
+    QJsonObject faulty = lesson();
+    faulty["grid"] = 3;
+    const auto refused = packLessons({write("faulty.lesson.json", faulty)});
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().detail.find("faulty.lesson.json, grid") == 0, refused.error().detail.c_str());
+    QVERIFY(!packLessons({}));
+    QVERIFY(!packLessons({m_folder->filePath("none.lesson.json")}));
+}
+
+QTEST_GUILESS_MAIN(TestLessonPack)
+#include "tst_lesson_pack.moc"

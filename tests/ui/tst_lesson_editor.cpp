@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lesson editor: a draft and what it comes to, the page, and the sweep over tolerances.
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/preparation/CapturedIdeal.h"
+#include "lessons/LessonCatalog.h"
+#include "ui/shell/Actions.h"
+#include "ui/study/LessonEditor.h"
+#include "ui/study/SweepChart.h"
+
+using namespace ui::study;
+
+class TestLessonEditor : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init();
+
+    void everyShippedIdealScoresFullOnItself();
+    void aDeeperIdealIsCutDeeper();
+    void aWiderToleranceIsAWiderBand();
+    void whatIsWrongIsSaidBesideItsField();
+    void changesInARowAreOneStepBack();
+    void aShippedLessonIsSavedAsTheTeachersOwn();
+    void saveRefusesNothingSilently();
+    void aCapturedIdealIsChosenAndUndone();
+    void fitWidensToWhatTheIdealNeeds();
+    void sweepMarksEachAttemptUnderEachTolerance();
+    void attemptsOfAFolderAreReadAndTheRestIsNamed();
+    void replayingIsCalledOff();
+
+private:
+    ::lessons::ReadLesson shipped(const QString& id) const
+    {
+        for (const ::lessons::CatalogEntry& entry : ::lessons::readCatalog({}))
+            if (entry.read.lesson && QString::fromStdString(entry.read.lesson->id) == id)
+                return entry.read;
+        qFatal("no such lesson");
+        return {};
+    }
+    void open(const QString& id)
+    {
+        m_editor->edit(shipped(id), m_folder->path());
+        QTRY_VERIFY2(check().contains("100"), qPrintable(check()));
+    }
+    QString check() const { return m_editor->findChild<QLabel*>("selfCheck")->text(); }
+    QString saidBelow() const { return m_editor->findChild<QLabel*>("editorSaid")->text(); }
+    QDoubleSpinBox* spin(const QString& name) const
+    {
+        auto* found = m_editor->findChild<QDoubleSpinBox*>(name);
+        if (found == nullptr)
+            qFatal("no input %s", qPrintable(name));
+        return found;
+    }
+    bool anyFault(const QString& part) const
+    {
+        for (const QLabel* label : m_editor->findChildren<QLabel*>())
+            if (!label->isHidden() && label->text().startsWith(u'⚠') && label->text().contains(part))
+                return true;
+        return false;
+    }
+    QJsonObject saved(const QString& name) const
+    {
+        QFile file(m_folder->filePath(name));
+        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+    }
+
+    std::optional<QTemporaryDir> m_folder;
+    std::unique_ptr<QMainWindow> m_window;
+    LessonEditor* m_editor = nullptr;
+};
+
+void TestLessonEditor::init()
+{
+    m_folder.emplace();
+    m_window = std::make_unique<QMainWindow>();
+    auto* actions = new ui::shell::Actions(m_window.get());
+    m_editor = new LessonEditor(*actions, m_window.get());
+    m_window->setCentralWidget(m_editor);
+    m_window->resize(1280, 800);
+    m_window->show();
+}
+
+void TestLessonEditor::everyShippedIdealScoresFullOnItself()
+{
+    for (const ::lessons::CatalogEntry& entry : ::lessons::readCatalog({})) {
+        if (entry.read.lesson->task == ::lessons::Task::RemoveDecay)
+            continue;
+        LessonDraft draft;
+        draft.begin(entry.read, m_folder->path());
+        const auto weighed = weigh(draft.object(), draft.file(), {});
+        QVERIFY2(weighed->isFullMarks(), entry.read.lesson->id.c_str());
+        QVERIFY2(!weighed->fields.empty(), entry.read.lesson->id.c_str());
+        QVERIFY(weighed->band && !weighed->above.outlineMm.isEmpty());
+    }
+}
+
+void TestLessonEditor::aDeeperIdealIsCutDeeper()
+{
+    LessonDraft draft;
+    draft.begin(shipped("class1-36"), m_folder->path());
+    const auto first = weigh(draft.object(), draft.file(), {});
+    draft.setSize("depth_mm", 2.0);
+    const auto deeper = weigh(draft.object(), draft.file(), first);
+    QVERIFY2(deeper->assignment, qPrintable(deeper->read.faults.empty() ? "" : deeper->read.faults[0].sentence()));
+    QVERIFY(deeper->assignment->anatomy == first->assignment->anatomy);  // the tooth was not made again
+    const auto lowest = [](const Weighed& of) {
+        float low = 0.0F;
+        for (std::size_t k = 0; k < of.assignment->ideal->parts.size(); ++k)
+            if (of.assignment->ideal->parts[k] != core::grading::Part::Keep)
+                low = std::min(low, (*of.assignment->ideal->top)[k]);
+        return low;
+    };
+    QVERIFY2(std::abs(lowest(*first) - lowest(*deeper) - 0.5F) < 0.05F,
+             qPrintable(QStringLiteral("%1 %2").arg(lowest(*first)).arg(lowest(*deeper))));
+    QVERIFY(deeper->isFullMarks());
+}
+
+void TestLessonEditor::aWiderToleranceIsAWiderBand()
+{
+    LessonDraft draft;
+    draft.begin(shipped("class1-36"), m_folder->path());
+    auto weighed = weigh(draft.object(), draft.file(), {});
+    const auto mayMm2 = [](const Weighed& of) {
+        std::size_t columns = 0;
+        for (std::size_t k = 0; k < of.band->deepestMm.size(); ++k)
+            columns += of.band->deepestMm[k] < of.band->shallowestMm[k] ? 1 : 0;
+        const double cell = of.assignment->anatomy->grid.cellMm;
+        return static_cast<double>(columns) * cell * cell;
+    };
+    double slowest = 0.0;
+    double before = 0.0;
+    for (const double tolerance : {0.1, 0.3, 0.6, 1.0}) {
+        draft.setCriterion(1, "tolerance", tolerance);  // the outline
+        weighed = weigh(draft.object(), draft.file(), weighed);
+        QVERIFY(mayMm2(*weighed) > before + 0.1);
+        before = mayMm2(*weighed);
+        slowest = std::max(slowest, weighed->milliseconds);
+    }
+    double slowestIdeal = 0.0;
+    for (const double depth : {1.4, 1.6, 1.8}) {
+        draft.setSize("depth_mm", depth);
+        weighed = weigh(draft.object(), draft.file(), weighed);
+        slowestIdeal = std::max(slowestIdeal, weighed->milliseconds);
+    }
+    qInfo("a tolerance is weighed in %.1f ms, another ideal in %.1f ms at most", slowest, slowestIdeal);
+}
+
+void TestLessonEditor::whatIsWrongIsSaidBesideItsField()
+{
+    open("class1-36");
+    // No bur leaves a line angle of 0.4 mm that has a radius of 0.3 mm.
+    spin("bur_radius_mm")->setValue(0.3);
+    spin("line_angle_mm")->setValue(0.5);
+    QTRY_VERIFY(anyFault("no bur leaves that"));
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("Not saved"), qPrintable(saidBelow()));
+    m_editor->undo();
+    QTRY_VERIFY(!anyFault("no bur leaves that"));
+    QTRY_COMPARE(spin("line_angle_mm")->value(), 0.2);
+}
+
+void TestLessonEditor::changesInARowAreOneStepBack()
+{
+    open("class1-36");
+    QVERIFY(!m_editor->canUndo());
+    for (const double value : {1.6, 1.7, 1.8})
+        spin("depth_mm")->setValue(value);
+    spin("tolerance.depth")->setValue(0.4);
+    QVERIFY(m_editor->canUndo() && !m_editor->canRedo());
+    m_editor->undo();
+    QTRY_COMPARE(spin("tolerance.depth")->value(), 0.25);
+    QCOMPARE(spin("depth_mm")->value(), 1.8);
+    m_editor->undo();
+    QTRY_COMPARE(spin("depth_mm")->value(), 1.5);
+    QVERIFY(!m_editor->canUndo());
+    m_editor->redo();
+    m_editor->redo();
+    QTRY_COMPARE(spin("tolerance.depth")->value(), 0.4);
+    QTRY_COMPARE(spin("depth_mm")->value(), 1.8);
+}
+
+void TestLessonEditor::aShippedLessonIsSavedAsTheTeachersOwn()
+{
+    open("class1-36");
+    spin("depth_mm")->setValue(1.75);
+    spin("tolerance.outline")->setValue(0.35);
+    QTRY_VERIFY(check().contains("100"));
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    const QJsonObject object = saved("class1-36-own.lesson.json");
+    QCOMPARE(object["based_on"].toString(), QString("ideal-1-class1-1-36.lesson.json"));
+    QCOMPARE(object["ideal"].toObject()["sizes"].toObject()["depth_mm"].toDouble(), 1.75);
+    const auto read = ::lessons::readLesson(m_folder->filePath("class1-36-own.lesson.json"));
+    QVERIFY(read.lesson);
+    QVERIFY2(read.faults.empty(), qPrintable(read.faults.empty() ? QString() : read.faults[0].sentence()));
+    QCOMPARE(read.lesson->ideal->sizes.at("depth_mm"), 1.75);
+    const ::lessons::Rubric before = shipped("class1-36").lesson->rubric;
+    for (std::size_t k = 0; k < before.criteria.size(); ++k) {
+        const ::lessons::CriterionRule& rule = read.lesson->rubric.criteria.at(k);
+        QCOMPARE(rule.tolerance, rule.id == "outline" ? 0.35 : before.criteria[k].tolerance);
+    }
+    QCOMPARE(read.lesson->rubric.id, std::string("class1-own"));
+    QCOMPARE(read.lesson->version, 1);
+    // Opened again it is changed where it stands, under a higher version.
+    m_editor->edit(read, m_folder->path());
+    QTRY_COMPARE(spin("depth_mm")->value(), 1.75);
+    spin("depth_mm")->setValue(1.6);
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    QCOMPARE(saved("class1-36-own.lesson.json")["version"].toInt(), 2);
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 1);
+}
+
+void TestLessonEditor::saveRefusesNothingSilently()
+{
+    open("class1-36");
+    auto* weight = [&] {
+        for (auto* input : m_editor->findChildren<QDoubleSpinBox*>())
+            if (input->accessibleName().startsWith("Weight"))
+                return input;
+        return static_cast<QDoubleSpinBox*>(nullptr);
+    }();
+    QVERIFY(weight != nullptr);
+    weight->setValue(weight->value() + 5.0);
+    QTRY_VERIFY(anyFault("they must make 100"));
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("Not saved: class1-36-own.lesson.json, rubric"), qPrintable(saidBelow()));
+    QVERIFY(QDir(m_folder->path()).isEmpty());
+    m_editor->undo();
+    // A name that somebody else took meanwhile.
+    QFile other(m_folder->filePath("class1-36-own.lesson.json"));
+    QVERIFY(other.open(QIODevice::WriteOnly) && other.write("{}") == 2);
+    other.close();
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("there is a file class1-36-own.lesson.json already"), qPrintable(saidBelow()));
+    QVERIFY(saved("class1-36-own.lesson.json").isEmpty());
+}
+
+void TestLessonEditor::aCapturedIdealIsChosenAndUndone()
+{
+    const auto assignment = ::lessons::assign(*shipped("class1-36").lesson)->assignment;
+    std::vector<float> top = *assignment.ideal->top;
+    for (std::size_t k = 0; k < top.size(); ++k)
+        if (assignment.ideal->parts[k] != core::grading::Part::Keep)
+            top[k] -= 0.3F;
+    const core::terrain::Tooth cut = core::terrain::restored(assignment.anatomy, top);
+    const core::terrain::Tooth* const one = &cut;
+    const auto ideal = core::preparation::capture(std::span(&one, 1), {0.4, 0.5, 8.0, 0.2}, {"mine"});
+    QVERIFY(core::preparation::writeCaptured(m_folder->filePath("mine.cuspideal").toStdString(), *ideal));
+    open("class1-36");
+    auto* reference = m_editor->findChild<QComboBox*>("reference");
+    QTRY_COMPARE(reference->count(), 2);
+    reference->setCurrentIndex(1);
+    emit reference->activated(1);
+    QTRY_VERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);  // nothing to set by rule
+    QCOMPARE(spin("tolerance.outline")->value(), 0.4);
+    QTRY_VERIFY2(check().contains("100.0"), qPrintable(check()));
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    const auto read = ::lessons::readLesson(m_folder->filePath("class1-36-own.lesson.json"));
+    QVERIFY2(read.lesson && read.lesson->ideal->captured,
+             qPrintable(read.faults.empty() ? QString() : read.faults[0].sentence()));
+    m_editor->undo();
+    QTRY_VERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") != nullptr);
+    QTRY_COMPARE(spin("tolerance.outline")->value(), 0.3);
+}
+
+/// A ridge that is thinner than the rubric wants: the ideal would lose points on itself.
+void TestLessonEditor::fitWidensToWhatTheIdealNeeds()
+{
+    open("class1-36");
+    spin("ridge_mm")->setValue(0.9);
+    QTRY_VERIFY2(check().contains("only"), qPrintable(check()));
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("whoever cuts exactly this ideal would lose points"), qPrintable(saidBelow()));
+    for (auto* button : m_editor->findChildren<QPushButton*>())
+        if (button->accessibleName().startsWith("Fit"))
+            button->click();
+    QTRY_VERIFY2(check().contains("scores 100"), qPrintable(check()));
+    m_editor->save();
+    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+}
+
+void TestLessonEditor::sweepMarksEachAttemptUnderEachTolerance()
+{
+    const ::lessons::Lesson lesson = *shipped("class1-36").lesson;
+    const auto assignment = ::lessons::assign(lesson)->assignment;
+    std::vector<PastAttempt> attempts;
+    for (const float tooDeep : {0.0F, 0.4F, 0.9F}) {
+        std::vector<float> top = *assignment.ideal->top;
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (assignment.ideal->parts[k] == core::grading::Part::Floor)
+                top[k] -= tooDeep;
+        attempts.push_back(
+            {QString::number(tooDeep), core::preparation::surfaceHash(*assignment.anatomy), std::move(top), {}});
+    }
+    PastAttempt other = attempts.front();
+    other.surface += 1;
+    attempts.push_back(other);
+    const auto measured = measureAttempts(assignment, attempts);
+    QCOMPARE(measured.size(), std::size_t{3});                // that of another tooth is left out
+    const Sweep sweep = sweepOf(lesson.rubric, measured, 0);  // the depth alone
+    QCOMPARE(sweep.times.size(), std::size_t{kSweepSteps});
+    QCOMPARE(sweep.times.back(), kMostTimes);
+    // Each as the rubric's own arithmetic has it: 20 points over 0.75 mm beyond the tolerance.
+    for (std::size_t step = 0; step < sweep.times.size(); ++step) {
+        ::lessons::Rubric rubric = lesson.rubric;
+        rubric.criteria[0].tolerance *= sweep.times[step];
+        int passed = 0;
+        for (std::size_t k = 0; k < measured.size(); ++k) {
+            const auto sheet = ::lessons::grade(rubric, measured[k].values);
+            QCOMPARE(sweep.lines[k].tenths[step], sheet.totalTenths);
+            passed += sheet.passed() ? 1 : 0;
+            if (step > 0)
+                QVERIFY(sweep.lines[k].tenths[step] >= sweep.lines[k].tenths[step - 1]);
+        }
+        QCOMPARE(sweep.passed[step], passed);
+    }
+    QCOMPARE(sweep.lines[0].tenths[sweep.stepOf(1.0)], ::lessons::kFullTenths);
+    QVERIFY(sweep.lines[2].tenths.back() > sweep.lines[2].tenths.front());
+    SweepChart chart(nullptr);
+    chart.setSweep(sweep);
+    QVERIFY2(chart.words(1.0).contains("of 3 pass"), qPrintable(chart.words(1.0)));
+}
+
+void TestLessonEditor::attemptsOfAFolderAreReadAndTheRestIsNamed()
+{
+    const auto assignment = ::lessons::assign(*shipped("class1-36").lesson)->assignment;
+    for (const QString name : {"a.cusprec", "b.cusprec"})
+        QVERIFY(core::recording::writeRecording(m_folder->filePath(name).toStdString(),
+                                                core::recording::Recording({}, assignment.anatomy)));
+    QFile noise(m_folder->filePath("noise.cusprec"));
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
+    noise.close();
+    std::atomic<bool> cancel = false;
+    int last = 0;
+    const PastAttempts past = readAttempts(
+        m_folder->path(), [&](int done, int) { last = done; }, cancel);
+    QCOMPARE(past.attempts.size(), std::size_t{2});
+    QCOMPARE(last, 3);
+    QCOMPARE(past.faults.size(), 1);
+    QVERIFY2(past.faults[0].contains("noise.cusprec"), qPrintable(past.faults[0]));
+    open("class1-36");
+    m_editor->readFolder(m_folder->path());
+    const auto* words = m_editor->findChild<QLabel*>("sweepWords");
+    QTRY_VERIFY2(words->text().contains("0 of 2 pass") && words->text().contains("could not be read"),
+                 qPrintable(words->text()));
+}
+
+void TestLessonEditor::replayingIsCalledOff()
+{
+    std::atomic<bool> cancel = true;
+    QVERIFY(readAttempts(
+                QStringLiteral(CUSP_SOURCE_DIR "/tests/golden"), [](int, int) {}, cancel)
+                .attempts.empty());
+}
+
+QTEST_MAIN(TestLessonEditor)
+#include "tst_lesson_editor.moc"

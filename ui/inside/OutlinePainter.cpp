@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inside/OutlinePainter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include "core/grading/Columns.h"
+#include "core/grading/Outline.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::inside {
+namespace {
+
+constexpr QRgb kGround = 0xFF15181A;
+constexpr QRgb kWords = 0xFFB6BDBF;
+constexpr QRgb kIdeal = 0xFFFFD23F;
+constexpr QRgb kUnderIdeal = 0xB0101214;
+constexpr QRgb kBand = 0x9056C7C9;
+constexpr QRgb kBandEdge = 0xFF0B4F51;
+constexpr QRgb kSpan = 0x48E0932A;
+constexpr QRgb kPlane = 0xFFECEEEE;
+constexpr double kMarginPx = 24.0;
+constexpr double kAroundMm = 0.4;
+constexpr double kLightX = -0.5;
+constexpr double kLightY = 0.6;
+constexpr double kLightZ = 0.62;
+
+struct Fit
+{
+    double pxPerMm = 1.0;
+    QPointF middle;
+    QPointF middleMm;
+
+    [[nodiscard]] QPointF at(QPointF mm) const
+    {
+        return middle + QPointF((mm.x() - middleMm.x()) * pxPerMm, (middleMm.y() - mm.y()) * pxPerMm);
+    }
+};
+
+Fit fitOf(const QRectF& area, const FromAbove& above)
+{
+    const QRectF plot = area.adjusted(kMarginPx, kMarginPx, -kMarginPx, -2.0 * kMarginPx);
+    const QRectF mm = above.shownMm;
+    return {
+        std::max(1.0, std::min(plot.width() / std::max(1.0, mm.width()), plot.height() / std::max(1.0, mm.height()))),
+        plot.center(), mm.center()};
+}
+
+/// The tooth as a soft light from the upper left shows it.
+QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
+{
+    const core::terrain::Grid& grid = anatomy.grid;
+    QImage picture(grid.side, grid.side, QImage::Format_ARGB32_Premultiplied);
+    picture.fill(Qt::transparent);
+    const auto height = [&](int i, int j, float otherwise) {
+        return grid.contains(i, j) && core::grading::wasSolid(anatomy, grid.index(i, j)) ? anatomy.top[grid.index(i, j)]
+                                                                                         : otherwise;
+    };
+    for (int j = 0; j < grid.side; ++j) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(grid.side - 1 - j));
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            if (!core::grading::wasSolid(anatomy, k))
+                continue;
+            const glm::dvec2 at = grid.nodeMm(i, j);
+            shownMm |= QRectF(at.x, at.y, grid.cellMm, grid.cellMm);
+            const float here = anatomy.top[k];
+            const double dx =
+                static_cast<double>(height(i + 1, j, here) - height(i - 1, j, here)) / (2.0 * grid.cellMm);
+            const double dy =
+                static_cast<double>(height(i, j + 1, here) - height(i, j - 1, here)) / (2.0 * grid.cellMm);
+            const double lit =
+                std::max(0.0, (-kLightX * dx - kLightY * dy + kLightZ) / std::sqrt(1.0 + dx * dx + dy * dy));
+            const int grey = std::clamp(static_cast<int>(std::lround(70.0 + 150.0 * lit)), 0, 255);
+            line[i] = qRgb(grey, grey * 97 / 100, grey * 92 / 100);
+        }
+    }
+    return picture;
+}
+
+}  // namespace
+
+FromAbove fromAbove(const core::terrain::ToothAnatomy& anatomy, const std::vector<float>& idealTop)
+{
+    FromAbove above;
+    const core::terrain::Grid& grid = anatomy.grid;
+    above.relief = reliefOf(anatomy, above.shownMm);
+    above.shownMm.adjust(-kAroundMm, -kAroundMm, kAroundMm, kAroundMm);
+    const double wide = grid.side * grid.cellMm;
+    above.reliefMm = {grid.originMm.x - 0.5 * grid.cellMm, grid.originMm.y - 0.5 * grid.cellMm, wide, wide};
+    std::vector<float> end = idealTop;
+    for (std::size_t k = 0; k < end.size(); ++k)
+        if (core::grading::wasSolid(anatomy, k))
+            end[k] = std::max(end[k], anatomy.bottom[k]);
+    for (const auto& segment : core::grading::Outline(anatomy, end).segments()) {
+        above.outlineMm.moveTo(segment.fromMm.x, segment.fromMm.y);
+        above.outlineMm.lineTo(segment.toMm.x, segment.toMm.y);
+    }
+    return above;
+}
+
+QPointF placeOf(const QRectF& area, const FromAbove& above, QPointF mm)
+{
+    return fitOf(area, above).at(mm);
+}
+
+QPointF mmAt(const QRectF& area, const FromAbove& above, QPointF place)
+{
+    const Fit fit = fitOf(area, above);
+    const QPointF way = (place - fit.middle) / fit.pxPerMm;
+    return {fit.middleMm.x() + way.x(), fit.middleMm.y() - way.y()};
+}
+
+void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& scene)
+{
+    const FromAbove& above = *scene.above;
+    const Fit fit = fitOf(area, above);
+    painter.save();
+    painter.setClipRect(area, Qt::IntersectClip);
+    painter.fillRect(area, QColor(kGround));
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawImage(QRectF(fit.at({above.reliefMm.left(), above.reliefMm.bottom()}),
+                             fit.at({above.reliefMm.right(), above.reliefMm.top()})),
+                      above.relief);
+    QTransform onPaper(fit.pxPerMm, 0.0, 0.0, -fit.pxPerMm, 0.0, 0.0);
+    const QPointF origin = fit.at({0.0, 0.0});
+    onPaper *= QTransform::fromTranslate(origin.x(), origin.y());
+    const QPainterPath outline = onPaper.map(above.outlineMm);
+    // One stroke as wide as the band is exactly what lies no farther from the outline.
+    const auto band = [&](double wideMm, const QBrush& brush) {
+        if (wideMm > 0.0)
+            painter.strokePath(outline, QPen(brush, 2.0 * wideMm * fit.pxPerMm, Qt::SolidLine, Qt::RoundCap));
+    };
+    if (scene.spanMm > 0.0)
+        band(scene.toleranceMm + scene.spanMm, QColor::fromRgba(kSpan));
+    band(scene.toleranceMm, QColor::fromRgba(kBand));
+    band(scene.toleranceMm, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+    painter.strokePath(outline, QPen(QColor::fromRgba(kUnderIdeal), 4.0, Qt::SolidLine, Qt::RoundCap));
+    painter.strokePath(outline, QPen(QColor(kIdeal), 2.0, Qt::SolidLine, Qt::RoundCap));
+
+    if (scene.plane) {
+        const glm::dvec2 way = scene.plane->direction();
+        const glm::dvec2 through = scene.plane->throughMm;
+        const double far = above.shownMm.width() + above.shownMm.height();
+        painter.save();
+        painter.setClipRect(area.adjusted(0.0, kMarginPx, 0.0, -kMarginPx), Qt::IntersectClip);
+        painter.setPen(QPen(QColor(kPlane), 1.4, Qt::DashLine));
+        painter.drawLine(fit.at({through.x - far * way.x, through.y - far * way.y}),
+                         fit.at({through.x + far * way.x, through.y + far * way.y}));
+        painter.restore();
+    }
+
+    painter.setFont(shell::typeface(shell::kSmall, QFont::Medium));
+    painter.setPen(QColor(kWords));
+    const QRectF words = area.adjusted(8.0, 4.0, -8.0, -kMarginPx);
+    const auto side = [&](double angleRad) { return text::directionName(*scene.anatomy, angleRad); };
+    using std::numbers::pi;
+    painter.drawText(words, Qt::AlignTop | Qt::AlignHCenter, QChar(0x2191) + QStringLiteral(" ") + side(0.5 * pi));
+    painter.drawText(words, Qt::AlignTop | Qt::AlignLeft, QChar(0x2190) + QStringLiteral(" ") + side(pi));
+    painter.drawText(words, Qt::AlignTop | Qt::AlignRight, side(0.0) + QStringLiteral(" ") + QChar(0x2192));
+    painter.setFont(shell::typeface(shell::kSmall));
+    double x = area.left() + 8.0;
+    const double y = area.bottom() - 0.5 * kMarginPx;
+    const auto key = [&](const QBrush& brush, const QBrush& hatch, const QString& name) {
+        const QRectF square(x, y - 7.0, 13.0, 13.0);
+        painter.fillRect(square, brush);
+        painter.fillRect(square, hatch);
+        x += 18.0;
+        painter.setPen(QColor(kWords));
+        const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
+        painter.drawText(QRectF(x, y - 9.0, width + 2.0, 18.0), Qt::AlignLeft | Qt::AlignVCenter, name);
+        x += width + 12.0;
+    };
+    painter.setPen(QPen(QColor(kIdeal), 2.0));
+    painter.drawLine(QPointF(x, y), QPointF(x + 20.0, y));
+    x += 8.0;
+    key(Qt::NoBrush, Qt::NoBrush, QCoreApplication::translate("Section", "ideal preparation"));
+    if (scene.toleranceMm > 0.0)
+        key(QColor::fromRgba(kBand), QBrush(QColor(kBandEdge), Qt::BDiagPattern),
+            QCoreApplication::translate("Section", "within tolerance"));
+    if (scene.spanMm > 0.0)
+        //: In the key of a picture: farther out, all points of this criterion are lost
+        key(QColor::fromRgba(kSpan), Qt::NoBrush, QCoreApplication::translate("Section", "costs points"));
+    painter.restore();
+}
+
+}  // namespace ui::inside

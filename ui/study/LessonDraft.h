@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QList>
+#include <QString>
+
+#include "core/preparation/CapturedIdeal.h"
+#include "core/preparation/ToleranceBand.h"
+#include "core/preparation/ToothDesign.h"
+#include "lessons/Assignment.h"
+#include "lessons/LessonReader.h"
+#include "ui/inside/OutlinePainter.h"
+
+namespace ui::study {
+
+/// A number of the ideal that a teacher may change.
+struct IdealField
+{
+    QString id;    ///< in the file
+    QString name;  ///< in the user's language
+    QString unit;  ///< may be empty
+    double value = 0.0;
+    double minimum = 0.0;
+    double maximum = 0.0;
+    bool whole = false;
+};
+
+/// What a draft comes to: read, given and marked as any lesson is.
+struct Weighed
+{
+    ::lessons::ReadLesson read;  ///< with what is wrong
+    std::optional<::lessons::Assignment> assignment;
+    std::vector<IdealField> fields;  ///< none of a captured ideal, and where decay is to be removed
+    std::optional<core::preparation::ToothDesign> usual;  ///< for this tooth, where the ideal is made by rule
+    double outlineMm = 0.0;                               ///< tolerance of the outline, or the leeway beside a shape
+    double spanMm = 0.0;                                  ///< beyond it, until all points of that criterion are lost
+    double depthMm = 0.0;                                 ///< tolerance of the depth, or the leeway below a shape
+    std::optional<core::preparation::ToleranceBand> band;
+    inside::FromAbove above;
+    std::optional<::lessons::ScoreSheet> itself;  ///< the ideal, marked as if a student had cut it
+    double milliseconds = 0.0;                    ///< that this took
+
+    [[nodiscard]] bool isFullMarks() const { return itself && itself->totalTenths == ::lessons::kFullTenths; }
+};
+
+/// Any thread that may wait. A change of tolerances takes some ten milliseconds, of the ideal some tens more; a new
+/// tooth is made only where the draft asks for another one.
+/// @param before  what it came to last, to be used again; may be null
+[[nodiscard]] std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& file,
+                                                   const std::shared_ptr<const Weighed>& before);
+
+/// A lesson while it is edited: the object of its file, where it will stand, and all that can be taken back. Ui thread.
+class LessonDraft
+{
+public:
+    /// A shipped lesson becomes one of the teacher's own, based on it; his own is changed where it stands.
+    void begin(const ::lessons::ReadLesson& lesson, const QString& teachersFolder);
+
+    [[nodiscard]] const QJsonObject& object() const { return m_states[m_at]; }
+    [[nodiscard]] const QString& file() const { return m_file; }
+    [[nodiscard]] bool canUndo() const { return m_at > 0; }
+    [[nodiscard]] bool canRedo() const { return m_at + 1 < m_states.size(); }
+    [[nodiscard]] bool isChanged() const { return m_states[m_at] != m_saved; }
+    void undo();
+    void redo();
+    /// The bytes to be saved, which count as saved from now on. A lesson that was there gets a higher version, once.
+    [[nodiscard]] QByteArray stamped();
+    [[nodiscard]] bool isSavedOnce() const { return m_exists; }
+
+    void setTitle(const QString& title, const QString& language);
+    void setSize(const QString& id, double value);
+    /// @param name  of a file beside the lesson; empty: by rule again
+    void setCaptured(const QString& name, const std::optional<core::preparation::Tolerances>& tolerances);
+    void setPassMark(double points);
+    /// @param key  "tolerance" or "weight"
+    void setCriterion(int index, const char* key, double value);
+
+private:
+    /// @param what  several changes of one thing in a row are one
+    void change(const QString& what, const QJsonObject& object);
+    [[nodiscard]] QJsonObject rubric() const;
+
+    QList<QJsonObject> m_states{QJsonObject()};
+    qsizetype m_at = 0;
+    QString m_lastChange;
+    QJsonObject m_saved;
+    QJsonObject m_wholeRubric;  ///< what the rubric is before it has been changed, as an object of the lesson's own
+    QString m_file;
+    bool m_exists = false;
+    bool m_isBlock = false;
+    bool m_isStamped = false;
+};
+
+}  // namespace ui::study
