@@ -9,6 +9,7 @@
 #include "core/preparation/BlockPreparation.h"
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothPreparation.h"
+#include "core/teeth/Beside.h"
 #include "lessons/LessonReader.h"
 
 namespace lessons {
@@ -116,6 +117,8 @@ core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const cor
     assignment.lesson = lesson;
     if (lesson.leeway)
         assignment.leeway = core::grading::Leeway{lesson.leeway->sidesMm, lesson.leeway->bottomMm};
+    if (const auto* ours = std::get_if<MadeTooth>(&lesson.tooth); ours != nullptr && lesson.rules.neighbourHit)
+        assignment.neighbours = core::teeth::teethBeside(ours->fdi);
     if (isExercise(lesson.task)) {
         auto exercise = exerciseOf(lesson, *assignment.anatomy);
         if (!exercise)
@@ -223,6 +226,7 @@ core::session::Examination examinationOf(const Assignment& assignment)
     core::grading::Rules& watched = examination.rules;
     watched.pulpExposed = rules.pulpExposed;
     watched.perforated = rules.perforated;
+    watched.neighbours = assignment.neighbours;
     watched.depthLimitMm = rules.depthLimitMm;
     watched.ridgeLimitMm = rules.ridgeLimitMm;
     watched.besideLimitMm = rules.besideMm;

@@ -24,6 +24,7 @@ struct Assignment
     Rubric rubric;
     std::optional<core::grading::Preparation> ideal;  ///< what is to be cut; nothing where decay is to be removed
     std::optional<core::grading::Leeway> leeway;
+    std::shared_ptr<const core::terrain::HeightMaps> neighbours;  ///< to be spared; null: not watched
     std::optional<core::grading::Exercise> exercise;  ///< what is to be practised; nothing is to be cut then
 
     /// The surface that is asked for, for view and section; null if nothing is, or if it would tell what is to be felt.

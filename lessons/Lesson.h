@@ -113,6 +113,7 @@ struct Rules
 {
     bool pulpExposed = true;
     bool perforated = true;
+    bool neighbourHit = false;
     std::optional<double> depthLimitMm;  ///< below the original surface
     std::optional<double> ridgeLimitMm;  ///< marginal ridge that must stay
     std::optional<double> besideMm;      ///< so far outside the ideal nothing may be cut

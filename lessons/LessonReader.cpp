@@ -654,6 +654,9 @@ private:
         Rules& set = lesson.rules;
         set.pulpExposed = rules->flag("pulp_exposed", set.pulpExposed);
         set.perforated = rules->flag("perforated", set.perforated);
+        set.neighbourHit = rules->flag("neighbour_hit", set.neighbourHit);
+        if (set.neighbourHit && !std::holds_alternative<MadeTooth>(lesson.tooth))
+            rules->fault("neighbour_hit", QStringLiteral("only a tooth of ours has neighbours; write false"));
         set.depthLimitMm = rules->number("depth_limit_mm", 0.1, 10.0, "mm");
         set.ridgeLimitMm = rules->number("ridge_limit_mm", 0.1, 5.0, "mm");
         set.besideMm = rules->number("beside_mm", 0.0, 10.0, "mm");

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drilling/Bur.h"
 #include "core/grading/Columns.h"
 #include "core/teeth/Lattice.h"
 
@@ -111,6 +112,7 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     else if (state.cutting)
         find(Breach::WrongBur, 0.0, 0.0);
 
+    lookBeside(state);
     if (!changed.isEmpty())
         lookAtColumns(changed, tooth);
     if (m_mayBeHole && state.tick >= m_holesAskedAt + kTicksBetweenHoles) {
@@ -120,6 +122,37 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
             find(Breach::Perforated, 0.0, 0.0);
     }
     return std::exchange(m_found, {});
+}
+
+void Referee::lookBeside(const session::ServoState& state)
+{
+    if (!m_rules.neighbours || state.burIndex >= drilling::burs().size())
+        return;
+    const terrain::HeightMaps& beside = *m_rules.neighbours;
+    const drilling::Bur& bur = drilling::burs()[state.burIndex];
+    const double radius = bur.headRadiusMm - kGrazeMm;
+    const glm::dvec2 at = beside.grid.latticeOf({state.anchorMm.x, state.anchorMm.y});
+    const double reach = radius / beside.grid.cellMm;
+    const auto last = static_cast<double>(beside.grid.side - 1);
+    bool isIn = false;
+    if (state.drillOn && at.x > reach && at.y > reach && at.x < last - reach && at.y < last - reach) {
+        const auto from = [](double v) { return static_cast<int>(std::ceil(v)); };
+        const auto to = [](double v) { return static_cast<int>(std::floor(v)); };
+        for (int j = from(at.y - reach); j <= to(at.y + reach) && !isIn; ++j) {
+            for (int i = from(at.x - reach); i <= to(at.x + reach) && !isIn; ++i) {
+                const std::size_t k = beside.grid.index(i, j);
+                const glm::dvec2 away = beside.grid.cellMm * (glm::dvec2(i, j) - at);
+                const double distance = std::sqrt(glm::dot(away, away));
+                isIn = distance <= radius && beside.top[k] > beside.bottom[k] &&
+                       state.anchorMm.z + bur.undersideMm(distance) < static_cast<double>(beside.top[k]) &&
+                       state.anchorMm.z + bur.headLengthMm > static_cast<double>(beside.bottom[k]);
+            }
+        }
+    }
+    if (isIn)
+        find(Breach::NeighbourHit, 0.0, 0.0);
+    else
+        standing(Breach::NeighbourHit) = false;
 }
 
 void Referee::lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth)

@@ -13,6 +13,7 @@
 #include "core/drilling/Drill.h"
 #include "core/grading/IdealCavity.h"
 #include "core/session/Links.h"
+#include "core/terrain/Rasteriser.h"
 
 namespace core::grading {
 
@@ -25,7 +26,8 @@ enum class Breach : std::uint8_t {
     WrongPlace,    ///< cut farther beside what was to be cut than the limit
     TooMuchForce,  ///< more than the limit for 0.2 s
     BurInAir,      ///< the drill ran without touching anything for longer than the limit
-    WrongBur       ///< cut with a bur that is not allowed
+    WrongBur,      ///< cut with a bur that is not allowed
+    NeighbourHit   ///< the bur, turning, touched a tooth beside
 };
 
 /// Which breaches are watched, and from where on. What is absent is not.
@@ -38,7 +40,8 @@ struct Rules
     std::optional<double> besideLimitMm;
     std::optional<double> forceLimitN;
     std::optional<double> airLimitS;
-    std::uint32_t allowedBurs = ~std::uint32_t{0};  ///< bit k: burs()[k]
+    std::shared_ptr<const terrain::HeightMaps> neighbours;  ///< teeth beside, tooth frame; null: not watched
+    std::uint32_t allowedBurs = ~std::uint32_t{0};          ///< bit k: burs()[k]
     bool operator==(const Rules&) const = default;
 };
 
@@ -53,6 +56,10 @@ struct Infraction
     double limit = 0.0;
     bool operator==(const Infraction&) const = default;
 };
+
+/// So deep the head of a bur has to reach into a tooth beside before it counts: that one is known no better, and in a
+/// contact the two touch.
+inline constexpr double kGrazeMm = 0.1;
 
 /// How long a force over the limit is let pass: a tremble is no fault.
 inline constexpr std::chrono::milliseconds kForcePatience{200};
@@ -76,8 +83,9 @@ public:
     void restored(const terrain::Tooth& tooth);
 
 private:
-    static constexpr std::size_t kBreaches = 8;
+    static constexpr std::size_t kBreaches = 9;
 
+    void lookBeside(const session::ServoState& state);
     void lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth);
     void find(Breach breach, double value, double limit);
     [[nodiscard]] bool& standing(Breach breach) { return m_standing[static_cast<std::size_t>(breach)]; }

@@ -3,6 +3,8 @@
 
 #include "core/grading/Referee.h"
 #include "core/session/Follower.h"
+#include "core/teeth/Beside.h"
+#include "core/teeth/ToothBuilder.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Solids.h"
 #include "tests/support/SyntheticMolar.h"
@@ -32,6 +34,7 @@ private slots:
     void forceCountsAfterTwoTenthsOfASecond();
     void aBurInTheAirIsToldOncePerStretch();
     void aWrongBurMayBeHeldButNotCut();
+    void theToothBesideIsSpared();
     void tellsAHoleThrough();
     void liveAndReplayFindTheSame();
     void followsThroughAStormOfUndos();
@@ -217,6 +220,51 @@ void TestReferee::aWrongBurMayBeHeldButNotCut()
     QVERIFY(cut(referee, m_middle, m_middle, 0.4F).empty());
     m_state.burIndex = 3;
     QCOMPARE(cut(referee, m_middle, m_middle, 0.5F).size(), std::size_t{1});
+}
+
+void TestReferee::theToothBesideIsSpared()
+{
+    QVERIFY(teeth::teethBeside(99) == nullptr);
+    Rules rules;
+    rules.neighbours = teeth::teethBeside(36);
+    QVERIFY(rules.neighbours != nullptr);
+    QVERIFY(teeth::teethBeside(36) == rules.neighbours);  // made once
+    const auto built = teeth::buildTooth({36}, {}).value();
+    m_anatomy = built.anatomy;
+    m_tooth.emplace(m_anatomy);
+    Referee referee(rules, m_anatomy, nullptr);
+    // How far 36 reaches along x in its middle row, where the neighbours stand next to it.
+    const terrain::Grid& grid = m_anatomy->grid;
+    double low = 1.0e9;
+    double high = -1.0e9;
+    for (int i = 0; i < grid.side; ++i)
+        if (const std::size_t k = grid.index(i, grid.side / 2); m_anatomy->top[k] > m_anatomy->bottom[k]) {
+            low = std::min(low, grid.nodeMm(i, 0).x);
+            high = std::max(high, grid.nodeMm(i, 0).x);
+        }
+    const double row = grid.nodeMm(0, grid.side / 2).y;
+    m_state.burIndex = 2;
+    m_state.drillOn = true;
+    const auto at = [&](double x, double z) {
+        m_state.anchorMm = {x, row, z};
+        return wait(referee, 1);
+    };
+    // All along its own crown, from rim to rim, nobody else is touched.
+    for (double x = low + 0.6; x < high - 0.6; x += 0.1)
+        QVERIFY2(at(x, -2.5).empty(), qPrintable(QString::number(x)));
+    for (const double beyond : {low - 0.9, high + 0.9}) {
+        const auto found = at(beyond, -2.5);
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found.front().breach, Breach::NeighbourHit);
+        QVERIFY2(at(beyond, -2.6).empty(), "told once");
+        QVERIFY(at(0.0, 5.0).empty());
+        m_state.drillOn = false;
+        QVERIFY2(at(beyond, -2.5).empty(), "a bur at rest does no harm");
+        m_state.drillOn = true;
+        QVERIFY2(at(beyond, 9.0).empty(), "nor one high above");
+    }
+    m_state.anchorMm = {1.0e9, 0.0, 0.0};
+    QVERIFY(wait(referee, 1).empty());
 }
 
 void TestReferee::tellsAHoleThrough()

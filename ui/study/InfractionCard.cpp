@@ -44,6 +44,8 @@ QString breachName(const core::grading::Infraction& infraction)
         return QCoreApplication::translate("Breach", "Pressed with %1 N, allowed are %2 N").arg(value, limit);
     case Breach::BurInAir:
         return QCoreApplication::translate("Breach", "The bur has run in the air for %1 s").arg(limit);
+    case Breach::NeighbourHit:
+        return QCoreApplication::translate("Breach", "The tooth beside was touched by the turning bur");
     case Breach::WrongBur:
         break;
     }
@@ -77,6 +79,9 @@ QString breachReason(Breach breach)
         return QCoreApplication::translate("Breach",
                                            "A bur that turns unwatched hurts lips and cheeks. Stop it when you "
                                            "do not cut.");
+    case Breach::NeighbourHit:
+        return QCoreApplication::translate("Breach", "A nick in the neighbour holds plaque and decays. Stay inside the "
+                                                     "outline; N shows the teeth beside.");
     case Breach::WrongBur:
         break;
     }
