@@ -1764,8 +1764,8 @@
         <translation>Versuch des Experten</translation>
     </message>
     <message>
-        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
-        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <translation>Ansehen, wie ein Experte es macht; bei einer Wiedergabe neben diesem Versuch</translation>
     </message>
     <message>
         <source>Another beside</source>

@@ -1764,7 +1764,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <source>Watch how an expert does it; in a replay, beside this attempt</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -66,6 +66,8 @@ private:
     [[nodiscard]] QString title() const { return child<QLabel>("exerciseTitle")->text(); }
     /// Asks for the score by the card's own button; the total is on the page.
     QString graded() const;
+    /// Has the work graded and goes back to it.
+    void grade() const;
     /// Drills, and leaves the attempt's journal in `into` as a program leaves it that is killed now; then ends. Returns
     /// how much enamel was gone.
     QString leaveUnfinished(glm::dvec3 pointMm, const QString& into);
@@ -117,6 +119,13 @@ void TestApplication::save(const QString& path) const
 {
     emit m_application->window().recordingSaveRequested(path);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("saved"), 30000);
+}
+
+void TestApplication::grade() const
+{
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().undo->isEnabled(), 10000);  // another page
+    actions().back->trigger();
 }
 
 QString TestApplication::leaveUnfinished(glm::dvec3 pointMm, const QString& into)
@@ -394,6 +403,7 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
     drillAt({-2.0, 1.0, -1.0});
     const QString own = enamelRemoved();
     QVERIFY(own != "0.00");
+    grade();
     m_application->showMoment(1.0e6);
     // Held, a moment before its end.
     QVERIFY(actions().pauseReplay->text().startsWith("Resume"));
@@ -425,6 +435,7 @@ void TestApplication::anotherAttemptIsPlayedBeside()
     save(recording);
     drillAt({2.0, 1.0, -1.0});
     const QString own = enamelRemoved();
+    grade();
     m_application->showMoment(1.0e6);
     const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>(); };
     for (int n = 0; n < 2; ++n) {  // another one takes its place
@@ -458,6 +469,7 @@ void TestApplication::aHandIsLedAlongARecording()
     const QString before = enamelRemoved();
     QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
     QTest::qWait(1500);
+    grade();
     m_application->showMoment(1.0e6);
     QTRY_VERIFY_WITH_TIMEOUT(actions().along->isEnabled(), 10000);
     core::session::ServoState seen;

@@ -1527,7 +1527,7 @@ void TestMainWindow::anotherAttemptIsShownBeside()
     auto* both = child<ui::replay::TimeLine>("timeLine");
     QTRY_VERIFY(both->height() > line);
     QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12 + 32}).join(' ').contains("pulp is open"));
-    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12}).join(' ').contains("Undone"));
+    QVERIFY(both->saidAt({qRound(both->xOf(40.0)), 12}).join(' ').contains("Undone"));
     QVERIFY2(!actions().section->isEnabled(), "there is no room for it");
     QSignalSpy close(m_window.get(), &MainWindow::besideCloseWanted);
     press(Qt::Key_B, Qt::ControlModifier);

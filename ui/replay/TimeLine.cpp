@@ -272,7 +272,7 @@ void TimeLine::paintLane(QPainter& painter, const Lane& lane) const
 {
     const QRectF bed(kSidePx, lane.top + kMarksPx, width() - 2 * kSidePx, kStrokesPx);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(palette().color(QPalette::Button));
+    painter.setBrush(palette().color(QPalette::Midlight));
     painter.drawRoundedRect(bed, 3.0, 3.0);
     const double readyX = xIn(lane.course, lane.course.readyS);
     if (lane.course.readyS < lane.course.lengthS) {

@@ -78,9 +78,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
             tr("Keep what you have cut as the ideal that lessons ask for"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S});
     openRecording =
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
-    expert =
-        add("expert", tr("The expert's attempt"),
-            tr("Watch how an expert does this lesson; in a replay, beside the attempt that is played"), {Qt::Key_Y});
+    expert = add("expert", tr("The expert's attempt"),
+                 tr("Watch how an expert does it; in a replay, beside this attempt"), {Qt::Key_Y});
 
     m_groups.push_back({tr("Replay"), {}});
     pauseReplay =
