@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -70,6 +71,9 @@ private:
     void finish(std::optional<int> expectedTenths);
     void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
+    void openBeside(const QString& path);
+    void openExpert();
+    void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
     void keepJournal();
@@ -118,6 +122,7 @@ private:
         ui::study::ScoredWork work;
         core::recording::Recording recording;
         bool isKept = false;  ///< or nowhere to keep it
+        std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;
     Explainer m_explainer;  ///< of m_graded

@@ -168,7 +168,8 @@ private:
     [[nodiscard]] double secondsNow() const { return std::chrono::duration<double>(m_time).count(); }
     [[nodiscard]] Conduct conduct() const
     {
-        return {m_examiner.process(), static_cast<int>(m_examiner.infractions().size()), m_examiner.aids()};
+        return {m_examiner.process(), static_cast<int>(m_examiner.infractions().size()), m_examiner.aids(),
+                m_examiner.practised()};
     }
 
     [[nodiscard]] core::Status endPart()
@@ -200,6 +201,7 @@ private:
         m_measured.process = now.process;
         m_measured.infractions = now.infractions;
         m_measured.aidsUsed = now.aidsUsed();
+        m_measured.practised = now.practised;
         Values values;
         const auto take = [&](const std::string& id) {
             if (const auto measure = core::grading::findMeasure(id))

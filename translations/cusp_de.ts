@@ -376,6 +376,14 @@
     </message>
 </context>
 <context>
+    <name>ExerciseMarks</name>
+    <message>
+        <source>height, mm</source>
+        <extracomment>Title of a scale beside the bur: how high its tip stands over the block</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Handpiece</name>
     <message>
         <source>Turbine</source>
@@ -520,6 +528,10 @@
         <source>guided hand</source>
         <translation>geführte Hand</translation>
     </message>
+    <message>
+        <source>The first minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -558,6 +570,22 @@
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
         <translation>P</translation>
+    </message>
+</context>
+<context>
+    <name>Pad</name>
+    <message>
+        <source>Left</source>
+        <extracomment>Three pads of a practice block, side by side</extracomment>
+        <translation type="unfinished">Links</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished">Rechts</translation>
     </message>
 </context>
 <context>
@@ -714,6 +742,14 @@
         <translation>Ideal</translation>
     </message>
     <message>
+        <source>colour of the bur</source>
+        <translation>Farbe des Instruments</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>innerhalb des Umrisses gehalten</translation>
+    </message>
+    <message>
         <source>No aid in use</source>
         <translation>Keine Hilfe in Gebrauch</translation>
     </message>
@@ -736,6 +772,10 @@
     <message>
         <source>Bur %1: %2</source>
         <translation>Instrument %1: %2</translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation>Anderes Handstück</translation>
     </message>
     <message>
         <source>Note %1</source>
@@ -885,6 +925,14 @@
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
+    </message>
+    <message>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1452,6 +1500,10 @@
         <translation>Wählen, was geübt wird</translation>
     </message>
     <message>
+        <source>Take this handpiece</source>
+        <translation>Dieses Handstück nehmen</translation>
+    </message>
+    <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
@@ -1512,8 +1564,28 @@
         <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
     </message>
     <message>
-        <source>Take this handpiece</source>
-        <translation>Dieses Handstück nehmen</translation>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Noch einer daneben</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Sich führen lassen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
     </message>
     <message>
         <source>Colour the bur</source>
@@ -1924,6 +1996,18 @@
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2093,15 +2177,6 @@
         <translation>Gesundes Dentin zwischen Schnitt und Pulpa, senkrecht unter der Spitze. Zwei Millimeter sind erwünscht; weniger als ein halber schadet der Pulpa.</translation>
     </message>
     <message>
-        <source>To the limit</source>
-        <extracomment>How far the bur is from what is to be kept</extracomment>
-        <translation>Bis zur Grenze</translation>
-    </message>
-    <message>
-        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
-        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
-    </message>
-    <message>
         <source>Turns of the bur a minute: a load slows it, until it stalls</source>
         <translation>Umdrehungen des Bohrers je Minute: eine Last bremst ihn, bis er steht</translation>
     </message>
@@ -2109,6 +2184,15 @@
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
         <translation>U/min</translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation>Bis zur Grenze</translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
     </message>
     <message>
         <source>Still to cut</source>
@@ -2301,6 +2385,101 @@
     </message>
 </context>
 <context>
+    <name>ui::study::ExerciseCard</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation type="unfinished">%1, %2 {1:?}</translation>
+    </message>
+    <message>
+        <source>Say that this pad is made of this; you can change it until you are graded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ it is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n points touched</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held for %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold %1 N for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is what they are made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every pad has its name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is each pad made of?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Graded. F2 leads to the next lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Well done. See how it is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure? Then see how it is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest so far: %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any order. Rings become discs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anywhere on the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press on each for a second, and compare.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2357,6 +2536,13 @@
     <message>
         <source>too deep</source>
         <translation>zu tief</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HoldGauge</name>
+    <message>
+        <source>Force against the band from %1 to %2 N</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

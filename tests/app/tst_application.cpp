@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <glm/geometric.hpp>
 
 #include "app/Application.h"
 #include "tests/support/OpenGlMain.h"
@@ -33,6 +34,8 @@ private slots:
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void aMomentOfTheOwnAttemptIsShownAndLeft();
+    void anotherAttemptIsPlayedBeside();
+    void aHandIsLedAlongARecording();
     void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
     void theSimulatedHandpieceDrillsByItself();
@@ -294,6 +297,65 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
     QVERIFY(message().contains("your own work"));
     QTRY_COMPARE(enamelRemoved(), own);
     drillAt({2.0, 1.0, -1.0});
+}
+
+void TestApplication::anotherAttemptIsPlayedBeside()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("first.cusprec");
+    save(recording);
+    drillAt({2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    m_application->showMoment(1.0e6);
+    const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>(); };
+    for (int n = 0; n < 2; ++n) {  // another one takes its place
+        emit m_application->window().besideWanted(recording);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().beside->isEnabled() && views().size() == 2, 30000);
+    }
+    const auto* beside = views().front() == &m_application->window().view() ? views().back() : views().front();
+    // Both at their ends: what the first stroke has left, and what both have.
+    actions().replayEnd->trigger();
+    const auto cut = [](const ui::tooth::ToothView& view) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < view.tooth()->top.size(); ++k)
+            sum += static_cast<double>(view.tooth()->anatomy->top[k] - view.tooth()->top[k]);
+        return sum;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(cut(*beside) > 0.0 && cut(m_application->window().view()) > cut(*beside), 10000);
+    actions().replayBegin->trigger();
+    QTRY_VERIFY(cut(*beside) == 0.0 && cut(m_application->window().view()) == 0.0);
+    actions().beside->trigger();
+    QCOMPARE(views().size(), 1);
+    emit m_application->window().besideWanted(recording);
+    QTRY_COMPARE_WITH_TIMEOUT(views().size(), 2, 30000);
+    actions().back->trigger();
+    QCOMPARE(views().size(), 1);
+    QTRY_COMPARE(enamelRemoved(), own);
+}
+
+void TestApplication::aHandIsLedAlongARecording()
+{
+    start({}, true);
+    const QString before = enamelRemoved();
+    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
+    QTest::qWait(1500);
+    m_application->showMoment(1.0e6);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().along->isEnabled(), 10000);
+    core::session::ServoState seen;
+    connect(&m_application->window().view(), &ui::tooth::ToothView::frameAdvanced, this,
+            [&seen](const core::session::ServoState& state) { seen = state; });
+    const auto apartMm = [&seen] { return glm::length(seen.deviceMm - seen.anchorMm); };
+    actions().replayBegin->trigger();
+    actions().along->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(seen.tick == 0 || apartMm() < 3.0, 10000);
+    actions().pauseReplay->trigger();
+    QTest::qWait(1500);
+    QVERIFY2(actions().along->isChecked(), qPrintable("a hand that goes along is not let go: " + message()));
+    QVERIFY2(apartMm() < 3.0, qPrintable(QString("%1 mm").arg(apartMm())));
+    actions().along->trigger();
+    actions().back->trigger();
+    QTRY_VERIFY(!actions().along->isVisible());
 }
 
 void TestApplication::theUndoHistoryLeadsToAnyMoment()

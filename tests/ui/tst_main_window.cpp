@@ -133,6 +133,9 @@ private slots:
     void aReplayHasEightSpeeds();
     void keysGoThroughAReplayByStrokes();
     void theTimeLineIsScrubbedAndTellsWhatWas();
+    void anotherAttemptIsShownBeside();
+    void theHandIsLedAlongOnRequest();
+    void theExpertIsOfferedWhereTheLessonHasOne();
     void theUndoHistoryIsShownAndGoneThrough();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
@@ -871,7 +874,7 @@ void TestMainWindow::helpListsEveryAction()
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
         QVERIFY2(words.contains(group.title), qPrintable(group.title));
-        QCOMPARE(group.actions.front()->isVisible(), group.actions.front() != actions().pauseReplay);
+        QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
             for (const QKeySequence& key : action->shortcuts())
@@ -1412,6 +1415,91 @@ void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()
     QVERIFY(line->saidAt(at(30.0, 24)).isEmpty());
 }
 
+void TestMainWindow::anotherAttemptIsShownBeside()
+{
+    using ui::tooth::ToothView;
+    const auto links = std::make_unique<UiLinks>();
+    const auto views = [this] { return m_window->findChildren<ToothView*>(); };
+    m_window->setReplaying(true, 60.0);
+    m_window->setReplayCourse(course());
+    QCOMPARE(views().size(), 1);
+    const int line = child<ui::replay::TimeLine>("timeLine")->sizeHint().height();
+    m_window->showBeside(*links, support::syntheticMolar(), 1, {}, "Somebody");
+    ui::replay::Course other = course();
+    other.lengthS = other.readyS = 30.0;
+    m_window->setBesideCourse(other);
+    QCOMPARE(views().size(), 2);
+    ToothView* beside = views().front() == &m_window->view() ? views().back() : views().front();
+    QTRY_VERIFY(beside->isVisible() && beside->x() > m_window->view().geometry().right());
+    QTRY_VERIFY(std::abs(beside->width() - m_window->view().width()) <= 1);
+    const QList<QLabel*> labels = m_window->findChildren<QLabel*>();
+    for (const char* name : {"Somebody", "This attempt"})
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [name](const QLabel* label) {
+            return label->isVisible() && label->text() == QLatin1String(name);
+        }));
+    // Whichever is turned, the other follows.
+    press(Qt::Key_Right, Qt::ControlModifier);
+    const double azimuth = m_window->view().camera().azimuthDeg();
+    QTRY_COMPARE(beside->camera().azimuthDeg(), azimuth);
+    beside->setCamera(70.0, 30.0, 30.0);
+    QTRY_COMPARE(m_window->view().camera().azimuthDeg(), 70.0);
+    QTRY_COMPARE(m_window->view().camera().distanceMm(), 30.0);
+    // Both are on one time line, each with its own strokes.
+    auto* both = child<ui::replay::TimeLine>("timeLine");
+    QTRY_VERIFY(both->height() > line);
+    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12 + 32}).join(' ').contains("pulp is open"));
+    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12}).join(' ').contains("Undone"));
+    QVERIFY2(!actions().section->isEnabled(), "there is no room for it");
+    QSignalSpy close(m_window.get(), &MainWindow::besideCloseWanted);
+    press(Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(close.size(), 1);
+    m_window->hideBeside();
+    QCOMPARE(views().size(), 1);
+    QVERIFY(!actions().beside->isChecked() && actions().section->isEnabled());
+    QTRY_COMPARE(both->height(), line);
+}
+
+void TestMainWindow::theHandIsLedAlongOnRequest()
+{
+    QSignalSpy lead(m_window.get(), &MainWindow::leadWanted);
+    m_window->setReplaying(true, 60.0);
+    press(Qt::Key_A);
+    QCOMPARE(lead.size(), 0);
+    QVERIFY2(!actions().along->isVisible(), "a mouse leads nobody");
+    m_window->offerHome();
+    press(Qt::Key_A);
+    QCOMPARE(lead.size(), 1);
+    QVERIFY(lead.back().front().toBool());
+    m_window->showLeadEnd(true);
+    QVERIFY(!actions().along->isChecked());
+    QVERIFY(message().contains("your hand is free"));
+    press(Qt::Key_A);
+    QVERIFY(lead.back().front().toBool());
+    press(Qt::Key_A);
+    QVERIFY(!lead.back().front().toBool());
+    m_window->setReplaying(false);
+    QVERIFY(!actions().along->isVisible());
+}
+
+void TestMainWindow::theExpertIsOfferedWhereTheLessonHasOne()
+{
+    QSignalSpy expert(m_window.get(), &MainWindow::expertWanted);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 0);
+    lessons::Assignment assignment;
+    assignment.anatomy = support::syntheticMolar();
+    assignment.lesson.emplace();
+    assignment.lesson->expert.emplace();
+    m_window->setAssignment(assignment);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 1);
+    assignment.lesson->exam = true;
+    m_window->setAssignment(assignment);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 1);
+    QVERIFY(!actions().expert->isVisible());
+}
+
 void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
 {
     using core::history::MomentInfo;
@@ -1898,6 +1986,11 @@ void TestMainWindow::nothingIsClipped()
     window.setReplaying(true, 60.0);
     window.setReplayCourse(course());
     check("replay");
+    const auto beside = std::make_unique<UiLinks>();
+    window.showBeside(*beside, support::syntheticMolar(), 1, {}, "A recording with a long name");
+    window.setBesideCourse(course());
+    check("beside");
+    window.hideBeside();
     window.setReplaying(false);
     a->help->trigger();
     check("help");
