@@ -355,6 +355,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
         m_window->setReplaying(false);
         startLoops();
     }
+    m_explainer.forget();
     m_assignment = assignment;
     m_settings = settings;
     m_window->setAssignment(m_assignment);

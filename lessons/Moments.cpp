@@ -189,7 +189,7 @@ private:
         for (std::size_t k = 0; k < m_losses.size(); ++k)
             m_losses[k].become(lostBy(marked->sheet.criteria[k], m_assignment.rubric.verdict), now);
         m_sheet = std::move(marked->sheet);
-        m_measured = std::move(marked->measured);
+        m_measured = marked->measured;
         return {};
     }
 

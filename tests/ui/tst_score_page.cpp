@@ -130,6 +130,7 @@ void TestScorePage::init()
     m_window->resize(1280, 800);
     m_page->resize(1280, 800);
     m_window->show();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));  // arrows look for who has the focus
 }
 
 void TestScorePage::cleanup()
@@ -150,6 +151,9 @@ void TestScorePage::show(const Faulty& made)
     m_page->setMoments(parts(made.sheet));
     m_page->setClass({1, {}});
     m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
+    // Pages are laid out in passes.
+    const auto rows = m_page->findChildren<CriterionRow*>();
+    QTRY_VERIFY(rows.back()->y() >= rows.front()->y() + rows.front()->height());
     QTest::qWait(20);
     // To be looked at.
     if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
@@ -324,7 +328,8 @@ void TestScorePage::theFirstViewNeedsNoScrolling()
     m_page->resize(size);
     show(faulty(lesson.toStdString()));
     const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    QVERIFY2(!pane->hasMoreBelow(), qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));
+    QTRY_VERIFY2(!pane->hasMoreBelow(),
+                 qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));
     QVERIFY(pane->widget()->width() <= pane->viewport()->width());
 }
 

@@ -252,7 +252,8 @@ void HeatMap::paintMark(QPainter& painter, const Frame& frame) const
         return;
     const core::terrain::Grid& grid = m_work.tooth->grid();
     const auto side = static_cast<std::size_t>(grid.side);
-    const QPointF middle = frame.at(static_cast<double>(*m_mark % side), static_cast<double>(*m_mark / side));
+    const std::size_t row = *m_mark / side;
+    const QPointF middle = frame.at(static_cast<double>(*m_mark % side), static_cast<double>(row));
     const glm::dvec2 along = m_plane.direction();
     const QPointF way(along.x, -along.y);
     const double reach = width() + height();

@@ -98,10 +98,12 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
     m_criteriaCard = makeCriteria();
     m_placeCard = makePlace();
     m_historyCard = makeHistory();
-    connect(actions.distinctColours, &QAction::toggled, this, [this](bool distinct) {
+    const auto colour = [this](bool distinct) {
         m_heat->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
         m_section->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
-    });
+    };
+    colour(actions.distinctColours->isChecked());
+    connect(actions.distinctColours, &QAction::toggled, this, colour);
     arrange();
 
     auto* content = new QWidget(this);
@@ -408,6 +410,7 @@ void ScorePage::showPlace(const CriterionRow& row)
     }
     const core::imaging::SectionPlane plane =
         node ? planeThrough(*m_scored, *node) : core::imaging::SectionPlane{m_scored->tooth->grid().middleMm(), 0.0};
+    m_heat->setAccessibleDescription(m_place->text());
     m_heat->setMark(node, plane);
     m_section->setMark(node, plane);
 }

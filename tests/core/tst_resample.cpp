@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/grading/Columns.h"
+#include "core/grading/Measures.h"
+#include "core/terrain/Resample.h"
+#include "tests/support/SyntheticTooth.h"
+
+using core::terrain::Sampling;
+
+namespace {
+
+/// A hemisphere's hollow in a block, which no lattice cuts evenly.
+std::shared_ptr<const core::terrain::ToothAnatomy> block(int side, double cellMm)
+{
+    support::Block made;
+    made.side = side;
+    made.cellMm = cellMm;
+    made.dejMm = -1.0;
+    made.topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); };
+    return support::makeBlock(made);
+}
+
+core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double deepMm)
+{
+    std::vector<float> top = anatomy->top;
+    for (int j = 0; j < anatomy->grid.side; ++j)
+        for (int i = 0; i < anatomy->grid.side; ++i) {
+            const std::size_t k = anatomy->grid.index(i, j);
+            const glm::dvec2 at = anatomy->grid.nodeMm(i, j) - glm::dvec2(0.31, -0.17);
+            const double r2 = 2.25 - at.x * at.x - at.y * at.y;
+            if (r2 > 0.0 && core::grading::wasSolid(*anatomy, k))
+                top[k] = std::min(top[k], static_cast<float>(-deepMm / 1.5 * std::sqrt(r2)));
+        }
+    return core::terrain::restored(anatomy, std::move(top));
+}
+
+double sum(const core::terrain::PerMaterial& volumes)
+{
+    return volumes[0] + volumes[1] + volumes[2] + volumes[3];
+}
+
+}  // namespace
+
+class TestResample : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theSameToothOnOtherGrids();
+    void aHoleStaysAHole();
+};
+
+void TestResample::theSameToothOnOtherGrids()
+{
+    const auto anatomy = block(101, 0.1);
+    const core::terrain::Tooth tooth = hollowed(anatomy, 1.5);
+    for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
+        const auto other = core::terrain::resampled(*anatomy, sampling);
+        QCOMPARE(other->grid.side, sampling == Sampling::Half ? 51 : 201);
+        const core::terrain::Tooth same = core::terrain::resampled(tooth, other, sampling);
+        // Nodes that both have stand at the same place and hold the same.
+        for (int j = 0; j < 51; ++j)
+            for (int i = 0; i < 51; ++i) {
+                const std::size_t here = anatomy->grid.index(2 * i, 2 * j);
+                const std::size_t there =
+                    sampling == Sampling::Half ? other->grid.index(i, j) : other->grid.index(4 * i, 4 * j);
+                if (core::grading::wasSolid(*anatomy, here)) {
+                    QCOMPARE(same.top[there], tooth.top[here]);
+                    QCOMPARE(same.bottom[there], tooth.bottom[here]);
+                }
+            }
+        const double share = sampling == Sampling::Half ? 0.01 : 0.005;
+        const double volume = sum(core::terrain::volumes(same)) / sum(core::terrain::volumes(tooth));
+        QVERIFY2(std::abs(volume - 1.0) < share, qPrintable(QString::number(volume)));
+        const auto gone = core::terrain::removedVolumes(tooth);
+        const auto goneThere = core::terrain::removedVolumes(same);
+        for (const std::size_t material : {1U, 2U})
+            QVERIFY2(std::abs(goneThere[material] / gone[material] - 1.0) < share,
+                     qPrintable(QString::number(goneThere[material] / gone[material])));
+    }
+    // All of the area is shared out.
+    const auto twice = core::terrain::resampled(*anatomy, Sampling::Double);
+    double before = 0.0;
+    double after = 0.0;
+    for (const float area : anatomy->areaMm2)
+        before += static_cast<double>(area);
+    for (const float area : twice->areaMm2)
+        after += static_cast<double>(area);
+    QVERIFY(std::abs(after / before - 1.0) < 1.0e-4);
+}
+
+void TestResample::aHoleStaysAHole()
+{
+    const auto anatomy = block(101, 0.1);
+    const core::terrain::Tooth tooth = hollowed(anatomy, 100.0);
+    const double area = core::grading::measure(tooth).perforatedMm2;
+    QVERIFY(area > 1.0);
+    for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
+        const core::terrain::Tooth same =
+            core::terrain::resampled(tooth, core::terrain::resampled(*anatomy, sampling), sampling);
+        const double there = core::grading::measure(same).perforatedMm2;
+        QVERIFY2(std::abs(there / area - 1.0) < 0.1, qPrintable(QString::number(there / area)));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestResample)
+#include "tst_resample.moc"
