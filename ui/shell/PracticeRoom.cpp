@@ -140,10 +140,8 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     frame->mayFold(lessons);
     row->addWidget(barButton(actions.openScan, false, frame));
     row->addWidget(barButton(actions.openRecording, false, frame));
-    auto* save = barButton(actions.saveRecording, false, frame);
-    save->addAction(actions.saveReference);
-    save->setPopupMode(QToolButton::MenuButtonPopup);
-    row->addWidget(save);
+    row->addWidget(barButton(actions.saveRecording, false, frame));
+    row->addWidget(barButton(actions.saveReference, false, frame));
     row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
