@@ -82,6 +82,7 @@ private:
     study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
+    QToolButton* m_saveReference = nullptr;
     QWidget* m_workBar = nullptr;
     replay::ReplayBar* m_replay = nullptr;
     replay::HistoryPanel* m_history = nullptr;
