@@ -132,6 +132,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::referenceSaveRequested, this, &Application::saveReference);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
+    connect(m_window.get(), &MainWindow::besideWanted, this, &Application::openBeside);
+    connect(m_window.get(), &MainWindow::expertWanted, this, &Application::openExpert);
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
@@ -367,6 +369,10 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
 
 void Application::letDemoHandDecide()
 {
+    if (m_replay && m_replay->isLeading()) {  // it goes along willingly
+        const glm::dvec3 shown = m_links.servo.latest().anchorMm;
+        m_demoWish.publish({.targetMm = glm::dvec2(shown), .hoverMm = shown.z, .pushing = false});
+    }
     const auto tooth = m_session.toothSoFar();
     if (!m_replay && tooth && tooth->anatomy == m_assignment.anatomy)
         m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
@@ -378,7 +384,11 @@ void Application::watchAttempt()
     if (m_replay || !m_assignment.lesson)
         return;
     const core::session::Findings findings = m_follower.findings();
-    if (findings.generation != m_ownGeneration || findings.infractions.size() <= m_infractionsTold)
+    if (findings.generation != m_ownGeneration)
+        return;
+    if (findings.practised)
+        m_window->showPractised(*findings.practised);
+    if (findings.infractions.size() <= m_infractionsTold)
         return;
     m_infractionsTold = findings.infractions.size();
     if (m_assignment.lesson->exam)
@@ -414,13 +424,21 @@ void Application::grade()
         return;
     }
     const std::uint64_t hash = core::terrain::stateHash(*tooth);
-    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash) {
+    std::optional<core::grading::Practised> practised;
+    if (const core::session::Findings now = m_follower.findings(); now.generation == m_ownGeneration)
+        practised = now.practised;
+    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
+        m_graded->practised == practised) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
         compareWithClass();
         m_explainer.tellAgain();
         return;
     }
-    if (tooth->top == tooth->anatomy->top) {
+    if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
+        m_window->showMessage(tr("This exercise has not been begun yet, so there is nothing to grade."));
+        return;
+    }
+    if (!m_assignment.exercise && tooth->top == tooth->anatomy->top) {
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
@@ -437,7 +455,8 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids};
+    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids,
+                                   found.practised};
     const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
@@ -479,7 +498,8 @@ void Application::finish(std::optional<int> expectedTenths)
         expectedTenths,
         {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured},
         done->recording,
-        isKept};
+        isKept,
+        found.practised};
     m_window->showScore(sheet, history, expectedTenths, m_graded->work);
     compareWithClass();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
@@ -551,15 +571,45 @@ void Application::saveReference(const QString& path)
 
 void Application::openRecording(const QString& path)
 {
+    readRecording(path, [this](const core::recording::Recording& recording) { play(recording); });
+}
+
+/// Beside the attempt that is played.
+void Application::openBeside(const QString& path)
+{
+    readRecording(path, [this, path](const core::recording::Recording& recording) {
+        if (!m_replay)
+            return;
+        if (const auto put = m_replay->putBeside(recording, QFileInfo(path).completeBaseName()); !put)
+            refuse(put.error(), Failed::OpeningRecording, path);
+    });
+}
+
+/// The one that the lesson names.
+void Application::openExpert()
+{
+    if (!m_assignment.lesson || !m_assignment.lesson->expert)
+        return;
+    const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
+    readRecording(path, [this, path](const core::recording::Recording& recording) {
+        if (!m_replay)
+            play(recording);
+        else if (const auto put = m_replay->putBeside(recording, tr("The expert")); !put)
+            refuse(put.error(), Failed::OpeningRecording, path);
+    });
+}
+
+void Application::readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use)
+{
     const int load = ++m_loading;
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
-        [this, load, path](const core::Result<core::recording::Recording>& recording) {
+        [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
             if (load != m_loading)
                 return;
             if (recording)
-                play(*recording);
+                use(*recording);
             else
                 refuse(recording.error(), Failed::OpeningRecording, path);
         });
@@ -677,7 +727,8 @@ void Application::discardUnfinished()
 /// The student's own attempt stays in the two loops, which rest meanwhile.
 void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
 {
-    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1);
+    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
+                                   m_options.simulatedDevice ? m_device.get() : nullptr);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return;
@@ -701,6 +752,7 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     m_replay->start();
 }
 
+/// Of the attempt that was graded, a little before that moment, held.
 void Application::showMoment(double seconds)
 {
     if (m_graded && !m_replay)

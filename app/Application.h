@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -48,7 +49,7 @@ public:
     void show();
     [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
 
-    /// Plays the present attempt itself, held a moment before this one: what led to it is seen when it goes on.
+    /// Plays the attempt that was graded, held a moment before this one: what led to it is seen when it goes on.
     void showMoment(double seconds);
 
 private:
@@ -71,6 +72,9 @@ private:
     void finish(std::optional<int> expectedTenths);
     void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
+    void openBeside(const QString& path);
+    void openExpert();
+    void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
     void saveRecording(const QString& path);
     void saveReference(const QString& path);
     void openRecording(const QString& path);
@@ -119,7 +123,8 @@ private:
         std::optional<int> expectedTenths;
         ui::study::ScoredWork work;
         core::recording::Recording recording;
-        bool isKept = false;  ///< or nowhere to keep it
+        bool isKept = false;                                ///< or nowhere to keep it
+        std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;
     Explainer m_explainer;  ///< of m_graded

@@ -23,9 +23,25 @@ void ReplayLoop::tick(std::chrono::microseconds dt)
     m_attempt->show(m_atS);
     if (m_beside)
         m_beside->show(lengthS > 0.0 ? m_atS / lengthS * m_beside->lengthS() : 0.0);
+    if (m_guide != nullptr)
+        lead();
     m_isAtEnd.store(m_atS >= lengthS, std::memory_order_relaxed);
     if (m_atS >= lengthS && !m_paused.exchange(true, std::memory_order_relaxed))
         m_ended.store(true, std::memory_order_release);
+}
+
+void ReplayLoop::lead()
+{
+    m_guide->aim.publish({++m_aims, (m_beside ? *m_beside : *m_attempt).tipMm()});
+    const haptics::GuideState& state = m_guide->state.latest();
+    if (state.ticks == 0)
+        return;
+    m_attempt->setHand(state.present ? std::optional(state.tipMm) : std::nullopt);
+    m_hand.store(!state.present    ? Hand::Lost
+                 : state.leading   ? Hand::Led
+                 : state.wasPushed ? Hand::Pushed
+                                   : Hand::Free,
+                 std::memory_order_relaxed);
 }
 
 void ReplayLoop::setPaused(bool paused)

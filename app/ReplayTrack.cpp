@@ -2,7 +2,6 @@
 #include "app/ReplayTrack.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <glm/common.hpp>
 
@@ -37,13 +36,11 @@ public:
         case ServoEvent::Kind::Restore:
             return takeRestore(marked, lastCutTick);
         case ServoEvent::Kind::Bur:
-            return std::exchange(m_bur, marked.event.value) != marked.event.value && marked.tick > 0
-                       ? std::optional(Mark::Kind::Bur)
-                       : std::nullopt;
+            return ifNews(marked, m_bur, Mark::Kind::Bur);
         case ServoEvent::Kind::Aids:
-            return std::exchange(m_aids, marked.event.value) != marked.event.value && marked.tick > 0
-                       ? std::optional(Mark::Kind::Aids)
-                       : std::nullopt;
+            return ifNews(marked, m_aids, Mark::Kind::Aids);
+        case ServoEvent::Kind::Handpiece:
+            return ifNews(marked, m_handpiece, Mark::Kind::Handpiece);
         case ServoEvent::Kind::Note:
             return Mark::Kind::Note;
         case ServoEvent::Kind::Home:
@@ -56,6 +53,13 @@ public:
     }
 
 private:
+    /// What an attempt begins with is none.
+    static std::optional<Mark::Kind> ifNews(const MarkedEvent& marked, std::uint64_t& last, Mark::Kind kind)
+    {
+        const bool isNews = std::exchange(last, marked.event.value) != marked.event.value && marked.tick > 0;
+        return isNews ? std::optional(kind) : std::nullopt;
+    }
+
     /// Undo goes to an older state of the tooth, redo to a younger one.
     Mark::Kind takeRestore(const MarkedEvent& marked, std::uint64_t lastCutTick)
     {
@@ -68,6 +72,7 @@ private:
     }
 
     std::uint64_t m_bur = 0;
+    std::uint64_t m_handpiece = 0;
     std::uint64_t m_aids = 0;
     std::uint64_t m_restoredAt = 0;
     std::uint64_t m_restoredTo = 0;
@@ -179,6 +184,9 @@ void ReplayTrack::publish(std::uint64_t tick)
     const double share = static_cast<double>(tick % Player::kTicksAPose) / static_cast<double>(Player::kTicksAPose);
     state.deviceMm = glm::mix(state.deviceMm, next.deviceMm, share);
     state.anchorMm = glm::mix(state.anchorMm, next.anchorMm, share);
+    m_tipMm = state.anchorMm;
+    if (m_hand)
+        state.deviceMm = *m_hand;
     state.toothGeneration = m_generation;
     m_links.servo.publish();
     const core::history::Removed& removed = m_removed.of(m_shown);

@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/history/RemovedTally.h"
@@ -35,6 +36,11 @@ public:
     /// Any thread.
     [[nodiscard]] ui::replay::Course course() const;
 
+    /// Shows the student's hand in place of the recorded one; nothing: the recorded. The thread that shows.
+    void setHand(const std::optional<glm::dvec3>& tipMm) { m_hand = tipMm; }
+    /// The tip of the bur as it was shown last, tooth frame. The thread that shows.
+    [[nodiscard]] const glm::dvec3& tipMm() const { return m_tipMm; }
+
     /// Shows a moment: what the view has not room for yet goes with the next call. What is not worked out yet is shown
     /// as far as it is. One thread.
     void show(double seconds);
@@ -61,6 +67,8 @@ private:
     std::uint64_t m_generation;
     core::history::TiledHeights m_shown;  ///< what the view has been sent
     std::uint64_t m_shownTick = 0;
+    std::optional<glm::dvec3> m_hand;
+    glm::dvec3 m_tipMm{0.0};
     bool m_isSettled = false;  ///< nothing that happened at m_shownTick can be missing
     core::history::RemovedTally m_removed;
     std::deque<core::session::TilePatch> m_toSend;

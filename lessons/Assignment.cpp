@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/Assignment.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "core/drilling/Bur.h"
+#include "core/grading/Columns.h"
 #include "core/preparation/BlockPreparation.h"
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothPreparation.h"
@@ -50,6 +52,15 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
     return core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
 }
 
+/// Whether a tooth stands there, seen from above.
+bool standsAt(const core::terrain::ToothAnatomy& anatomy, glm::dvec2 placeMm)
+{
+    const glm::dvec2 at = anatomy.grid.latticeOf(placeMm);
+    const auto i = static_cast<int>(std::lround(at.x));
+    const auto j = static_cast<int>(std::lround(at.y));
+    return anatomy.grid.contains(i, j) && core::grading::wasSolid(anatomy, anatomy.grid.index(i, j));
+}
+
 core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
                                                     const core::terrain::ToothAnatomy& anatomy)
 {
@@ -81,6 +92,21 @@ core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core:
     return core::preparation::makePreparation(*kind, *design, anatomy);
 }
 
+/// What is to be practised where nothing is to be cut; the sentence names the key.
+core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const core::terrain::ToothAnatomy& anatomy)
+{
+    if (lesson.task == Task::HoldForce)
+        return *lesson.hold;
+    if (lesson.task == Task::TellLayers)
+        return core::grading::PadsToName{core::teeth::padMaterials(std::get<Block>(lesson.tooth).seed)};
+    for (std::size_t k = 0; k < lesson.touch->pointsMm.size(); ++k)
+        if (const glm::dvec2 place = lesson.touch->pointsMm[k]; !standsAt(anatomy, place))
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    "touch.points[" + std::to_string(k) + "]: there is no tooth at x = " +
+                                        core::plainNumber(place.x) + ", y = " + core::plainNumber(place.y) + " mm");
+    return *lesson.touch;
+}
+
 /// What a lesson asks of a tooth that is there.
 core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
 {
@@ -90,6 +116,12 @@ core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const cor
     assignment.lesson = lesson;
     if (lesson.leeway)
         assignment.leeway = core::grading::Leeway{lesson.leeway->sidesMm, lesson.leeway->bottomMm};
+    if (isExercise(lesson.task)) {
+        auto exercise = exerciseOf(lesson, *assignment.anatomy);
+        if (!exercise)
+            return tl::unexpected(exercise.error());
+        assignment.exercise = std::move(*exercise);
+    }
     if (lesson.task == Task::CutIdeal) {
         auto ideal = idealOf(*lesson.ideal, *assignment.anatomy);
         if (!ideal)
@@ -127,6 +159,8 @@ core::Result<core::teeth::BlockDesign> designOf(const Block& block)
 
 core::grading::IdealTop Assignment::shownIdeal() const
 {
+    if (exercise)
+        return nullptr;
     return ideal ? ideal->top : core::grading::idealCavity(*anatomy);
 }
 
@@ -182,6 +216,7 @@ core::session::Examination examinationOf(const Assignment& assignment)
 {
     core::session::Examination examination;
     examination.ideal = assignment.shownIdeal();
+    examination.exercise = assignment.exercise;
     if (!assignment.lesson)
         return examination;
     const Rules& rules = assignment.lesson->rules;
@@ -217,11 +252,12 @@ markAgain(const core::recording::Recording& recording,
         });
     if (!outcome)
         return tl::unexpected(outcome.error());
-    auto marked = mark(*assignment, outcome->tooth,
-                       Conduct{examiner.process(), static_cast<int>(examiner.infractions().size()), examiner.aids()});
+    Conduct conduct{examiner.process(), static_cast<int>(examiner.infractions().size()), examiner.aids(),
+                    examiner.practised()};
+    auto marked = mark(*assignment, outcome->tooth, conduct);
     if (!marked)
         return tl::unexpected(marked.error());
-    return Remarked{std::move(*outcome), std::move(*marked), examiner.infractions()};
+    return Remarked{std::move(*outcome), std::move(*marked), std::move(conduct), examiner.infractions()};
 }
 
 core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
@@ -233,6 +269,7 @@ core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth
         result.measured.process = conduct->process;
         result.measured.infractions = conduct->infractions;
         result.measured.aidsUsed = conduct->aidsUsed();
+        result.measured.practised = conduct->practised;
     }
     if (assignment.ideal) {
         auto deviation = core::grading::measureDeviation(tooth, *assignment.ideal, assignment.leeway);

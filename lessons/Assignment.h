@@ -24,8 +24,9 @@ struct Assignment
     Rubric rubric;
     std::optional<core::grading::Preparation> ideal;  ///< what is to be cut; nothing where decay is to be removed
     std::optional<core::grading::Leeway> leeway;
+    std::optional<core::grading::Exercise> exercise;  ///< what is to be practised; nothing is to be cut then
 
-    /// The surface that is asked for, for view and section; null if nothing is.
+    /// The surface that is asked for, for view and section; null if nothing is, or if it would tell what is to be felt.
     [[nodiscard]] core::grading::IdealTop shownIdeal() const;
 };
 
@@ -66,7 +67,8 @@ struct Conduct
 {
     core::grading::Process process;
     int infractions = 0;
-    std::uint8_t aids = 0;  ///< bits of core::session::Aid that were in use
+    std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
+    std::optional<core::grading::Practised> practised;  ///< of an exercise
     [[nodiscard]] int aidsUsed() const { return std::popcount(aids); }
 };
 
@@ -84,6 +86,7 @@ struct Remarked
 {
     core::recording::ReplayOutcome outcome;
     Mark mark;
+    Conduct conduct;
     std::vector<core::grading::Infraction> infractions;
 };
 

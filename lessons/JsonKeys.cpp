@@ -257,6 +257,28 @@ int JsonKeys::choice(const char* key, const QStringList& known)
     return static_cast<int>(value.isString() ? place : -1);
 }
 
+std::vector<glm::dvec2> JsonKeys::places(const char* key, int most, double far)
+{
+    const QJsonValue value = take(key);
+    const QJsonArray list = value.toArray();
+    if (list.isEmpty() || list.size() > most) {
+        fault(key, QStringLiteral("must be a list of 1 to %1 places: [[x, y], ...]").arg(most));
+        return {};
+    }
+    std::vector<glm::dvec2> places;
+    for (qsizetype k = 0; k < list.size(); ++k) {
+        const QJsonArray pair = list[k].toArray();
+        const bool isPair = pair.size() == 2 && pair[0].isDouble() && pair[1].isDouble();
+        const glm::dvec2 place(pair[0].toDouble(), pair[1].toDouble());
+        if (isPair && std::abs(place.x) <= far && std::abs(place.y) <= far)
+            places.push_back(place);
+        else
+            fault(qPrintable(QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(k)),
+                  QStringLiteral("must be [x, y], two numbers between %1 and %2 mm").arg(-far).arg(far));
+    }
+    return places;
+}
+
 std::map<std::string, double> JsonKeys::allNumbers(double low, double high)
 {
     std::map<std::string, double> found;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QSet>
@@ -44,6 +46,8 @@ public:
     void objects(const char* key, int most, const std::function<void(JsonKeys&)>& each);
     /// The place of `value` in `known`, or a fault that lists them, and -1. -1 without a fault if the key is missing.
     [[nodiscard]] int choice(const char* key, const QStringList& known);
+    /// A list of 1 to `most` places [x, y], mm, each coordinate within [-far, far]; a fault names the place.
+    [[nodiscard]] std::vector<glm::dvec2> places(const char* key, int most, double far);
     /// All keys and numbers of this object, each within [low, high].
     [[nodiscard]] std::map<std::string, double> allNumbers(double low, double high);
 

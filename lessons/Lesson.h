@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/grading/Exercise.h"
 #include "core/settings/Handpiece.h"
 #include "core/settings/HardnessPreset.h"
 #include "lessons/Aids.h"
@@ -20,8 +21,17 @@ namespace lessons {
 enum class Task {
     RemoveDecay,  ///< take the lesion out and spare the rest
     CutIdeal,     ///< cut the ideal preparation
-    TraceShape    ///< mill the shape out of a practice block
+    TraceShape,   ///< mill the shape out of a practice block
+    TouchPoints,  ///< touch points of the tooth with the drill off
+    HoldForce,    ///< hold a force on the tooth with the drill off
+    TellLayers    ///< tell the pads of a block of layers apart by feel, unseen
 };
+
+/// Something is practised on the tooth, and nothing is to be cut (core::grading::Exercise).
+[[nodiscard]] constexpr bool isExercise(Task task)
+{
+    return task == Task::TouchPoints || task == Task::HoldForce || task == Task::TellLayers;
+}
 
 /// A tooth that the program makes.
 struct MadeTooth
@@ -74,6 +84,14 @@ struct Ideal
     bool operator==(const Ideal&) const = default;
 };
 
+/// An attempt to learn from, a recording beside the lesson.
+struct Expert
+{
+    std::string file;  ///< absolute path; of a lesson that a recording keeps, its name alone
+    std::string hash;  ///< SHA-256 of its content, 64 hex digits
+    bool operator==(const Expert&) const = default;
+};
+
 /// Zones round a shape: so much beside and below the target is forgiven in per cent, beyond it is the container.
 struct LeewayZone
 {
@@ -116,6 +134,8 @@ struct Lesson
     std::optional<Lesion> lesion;
     std::optional<Ideal> ideal;
     std::optional<LeewayZone> leeway;
+    std::optional<core::grading::PointsToTouch> touch;
+    std::optional<core::grading::ForceToHold> hold;
     std::vector<std::string> burs;                      ///< allowed, by id; the first is given; none: all
     std::vector<core::settings::Handpiece> handpieces;  ///< at hand; the first is given; none: all
     core::settings::HardnessPreset hardness;
@@ -126,8 +146,9 @@ struct Lesson
     bool exam = false;
     Rules rules;
     Rubric rubric;
+    std::optional<Expert> expert;
     LocalText notModelled;  ///< what the lesson leaves out
-    std::string hash;       ///< SHA-256 over the content, with rubric, scan and captured ideal; 64 hex digits
+    std::string hash;       ///< SHA-256 over the content, with rubric, scan, expert and captured ideal; 64 hex digits
     std::string json;       ///< the whole lesson as one JSON text, rubric included: what a recording keeps
     bool operator==(const Lesson&) const = default;
 };

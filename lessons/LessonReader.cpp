@@ -30,13 +30,16 @@ namespace {
 constexpr int kMostFiles = 8;
 constexpr qint64 kLargestScanBytes = qint64{1} << 30;
 constexpr int kMostSteps = 40;
+constexpr int kMostPointsToTouch = 40;
+constexpr double kFarthestPointMm = 30.0;
 constexpr double kMostPoints = 100.0;
 constexpr qint64 kLargestSeed = qint64{1} << 53;
 constexpr int kNewestVersion = 1'000'000;
 const QString kShipped = QStringLiteral(":/lessons/");
 const char* const kBasedOn = "based_on";
 
-const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"), QStringLiteral("trace_shape")};
+const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
+                         QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("tell_layers")};
 const QStringList kSides{QStringLiteral("over"), QStringLiteral("under"), QStringLiteral("both")};
 const QStringList kVerdicts{QStringLiteral("sum_of_errors"), QStringLiteral("worst_error")};
 
@@ -351,6 +354,7 @@ public:
         takeWork(lesson);
         takeTools(lesson);
         takeRules(lesson);
+        takeExpert(lesson);
         m_keys.objects("steps", kMostSteps, [&](JsonKeys& step) {
             lesson.steps.push_back({step.local("text", true), step.local("hint", false)});
             step.nameTheRest();
@@ -536,6 +540,19 @@ private:
                                        leeway->number("bottom_mm", 0.0, 3.0, "mm", 0.3)};
             leeway->nameTheRest();
         }
+        if (auto touch = m_keys.object("touch")) {
+            lesson.touch.emplace();
+            lesson.touch->pointsMm = touch->places("points", kMostPointsToTouch, kFarthestPointMm);
+            lesson.touch->reachMm = touch->number("reach_mm", 0.1, 3.0, "mm", lesson.touch->reachMm);
+            touch->nameTheRest();
+        }
+        if (auto hold = m_keys.object("hold")) {
+            lesson.hold.emplace();
+            lesson.hold->forceN = hold->number("force_n", 0.2, 5.0, "N", lesson.hold->forceN);
+            lesson.hold->withinN = hold->number("within_n", 0.02, 2.0, "N", lesson.hold->withinN);
+            lesson.hold->seconds = hold->number("seconds", 1.0, 120.0, "s", lesson.hold->seconds);
+            hold->nameTheRest();
+        }
     }
 
     /// "natural", or one of those with other figures for some of its materials.
@@ -592,9 +609,9 @@ private:
                 m_keys.fault("burs", QString::fromStdString(known.error().detail));
             lesson.burs.push_back(bur.toStdString());
         }
-        if (!m_keys.has("aids"))
-            return;
-        lesson.aids = Aids::none();
+        const bool isUnseen = lesson.task == Task::TellLayers;
+        if (isUnseen || m_keys.has("aids"))
+            lesson.aids = Aids::none();
         for (const QString& name : m_keys.names("aids")) {
             if (bool* const aid = aidNamed(lesson.aids, name))
                 *aid = true;
@@ -615,6 +632,18 @@ private:
             if (name == QLatin1String(id))
                 return aid;
         return nullptr;
+    }
+
+    void takeExpert(Lesson& lesson)
+    {
+        auto keys = m_keys.object("expert");
+        if (!keys)
+            return;
+        Expert expert;
+        const QString name = QString::fromStdString(keys->neededText("recording"));
+        takeFile(*keys, "recording", QStringLiteral("expert"), name, expert.file, expert.hash);
+        lesson.expert = expert;
+        keys->nameTheRest();
     }
 
     void takeRules(Lesson& lesson)
@@ -645,6 +674,16 @@ private:
             m_keys.fault("ideal", QStringLiteral("is missing; it says which preparation is to be cut"));
         if (lesson.task == Task::TraceShape && !isBlock)
             m_keys.fault("tooth", QStringLiteral("a shape is traced in a block: write {\"block\": \"line\"}"));
+        if (lesson.task == Task::TouchPoints && !lesson.touch)
+            m_keys.fault("touch", QStringLiteral("is missing; it says which points are to be touched: {\"points\": "
+                                                 "[[x, y], ...]}"));
+        if (lesson.task == Task::HoldForce && !lesson.hold)
+            m_keys.fault("hold", QStringLiteral("is missing; it says which force is to be held: {\"force_n\": 1}"));
+        if (lesson.task == Task::TellLayers && (!isBlock || std::get<Block>(lesson.tooth).shape != "layers"))
+            m_keys.fault("tooth", QStringLiteral("layers are told apart in a block of them: write {\"block\": "
+                                                 "\"layers\", \"seed\": 3}"));
+        if (lesson.task == Task::TellLayers && lesson.aids != Aids::none())
+            m_keys.fault("aids", QStringLiteral("layers are told apart without any; leave the key out"));
     }
 
     QJsonObject m_whole;

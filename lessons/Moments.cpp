@@ -107,12 +107,11 @@ public:
     {
         if (auto marked = endPart(); !marked)
             return tl::unexpected(marked.error());
-        lookAtTheWay();
-        const auto marked = mark(m_assignment, m_servo.tooth().tooth(), conduct());
-        if (!marked)
+        // Whatever else has changed since the last look did so by now.
+        if (auto marked = markNow({Moment::Kind::Way, 0, m_servo.tick(), secondsNow(), 0}); !marked)
             return tl::unexpected(marked.error());
         Moments result;
-        result.sheet = marked->sheet;
+        result.sheet = m_sheet;
         for (std::size_t k = 0; k < m_losses.size(); ++k) {
             const Criterion& line = result.sheet.criteria[k];
             std::vector<Moment> moments = m_losses[k].moments();
@@ -169,7 +168,8 @@ private:
     [[nodiscard]] double secondsNow() const { return std::chrono::duration<double>(m_time).count(); }
     [[nodiscard]] Conduct conduct() const
     {
-        return {m_examiner.process(), static_cast<int>(m_examiner.infractions().size()), m_examiner.aids()};
+        return {m_examiner.process(), static_cast<int>(m_examiner.infractions().size()), m_examiner.aids(),
+                m_examiner.practised()};
     }
 
     [[nodiscard]] core::Status endPart()
@@ -188,6 +188,7 @@ private:
             return tl::unexpected(marked.error());
         for (std::size_t k = 0; k < m_losses.size(); ++k)
             m_losses[k].become(lostBy(marked->sheet.criteria[k], m_assignment.rubric.verdict), now);
+        m_sheet = std::move(marked->sheet);
         m_measured = std::move(marked->measured);
         return {};
     }
@@ -200,6 +201,7 @@ private:
         m_measured.process = now.process;
         m_measured.infractions = now.infractions;
         m_measured.aidsUsed = now.aidsUsed();
+        m_measured.practised = now.practised;
         Values values;
         const auto take = [&](const std::string& id) {
             if (const auto measure = core::grading::findMeasure(id))
@@ -241,7 +243,8 @@ private:
     Rubric m_wayRubric;                    ///< the criteria that a tick without a cut can change
     std::vector<std::size_t> m_wayPlaces;  ///< where they stand in the whole rubric
     std::vector<Losses> m_losses;          ///< by criterion
-    core::grading::Measured m_measured;    ///< when the tooth was marked last
+    ScoreSheet m_sheet;                    ///< when the tooth was marked last
+    core::grading::Measured m_measured;
     std::map<std::uint64_t, Kept> m_kept;  ///< by tick
     std::optional<Moment> m_part;          ///< what has been cut since then began here
     std::chrono::microseconds m_time{0};

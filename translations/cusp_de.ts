@@ -385,6 +385,14 @@
     </message>
 </context>
 <context>
+    <name>ExerciseMarks</name>
+    <message>
+        <source>height, mm</source>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <translation>Höhe, mm</translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>width of the isthmus</source>
@@ -669,6 +677,10 @@
         <source>from %1 on all %2 points are lost</source>
         <translation>ab %1 sind alle %2 Punkte verloren</translation>
     </message>
+    <message>
+        <source>The first minutes</source>
+        <translation>Die ersten Minuten</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -707,6 +719,22 @@
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
         <translation>P</translation>
+    </message>
+</context>
+<context>
+    <name>Pad</name>
+    <message>
+        <source>Left</source>
+        <extracomment>Three pads of a practice block, side by side</extracomment>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
     </message>
 </context>
 <context>
@@ -908,6 +936,18 @@
         <source>Taken up again</source>
         <translation>Wieder aufgenommen</translation>
     </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation>Farbe des Instruments</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>innerhalb des Umrisses gehalten</translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation>Anderes Handstück</translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>
@@ -1048,6 +1088,14 @@
     <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
         <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder wähle sie im Editor einer Lektion an diesem Zahn.</translation>
+    </message>
+    <message>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation>Diese Übung ist noch nicht begonnen, also gibt es nichts zu bewerten.</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
     </message>
 </context>
 <context>
@@ -1711,6 +1759,30 @@
         <source>Keep what you have cut as the ideal that lessons ask for</source>
         <translation>Behält, was du präpariert hast, als Ideal für Lektionen</translation>
     </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Noch einer daneben</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Sich führen lassen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -2115,6 +2187,18 @@
         <source>Captured ideals (%1)</source>
         <translation>Abgenommene Ideale (%1)</translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2492,6 +2576,101 @@
     </message>
 </context>
 <context>
+    <name>ui::study::ExerciseCard</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Say that this pad is made of this; you can change it until you are graded</source>
+        <translation>Sagen, dass dieses Feld daraus besteht; bis zur Bewertung lässt es sich ändern</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
+        <translation>✓ richtig</translation>
+    </message>
+    <message>
+        <source>✗ it is %1</source>
+        <translation>✗ es ist %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n points touched</source>
+        <translation>
+            <numerusform>Der Punkt ist berührt</numerusform>
+            <numerusform>Alle %n Punkte berührt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched</source>
+        <translation>%1 von %2 Punkten berührt</translation>
+    </message>
+    <message>
+        <source>Held for %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>%1 s gehalten</translation>
+    </message>
+    <message>
+        <source>Hold %1 N for %2 s</source>
+        <translation>%1 N für %2 s halten</translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
+        <translation>von %1 s</translation>
+    </message>
+    <message>
+        <source>This is what they are made of</source>
+        <translation>Daraus bestehen sie</translation>
+    </message>
+    <message>
+        <source>Every pad has its name</source>
+        <translation>Jedes Feld hat seinen Namen</translation>
+    </message>
+    <message>
+        <source>What is each pad made of?</source>
+        <translation>Woraus besteht jedes Feld?</translation>
+    </message>
+    <message>
+        <source>Graded. F2 leads to the next lesson.</source>
+        <translation>Bewertet. F2 führt zur nächsten Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Well done. See how it is marked.</source>
+        <translation>Gut gemacht. Sieh, wie es bewertet wird.</translation>
+    </message>
+    <message>
+        <source>Sure? Then see how it is marked.</source>
+        <translation>Sicher? Dann sieh, wie es bewertet wird.</translation>
+    </message>
+    <message>
+        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
+        <translation>Der Bohrer läuft: Halte ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <translation>Lass den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
+    </message>
+    <message>
+        <source>Longest so far: %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>Am längsten bisher: %1 s</translation>
+    </message>
+    <message>
+        <source>Any order. Rings become discs.</source>
+        <translation>In beliebiger Folge. Aus Ringen werden Scheiben.</translation>
+    </message>
+    <message>
+        <source>Anywhere on the tooth.</source>
+        <translation>Irgendwo auf dem Zahn.</translation>
+    </message>
+    <message>
+        <source>Press on each for a second, and compare.</source>
+        <translation>Drücke auf jedes eine Sekunde lang und vergleiche.</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2548,6 +2727,13 @@
     <message>
         <source>too deep</source>
         <translation>zu tief</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HoldGauge</name>
+    <message>
+        <source>Force against the band from %1 to %2 N</source>
+        <translation>Kraft gegen das Feld von %1 bis %2 N</translation>
     </message>
 </context>
 <context>

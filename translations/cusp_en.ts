@@ -385,6 +385,14 @@
     </message>
 </context>
 <context>
+    <name>ExerciseMarks</name>
+    <message>
+        <source>height, mm</source>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>width of the isthmus</source>
@@ -669,6 +677,10 @@
         <source>from %1 on all %2 points are lost</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The first minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -706,6 +718,22 @@
     <message>
         <source>P</source>
         <extracomment>One letter for pulp</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Pad</name>
+    <message>
+        <source>Left</source>
+        <extracomment>Three pads of a practice block, side by side</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -908,6 +936,18 @@
         <source>Taken up again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>
@@ -1047,6 +1087,14 @@
     </message>
     <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1711,6 +1759,30 @@
         <source>Keep what you have cut as the ideal that lessons ask for</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -2115,6 +2187,18 @@
         <source>Captured ideals (%1)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2492,6 +2576,101 @@
     </message>
 </context>
 <context>
+    <name>ui::study::ExerciseCard</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say that this pad is made of this; you can change it until you are graded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ it is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n points touched</source>
+        <translation>
+            <numerusform>The point is touched</numerusform>
+            <numerusform>All %n points touched</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held for %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold %1 N for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is what they are made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every pad has its name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is each pad made of?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Graded. F2 leads to the next lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Well done. See how it is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure? Then see how it is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest so far: %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any order. Rings become discs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anywhere on the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press on each for a second, and compare.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
@@ -2547,6 +2726,13 @@
     </message>
     <message>
         <source>too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HoldGauge</name>
+    <message>
+        <source>Force against the band from %1 to %2 N</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

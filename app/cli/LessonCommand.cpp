@@ -26,7 +26,8 @@ QString english(const lessons::LocalText& text)
 
 QString taskName(lessons::Task task)
 {
-    static constexpr std::array kNames{"remove_decay", "cut_ideal", "trace_shape"};
+    static constexpr std::array kNames{"remove_decay", "cut_ideal",  "trace_shape",
+                                       "touch_points", "hold_force", "tell_layers"};
     return QLatin1String(kNames[static_cast<std::size_t>(task)]);
 }
 

@@ -15,6 +15,7 @@ using terrain::Material;
 constexpr std::string_view kMetrics = "courseware.md 3.3";
 constexpr std::string_view kForms = "teeth.md 7, ideal values of a Class I preparation";
 constexpr std::string_view kPad = "teeth.md 7, training shapes; courseware.md 3.1 (Simodont)";
+constexpr std::string_view kFirstMinutes = "ours: the first five minutes at the device; courseware.md 3.3 (force)";
 constexpr std::string_view kHapTel = "courseware.md 3.1 (hapTEL), 3.3";
 
 double removed(const Measured& m, Material material)
@@ -44,6 +45,14 @@ template <class Say>
 Value ofProcess(const Measured& m, Say say)
 {
     return m.process ? Value(say(*m.process)) : std::nullopt;
+}
+
+/// What `say` answers of an exercise of this kind; nothing of another.
+template <class Kind, class Say>
+Value ofExercise(const Measured& m, Say say)
+{
+    const Kind* practised = m.practised ? std::get_if<Kind>(&*m.practised) : nullptr;
+    return practised != nullptr ? Value(say(*practised)) : std::nullopt;
 }
 
 Value valueOf(const std::optional<Placed>& placed)
@@ -114,6 +123,18 @@ std::optional<Placed> wallError(const Measured& m)
             most = Placed{std::abs(here->value - ideal->value), here->node};
     }
     return most;
+}
+
+/// When the last of the points was touched; nothing before all are.
+Value allTouchedS(const Touched& touched)
+{
+    Value last;
+    for (const auto& at : touched.atS) {
+        if (!at)
+            return std::nullopt;
+        last = std::max(last.value_or(0.0), *at);
+    }
+    return last;
 }
 
 Value isthmusError(const Measured& m)
@@ -498,6 +519,38 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return m.infractions; }, nullptr},
     {"aids_used", "", "Aids to seeing that were used at any time: section, depth gauge, X-ray, colours, mirror, ideal.",
      kMetrics, [](const Measured& m) -> Value { return m.aidsUsed; }, nullptr},
+
+    {"points_touched_percent", "percent", "Share of the points asked for that the bur touched with the drill off.",
+     kFirstMinutes,
+     [](const Measured& m) -> Value {
+         return ofExercise<Touched>(m, [](const Touched& t) {
+             return percent(static_cast<double>(t.count()), static_cast<double>(t.atS.size()));
+         });
+     },
+     nullptr},
+    {"time_to_touch_all_s", "s", "Time until the last of the points was touched; not measured before all are.",
+     kFirstMinutes, [](const Measured& m) -> Value { return ofExercise<Touched>(m, allTouchedS); }, nullptr},
+    {"hold_longest_s", "s", "Longest time at a stretch that the force was held, up to the time asked for.", kFirstMinutes,
+     [](const Measured& m) -> Value { return ofExercise<Held>(m, [](const Held& h) { return h.longestS; }); }, nullptr},
+    {"hold_within_percent", "percent", "Share of the time in contact, once the force was right, that it was held.",
+     kFirstMinutes,
+     [](const Measured& m) -> Value {
+         return ofExercise<Held>(m, [](const Held& h) { return percent(h.heldS, h.pressedS); });
+     },
+     nullptr},
+    {"hold_error_n", "N", "Mean distance from the force asked for in contact, once it was right.", kFirstMinutes,
+     [](const Measured& m) -> Value {
+         return ofExercise<Held>(m, [](const Held& h) { return h.pressedS > 0.0 ? Value(h.meanErrorN) : std::nullopt; });
+     },
+     nullptr},
+    {"layers_named_percent", "percent", "Share of the pads whose tissue was named rightly, the answer given last.",
+     kFirstMinutes,
+     [](const Measured& m) -> Value {
+         return ofExercise<Named>(m, [](const Named& n) {
+             return percent(static_cast<double>(n.right), static_cast<double>(kPads));
+         });
+     },
+     nullptr},
 });
 
 }  // namespace
@@ -517,12 +570,19 @@ bool isOfProcess(const MeasureInfo& measure)
 {
     Process complete;
     complete.firstCutS = complete.strokeMm = complete.strokeS = complete.jerkMmPerS3 = 0.0;
-    complete.force.emplace();
+    complete.force = Process::Force{};
     Measured way;
     way.process = complete;
     way.infractions = 0;
     way.aidsUsed = 0;
-    return measure.value(way).has_value() && !measure.value(Measured{}).has_value();
+    // Of an exercise there is one kind at a time.
+    bool isTold = measure.value(way).has_value();
+    for (const Practised& practised : {Practised(Touched{{0.0}}), Practised(Held{1.0, 1.0, 1.0, 1.0, 0.0, true}),
+                                       Practised(Named{{terrain::Material::Enamel}, 1})}) {
+        way.practised = practised;
+        isTold = isTold || measure.value(way).has_value();
+    }
+    return isTold && !measure.value(Measured{}).has_value();
 }
 
 }  // namespace core::grading

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/grading/Deviation.h"
+#include "core/grading/Exercise.h"
 #include "core/grading/Measures.h"
 #include "core/grading/Process.h"
 
@@ -20,6 +21,7 @@ struct Measured
     std::optional<Process> process;      ///< nothing without a recording
     std::optional<int> infractions;      ///< against the lesson's rules; nothing without a recording
     std::optional<int> aidsUsed;         ///< how many of the aids to seeing; nothing without a recording
+    std::optional<Practised> practised;  ///< nothing without an exercise and a recording
 };
 
 /// A measure by the name that a rubric knows it by.

@@ -115,6 +115,7 @@ void Player::keepPose(const session::ServoState& state)
                     .seconds = std::chrono::duration<double>(m_time).count(),
                     .health = state.health,
                     .burIndex = state.burIndex,
+                    .handpieceIndex = state.handpieceIndex,
                     .material = state.materialUnderBur,
                     .touching = state.touching,
                     .drillOn = state.drillOn,
@@ -199,6 +200,7 @@ session::ServoState Player::stateAt(std::uint64_t tick) const
     state.cutting = pose.cutting;
     state.handpieceOnCrown = pose.handpieceOnCrown;
     state.burIndex = pose.burIndex;
+    state.handpieceIndex = pose.handpieceIndex;
     state.materialUnderBur = pose.material;
     state.burRpm = static_cast<double>(pose.burRpm);
     state.depthMm = static_cast<double>(pose.depthMm);

@@ -90,6 +90,7 @@ private:
         double seconds;  ///< since the beginning
         std::uint32_t health;
         std::uint8_t burIndex;
+        std::uint8_t handpieceIndex;
         terrain::Material material;
         bool touching;
         bool drillOn;

@@ -8,7 +8,15 @@ namespace core::session {
 Examiner::Examiner(const Examination& examination, std::shared_ptr<const terrain::ToothAnatomy> anatomy)
     : m_meter(std::make_unique<grading::ProcessMeter>(examination.rules.forceLimitN.value_or(kUsualForceLimitN))),
       m_referee(examination.rules, std::move(anatomy), examination.ideal)
-{}
+{
+    if (examination.exercise)
+        m_exercise.emplace(*examination.exercise);
+}
+
+std::optional<grading::Practised> Examiner::practised() const
+{
+    return m_exercise ? std::optional(m_exercise->practised()) : std::nullopt;
+}
 
 void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed)
 {
@@ -19,10 +27,14 @@ void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed
     }
     if (event.kind == ServoEvent::Kind::Aids)
         m_aids |= static_cast<std::uint8_t>(event.value);
+    if (event.kind == ServoEvent::Kind::Note && m_exercise)
+        m_exercise->noted(event.value);
     if (!recording::isStep(event))
         return;
     const std::chrono::microseconds dt(event.dtUs);
     m_meter->take(replayed.state(), dt);
+    if (m_exercise)
+        m_exercise->take(replayed.state(), dt);
     for (const grading::Infraction& infraction : m_referee.look(replayed.state(), replayed.changed(), tooth, dt))
         m_infractions.push_back(infraction);
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/grading/Exercise.h"
 #include "core/grading/Process.h"
 #include "core/grading/Referee.h"
 #include "core/recording/Replay.h"
@@ -18,7 +20,8 @@ inline constexpr double kUsualForceLimitN = 3.0;
 struct Examination
 {
     grading::Rules rules;
-    grading::IdealTop ideal;  ///< what is to be cut; may be null
+    grading::IdealTop ideal;                    ///< what is to be cut; may be null
+    std::optional<grading::Exercise> exercise;  ///< what is to be practised; nothing where something is to be cut
 };
 
 /// Looks at an attempt as it is replayed, live or afterwards, and says how it goes: the process and the infractions.
@@ -36,10 +39,13 @@ public:
     [[nodiscard]] std::uint8_t aids() const { return m_aids; }
     [[nodiscard]] grading::Process process() const { return m_meter->process(); }
     [[nodiscard]] const std::vector<grading::Infraction>& infractions() const { return m_infractions; }
+    /// How the exercise goes; nothing where there is none.
+    [[nodiscard]] std::optional<grading::Practised> practised() const;
 
 private:
     std::unique_ptr<grading::ProcessMeter> m_meter;
     grading::Referee m_referee;
+    std::optional<grading::ExerciseMeter> m_exercise;
     std::uint8_t m_aids = 0;
     std::vector<grading::Infraction> m_infractions;
 };

@@ -18,7 +18,13 @@ Findings Follower::findings() const
     const std::lock_guard lock(m_mutex);
     if (m_generation == 0 || !m_examiner)
         return {};
-    return {m_generation, m_replayer->tick(), m_examiner->process(), m_examiner->infractions(), m_examiner->aids()};
+    return found();
+}
+
+Findings Follower::found() const
+{
+    return {m_generation,       m_replayer->tick(),     m_examiner->process(), m_examiner->infractions(),
+            m_examiner->aids(), m_examiner->practised()};
 }
 
 void Follower::tick(std::chrono::microseconds)
@@ -58,9 +64,7 @@ std::optional<Concluded> Follower::conclude()
     if (!m_replayer || !m_examiner)
         return std::nullopt;
     terrain::Tooth tooth = m_replayer->tooth().tooth();
-    Findings findings{m_generation, m_replayer->tick(), m_examiner->process(), m_examiner->infractions(),
-                      m_examiner->aids()};
-    return Concluded{std::move(*recording), std::move(tooth), std::move(findings)};
+    return Concluded{std::move(*recording), std::move(tooth), found()};
 }
 
 /// From the beginning of a recording: what is on it already will be replayed.

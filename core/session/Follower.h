@@ -20,7 +20,8 @@ struct Findings
     std::uint64_t ticks = 0;
     grading::Process process;
     std::vector<grading::Infraction> infractions;
-    std::uint8_t aids = 0;  ///< bits of Aid: in use at any time
+    std::uint8_t aids = 0;                        ///< bits of Aid: in use at any time
+    std::optional<grading::Practised> practised;  ///< of an exercise; else nothing
 };
 
 /// An attempt at one tick, whole: what it is marked by, and what a replay of the recording comes to.
@@ -57,6 +58,7 @@ private:
     void startOver(const recording::Recording& recording, std::uint64_t generation);
     void take(const std::vector<ServoEvent>& events);
     [[nodiscard]] bool play(const ServoEvent& event);
+    [[nodiscard]] Findings found() const;
 
     const SessionLoop& m_session;
     mutable std::mutex m_mutex;  ///< guards all below

@@ -9,8 +9,11 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <glm/geometric.hpp>
 
 #include "app/Application.h"
+#include "core/teeth/Block.h"
+#include "lessons/LessonCatalog.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/shell/Actions.h"
@@ -28,11 +31,14 @@ private slots:
     void init();
     void cleanup() { m_application.reset(); }
 
+    void theFirstMinutesFromBeginningToEnd();
     void theSameWorkIsGradedOnce();
     void aScoreIsExplainedInTheBackground();
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void aMomentOfTheOwnAttemptIsShownAndLeft();
+    void anotherAttemptIsPlayedBeside();
+    void aHandIsLedAlongARecording();
     void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
     void theSimulatedHandpieceDrillsByItself();
@@ -52,6 +58,14 @@ private:
     /// Drills at a point of the tooth until more enamel is gone than before.
     void drillAt(glm::dvec3 pointMm) const;
     void save(const QString& path) const;
+    /// Opens a shipped lesson and waits until it can be worked on.
+    lessons::Lesson openLesson(const std::string& id) const;
+    /// Brings the bur over a place of the tooth and presses the button.
+    void pressAt(glm::dvec2 placeMm) const;
+    void letGo() const { QTest::mouseRelease(&m_application->window().view(), Qt::LeftButton); }
+    [[nodiscard]] QString title() const { return child<QLabel>("exerciseTitle")->text(); }
+    /// Asks for the score by the card's own button; the total is on the page.
+    QString graded() const;
     /// Drills, and leaves the attempt's journal in `into` as a program leaves it that is killed now; then ends. Returns
     /// how much enamel was gone.
     QString leaveUnfinished(glm::dvec3 pointMm, const QString& into);
@@ -170,6 +184,113 @@ void TestApplication::discardedAttemptsMakeWayForOlderOnes()
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3, 30000);
     QVERIFY(journals().isEmpty());
     QTRY_VERIFY(message().contains("cannot be taken up again"));
+}
+
+lessons::Lesson TestApplication::openLesson(const std::string& id) const
+{
+    lessons::Lesson lesson;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            lesson = *entry.read.lesson;
+    if (lesson.id.empty())
+        qFatal("no such lesson");
+    emit m_application->window().lessonChosen(lesson);
+    QTest::qWait(100);
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000); }();
+    // From above, so that nothing stands before anything.
+    ui::tooth::ToothView& view = m_application->window().view();
+    view.setCamera(0.0, 85.0, view.camera().distanceMm());
+    return lesson;
+}
+
+void TestApplication::pressAt(glm::dvec2 placeMm) const
+{
+    ui::tooth::ToothView& view = m_application->window().view();
+    const core::terrain::Tooth& tooth = *view.tooth();
+    const glm::dvec2 node = tooth.anatomy->grid.latticeOf(placeMm);
+    const std::size_t k = tooth.anatomy->grid.index(qRound(node.x), qRound(node.y));
+    const glm::dvec2 pixel = view.camera().pixelOf({placeMm, static_cast<double>(tooth.anatomy->top[k])});
+    const QPoint at(qRound(pixel.x), qRound(pixel.y));
+    QTest::mouseMove(&view, at);
+    QTest::qWait(600);  // the hand gets there
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+}
+
+QString TestApplication::graded() const
+{
+    auto* button = child<QPushButton>("exerciseGrade");
+    if (!button->isVisible())
+        return QStringLiteral("is not offered");
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTest::mouseClick(child<QPushButton>("showScore"), Qt::LeftButton);
+    return child<ui::shell::ScorePage>()->isVisible() ? child<ui::shell::TabularLabel>("total")->text() : message();
+}
+
+/// All three exercises, by the mouse, as somebody does them who has never held a handpiece.
+void TestApplication::theFirstMinutesFromBeginningToEnd()
+{
+    start();
+    QTRY_VERIFY(actions().drill->isChecked());
+    const lessons::Lesson touch = openLesson("orientation-1-touch");
+    QTRY_VERIFY(!actions().drill->isChecked());
+    QCOMPARE(title(), QString("0 of 6 points touched"));
+    actions().grade->trigger();
+    QVERIFY2(message().contains("not been begun"), qPrintable(message()));
+    // With the bur turning nothing counts as touched, and it is said.
+    actions().drill->trigger();
+    QTRY_VERIFY(child<QLabel>("exerciseAdvice")->text().contains("space bar"));
+    actions().drill->trigger();
+    QTRY_VERIFY(!child<QLabel>("exerciseAdvice")->text().contains("space bar"));
+    const std::size_t order[] = {3, 0, 5, 1, 4, 2};
+    for (int n = 0; n < 6; ++n) {
+        pressAt(touch.touch->pointsMm[order[n]]);
+        if (n < 5)
+            QTRY_COMPARE_WITH_TIMEOUT(title(), QString("%1 of 6 points touched").arg(n + 1), 10000);
+        else
+            QTRY_COMPARE_WITH_TIMEOUT(title(), QString("All 6 points touched"), 10000);
+        letGo();
+        QTest::qWait(200);
+    }
+    QCOMPARE(graded(), QString("100.0"));
+    // The same is not graded twice: the page comes at once, without a question.
+    actions().back->trigger();
+    actions().grade->trigger();
+    QVERIFY(child<ui::shell::ScorePage>()->isVisible());
+    actions().back->trigger();
+
+    openLesson("orientation-2-hold");
+    QVERIFY(!actions().drill->isChecked());
+    QTRY_COMPARE(title(), QString("Hold 1.0 N for 10 s"));
+    m_application->window().view().setPushForce(1.0);
+    pressAt({-0.27, 0.64});
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("Held for 10 s"), 30000);
+    letGo();
+    QCOMPARE(graded(), QString("100.0"));
+    actions().back->trigger();
+
+    const lessons::Lesson layers = openLesson("orientation-3-layers");
+    QTRY_VERIFY(actions().drill->isChecked());
+    QVERIFY(!child<ui::shell::TabularLabel>("materialFigure")->isVisible());
+    pressAt({core::teeth::kPadX[0], 0.0});
+    QTest::qWait(1000);
+    letGo();
+    const auto made = core::teeth::padMaterials(std::get<lessons::Block>(layers.tooth).seed);
+    const auto choose = [&](std::size_t pad, core::terrain::Material said) {
+        QTest::mouseClick(
+            child<QPushButton>(qPrintable(QStringLiteral("pad%1%2").arg(pad).arg(static_cast<int>(said)))),
+            Qt::LeftButton);
+    };
+    choose(0, made[0]);
+    choose(1, made[2]);
+    choose(1, made[1]);  // thought better of it
+    choose(2, made[0]);
+    QCOMPARE(title(), QString("Every pad has its name"));
+    QTest::qWait(200);
+    QCOMPARE(graded(), QString("70.0"));  // two of three: 90 * 2 / 3 and 10 for the force
+    actions().back->trigger();
+    QVERIFY(child<ui::shell::TabularLabel>("materialFigure")->isVisible());
+    QVERIFY(child<QLabel>("padTruth0")->text().contains("right"));
+    QVERIFY(child<QLabel>("padTruth2")->text().contains("it is"));
 }
 
 void TestApplication::theSameWorkIsGradedOnce()
@@ -294,6 +415,65 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
     QVERIFY(message().contains("your own work"));
     QTRY_COMPARE(enamelRemoved(), own);
     drillAt({2.0, 1.0, -1.0});
+}
+
+void TestApplication::anotherAttemptIsPlayedBeside()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("first.cusprec");
+    save(recording);
+    drillAt({2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    m_application->showMoment(1.0e6);
+    const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>(); };
+    for (int n = 0; n < 2; ++n) {  // another one takes its place
+        emit m_application->window().besideWanted(recording);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().beside->isEnabled() && views().size() == 2, 30000);
+    }
+    const auto* beside = views().front() == &m_application->window().view() ? views().back() : views().front();
+    // Both at their ends: what the first stroke has left, and what both have.
+    actions().replayEnd->trigger();
+    const auto cut = [](const ui::tooth::ToothView& view) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < view.tooth()->top.size(); ++k)
+            sum += static_cast<double>(view.tooth()->anatomy->top[k] - view.tooth()->top[k]);
+        return sum;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(cut(*beside) > 0.0 && cut(m_application->window().view()) > cut(*beside), 10000);
+    actions().replayBegin->trigger();
+    QTRY_VERIFY(cut(*beside) == 0.0 && cut(m_application->window().view()) == 0.0);
+    actions().beside->trigger();
+    QCOMPARE(views().size(), 1);
+    emit m_application->window().besideWanted(recording);
+    QTRY_COMPARE_WITH_TIMEOUT(views().size(), 2, 30000);
+    actions().back->trigger();
+    QCOMPARE(views().size(), 1);
+    QTRY_COMPARE(enamelRemoved(), own);
+}
+
+void TestApplication::aHandIsLedAlongARecording()
+{
+    start({}, true);
+    const QString before = enamelRemoved();
+    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
+    QTest::qWait(1500);
+    m_application->showMoment(1.0e6);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().along->isEnabled(), 10000);
+    core::session::ServoState seen;
+    connect(&m_application->window().view(), &ui::tooth::ToothView::frameAdvanced, this,
+            [&seen](const core::session::ServoState& state) { seen = state; });
+    const auto apartMm = [&seen] { return glm::length(seen.deviceMm - seen.anchorMm); };
+    actions().replayBegin->trigger();
+    actions().along->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(seen.tick == 0 || apartMm() < 3.0, 10000);
+    actions().pauseReplay->trigger();
+    QTest::qWait(1500);
+    QVERIFY2(actions().along->isChecked(), qPrintable("a hand that goes along is not let go: " + message()));
+    QVERIFY2(apartMm() < 3.0, qPrintable(QString("%1 mm").arg(apartMm())));
+    actions().along->trigger();
+    actions().back->trigger();
+    QTRY_VERIFY(!actions().along->isVisible());
 }
 
 void TestApplication::theUndoHistoryLeadsToAnyMoment()

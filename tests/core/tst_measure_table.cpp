@@ -63,8 +63,11 @@ Attempt boxed(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, glm::
 Measured all(const Attempt& attempt)
 {
     return {grading::measure(attempt.tooth),
-            grading::measureDeviation(attempt.tooth, attempt.ideal, grading::Leeway{}).value(), grading::Process{}, 0,
-            0};
+            grading::measureDeviation(attempt.tooth, attempt.ideal, grading::Leeway{}).value(),
+            grading::Process{},
+            0,
+            0,
+            {}};
 }
 
 }  // namespace
@@ -126,7 +129,8 @@ void TestMeasureTable::idsAreThoseThatRubricsName()
             "time_to_first_cut_s time_cutting_s longest_pause_s path_mm path_cutting_mm strokes "
             "stroke_length_mean_mm stroke_time_mean_s lift_offs force_mean_n force_sd_n force_p95_n "
             "force_largest_n force_over_limit_s jerk_rms_mm_s3 drill_in_air_s contact_bur_off_s "
-            "undo_count infractions aids_used "));
+            "undo_count infractions aids_used points_touched_percent time_to_touch_all_s "
+            "hold_longest_s hold_within_percent hold_error_n layers_named_percent "));
 }
 
 void TestMeasureTable::anUnknownIdIsNone()

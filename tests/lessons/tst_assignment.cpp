@@ -15,7 +15,8 @@ std::vector<Lesson> withIdeal()
 {
     std::vector<Lesson> found;
     for (const CatalogEntry& entry : readCatalog({}))
-        if (entry.read.lesson && entry.read.lesson->task != Task::RemoveDecay)
+        if (entry.read.lesson &&
+            (entry.read.lesson->task == Task::CutIdeal || entry.read.lesson->task == Task::TraceShape))
             found.push_back(*entry.read.lesson);
     return found;
 }
@@ -37,6 +38,8 @@ private slots:
     void everyClassOneIsThereAndNothingDonePassesNone();
     void tooDeepCostsDepthAlone();
     void aRecordingIsMarkedForItsLesson();
+    void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
+    void aPointBesideTheToothIsNamed();
     void theSchemaKnowsTheKeysThatAreRead();
 };
 
@@ -123,6 +126,63 @@ void TestAssignment::aRecordingIsMarkedForItsLesson()
     const auto anatomy = assign(withIdeal().front())->assignment.anatomy;
     QVERIFY(!markAgain(core::recording::Recording({}, anatomy, "{\"format\": 99}")).has_value());
     QCOMPARE(markAgain(core::recording::Recording({}, anatomy))->mark.sheet.rubricId, std::string("decay_removal"));
+}
+
+void TestAssignment::everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone()
+{
+    using namespace core::grading;
+    QStringList found;
+    for (const CatalogEntry& entry : readCatalog({})) {
+        const Lesson& lesson = *entry.read.lesson;
+        if (!isExercise(lesson.task))
+            continue;
+        found << QString::fromStdString(lesson.id);
+        const auto assigned = assign(lesson);
+        QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+        const Assignment& assignment = assigned->assignment;
+        QVERIFY(assignment.exercise.has_value());
+        QVERIFY(assignment.shownIdeal() == nullptr);
+        Practised nothing = Named{};
+        Practised all = Named{};
+        if (const auto* touch = std::get_if<PointsToTouch>(&*assignment.exercise)) {
+            nothing = Touched{std::vector<std::optional<double>>(touch->pointsMm.size())};
+            all = Touched{std::vector<std::optional<double>>(touch->pointsMm.size(), 30.0)};
+        } else if (std::holds_alternative<ForceToHold>(*assignment.exercise)) {
+            nothing = Held{};
+            all = Held{10.0, 10.0, 12.0, 15.0, 0.15, true};
+        } else {
+            const auto& pads = std::get<PadsToName>(*assignment.exercise);
+            all = Named{{pads.madeOf[0], pads.madeOf[1], pads.madeOf[2]}, 3};
+        }
+        const core::terrain::Tooth tooth(assignment.anatomy);
+        const auto done = mark(assignment, tooth, Conduct{{}, 0, 0, all});
+        QVERIFY(done.has_value());
+        QCOMPARE(done->sheet.totalTenths, kFullTenths);
+        const auto idle = mark(assignment, tooth, Conduct{{}, 0, 0, nothing});
+        QVERIFY(idle.has_value());
+        QVERIFY2(!idle->sheet.passed(), qPrintable(QString::number(0.1 * idle->sheet.totalTenths)));
+        // Live and in every replay: what the recording keeps is the same exercise.
+        const auto again = assignmentOf(assignment.anatomy, lesson.json);
+        QVERIFY(again.has_value());
+        QVERIFY(again->exercise == assignment.exercise);
+        QVERIFY(examinationOf(*again).exercise == assignment.exercise);
+    }
+    // They come before all others.
+    QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
+    QCOMPARE(readCatalog({}).front().read.lesson->id, std::string("orientation-1-touch"));
+}
+
+void TestAssignment::aPointBesideTheToothIsNamed()
+{
+    for (const CatalogEntry& entry : readCatalog({})) {
+        if (entry.read.lesson->task != Task::TouchPoints)
+            continue;
+        Lesson lesson = *entry.read.lesson;
+        lesson.touch->pointsMm[1] = {9.5, 0.0};
+        const auto assigned = assign(lesson);
+        QVERIFY(!assigned.has_value());
+        QCOMPARE(assigned.error().detail, std::string("touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
+    }
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -23,6 +24,7 @@ private slots:
     void everyShippedLessonIsSoundAndHasItsDecay();
     void tellsEachFaultByFileAndKey_data();
     void tellsEachFaultByFileAndKey();
+    void layersAreToldWithoutAids();
     void tellsAllFaultsAtOnce();
     void unknownKeysAreNotedWithTheNearest();
     void whatIsBasedOnAnotherTakesItsKeys();
@@ -30,6 +32,7 @@ private slots:
     void refusesAFileThatIsNotThere();
     void refusesNamesThatLeadElsewhere();
     void refusesTenMegabytes();
+    void anExpertsRecordingLiesBeside();
     void truncatedAnywhereNeverCrashes();
     void theHashTellsContentApart();
     void theTextOfALessonIsTheLesson();
@@ -83,6 +86,8 @@ void TestLessonReader::readsEveryKey()
     object["grid"] = 200;
     object["ideal"] = QJsonObject{{"kind", "class1"}, {"sizes", QJsonObject{{"depth_mm", 1.75}}}};
     object["leeway"] = QJsonObject{{"sides_mm", 0.2}, {"bottom_mm", 0.4}};
+    object["touch"] = QJsonObject{{"points", QJsonArray{QJsonArray{1.5, -2}, QJsonArray{0, 0.25}}}, {"reach_mm", 0.4}};
+    object["hold"] = QJsonObject{{"force_n", 1.5}, {"within_n", 0.1}, {"seconds", 5}};
     object["burs"] = QJsonArray{"330", "2"};
     object["handpieces"] = QJsonArray{"low-speed", "turbine"};
     object["hardness"] = QJsonObject{{"name", "soft"},
@@ -111,6 +116,8 @@ void TestLessonReader::readsEveryKey()
     QCOMPARE(got.lesion->extent, 0.5);
     QCOMPARE(got.ideal->sizes.at("depth_mm"), 1.75);
     QCOMPARE(*got.leeway, (LeewayZone{0.2, 0.4}));
+    QCOMPARE(*got.touch, (core::grading::PointsToTouch{{{1.5, -2.0}, {0.0, 0.25}}, 0.4}));
+    QCOMPARE(*got.hold, (core::grading::ForceToHold{1.5, 0.1, 5.0}));
     QCOMPARE(got.burs, (std::vector<std::string>{"330", "2"}));
     QVERIFY(got.aids.section && got.aids.mirror && !got.aids.radiograph && !got.aids.ideal && got.aids.fixture &&
             !got.aids.burColour);
@@ -191,6 +198,19 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("a hardness without a name", "hardness", "{\"axial_share\": 0.5}", "hardness.name: is missing");
     row("enamel too soft", "hardness", R"({"name": "x", "enamel": {"rate_mm3_per_ns": 1000}})",
         "hardness.enamel.rate_mm3_per_ns: is 1000, it must lie between 0 and 100");
+    row("points that are not said", "task", "\"touch_points\"", "touch: is missing");
+    row("an empty list of points", "touch", "{\"points\": []}", "touch.points: must be a list of 1 to 40 places");
+    row("points as a text", "touch", "{\"points\": \"all\"}", "touch.points: must be a list of 1 to 40 places");
+    row("half a point", "touch", "{\"points\": [[1, 2], [3]]}", "touch.points[1]: must be [x, y]");
+    row("a point in words", "touch", "{\"points\": [[\"left\", 2]]}", "touch.points[0]: must be [x, y]");
+    row("a point in micrometres", "touch", "{\"points\": [[1000, 2]]}",
+        "touch.points[0]: must be [x, y], two numbers between -30 and 30 mm");
+    row("a reach that is none", "touch", R"({"points": [[1, 2]], "reach_mm": 0})",
+        "touch.reach_mm: is 0, it must lie between 0.1 and 3 mm");
+    row("a force that is not said", "task", "\"hold_force\"", "hold: is missing");
+    row("a force in grams", "hold", "{\"force_n\": 100}", "hold.force_n: is 100, it must lie between 0.2 and 5 N");
+    row("held for ever", "hold", "{\"seconds\": 1e9}", "hold.seconds: is 1e+09, it must lie between 1 and 120 s");
+    row("layers of a tooth", "task", "\"tell_layers\"", "tooth: layers are told apart in a block of them");
     row("no rubric", "rubric", "null", "rubric: is missing");
     row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
     row("a depth in micrometres", "rules", "{\"depth_limit_mm\": 2500}",
@@ -222,6 +242,21 @@ void TestLessonReader::tellsEachFaultByFileAndKey()
     QVERIFY(!read.lesson);
     QVERIFY2(sentences(read).contains("odd.lesson.json, "), qPrintable(sentences(read)));
     QVERIFY2(sentences(read).contains(says), qPrintable(sentences(read)));
+}
+
+void TestLessonReader::layersAreToldWithoutAids()
+{
+    QJsonObject object = lesson();
+    object["task"] = "tell_layers";
+    object["tooth"] = QJsonObject{{"block", "layers"}, {"seed", 3}};
+    object.remove("lesion");
+    const ReadLesson read = readLesson(write("odd.lesson.json", object));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QCOMPARE(read.lesson->aids, Aids::none());
+    object["aids"] = QJsonArray{"section"};
+    const ReadLesson peeking = readLesson(write("odd.lesson.json", object));
+    QVERIFY(!peeking.lesson);
+    QVERIFY2(sentences(peeking).contains("aids: layers are told apart without any"), qPrintable(sentences(peeking)));
 }
 
 void TestLessonReader::tellsAllFaultsAtOnce()
@@ -313,6 +348,34 @@ void TestLessonReader::refusesTenMegabytes()
     QVERIFY2(sentences(read).contains("has 10.0 MB; a lesson has at most 1.0 MB"), qPrintable(sentences(read)));
     const QByteArray nested = QByteArray(200'000, '[') + QByteArray(200'000, ']');
     QVERIFY(!readLesson(write("deep.lesson.json", "{\"format\": 1, \"steps\": " + nested + "}")).lesson);
+}
+
+void TestLessonReader::anExpertsRecordingLiesBeside()
+{
+    QJsonObject object = lesson();
+    const std::string without = readLesson(write("e.lesson.json", object)).lesson->hash;
+    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
+    QVERIFY(sentences(readLesson(write("e.lesson.json", object)))
+                .contains("expert.recording: there is no file \"expert.cusprec\" beside the lesson"));
+    write("expert.cusprec", QByteArray("one"));
+    const ReadLesson one = readLesson(write("e.lesson.json", object));
+    QVERIFY2(one.lesson.has_value(), qPrintable(sentences(one)));
+    QVERIFY(QFileInfo(QString::fromStdString(one.lesson->expert->file)).isAbsolute());
+    QCOMPARE(one.lesson->expert->hash.size(), std::size_t{64});
+    QVERIFY(one.lesson->hash != without);
+    // Another recording is another lesson.
+    write("expert.cusprec", QByteArray("two"));
+    QVERIFY(readLesson(write("e.lesson.json", object)).lesson->hash != one.lesson->hash);
+    // A recording of an attempt keeps which one it was, not where it lies.
+    const ReadLesson kept = readLessonText(QByteArray::fromStdString(one.lesson->json), QStringLiteral("kept"));
+    QVERIFY2(kept.lesson.has_value(), qPrintable(sentences(kept)));
+    QCOMPARE(kept.lesson->expert->file, std::string("expert.cusprec"));
+    QCOMPARE(kept.lesson->expert->hash, one.lesson->expert->hash);
+    QCOMPARE(kept.lesson->hash, one.lesson->hash);
+    for (const char* name : {"../expert.cusprec", "/etc/passwd"}) {
+        object["expert"] = QJsonObject{{"recording", name}};
+        QVERIFY(!readLesson(write("e.lesson.json", object)).lesson);
+    }
 }
 
 void TestLessonReader::truncatedAnywhereNeverCrashes()

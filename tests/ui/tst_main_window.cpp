@@ -30,6 +30,7 @@
 #include <QTranslator>
 
 #include "core/drilling/Bur.h"
+#include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Rubric.h"
 #include "tests/support/OpenGlMain.h"
@@ -105,6 +106,7 @@ private slots:
     void aHandIsHeldOnRequest();
     void aBreachStopsTheBurAndIsExplained();
     void whatALessonLocksRests();
+    void whatIsToBeFeltIsNotShown();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void spaceOnAFocusedButtonPressesIt();
@@ -135,6 +137,9 @@ private slots:
     void aReplayHasEightSpeeds();
     void keysGoThroughAReplayByStrokes();
     void theTimeLineIsScrubbedAndTellsWhatWas();
+    void anotherAttemptIsShownBeside();
+    void theHandIsLedAlongOnRequest();
+    void theExpertIsOfferedWhereTheLessonHasOne();
     void theUndoHistoryIsShownAndGoneThrough();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
@@ -736,6 +741,81 @@ void TestMainWindow::oneOfTheDepthColoursIsShown()
     QCOMPARE(shown(), DepthColours::Off);
 }
 
+/// Two blocks whose pads are of other tissues look the same, cut or whole, until the answers have been graded.
+void TestMainWindow::whatIsToBeFeltIsNotShown()
+{
+    std::optional<lessons::Lesson> lesson;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson->task == lessons::Task::TellLayers)
+            lesson = entry.read.lesson;
+    QVERIFY(lesson.has_value());
+    const auto assignedWith = [&](std::uint64_t seed) {
+        std::get<lessons::Block>(lesson->tooth).seed = seed;
+        return lessons::assign(*lesson).value().assignment;
+    };
+    ServoState servo;
+    servo.tick = 1;
+    servo.anchorMm = {core::teeth::kPadX[0], 0.0, 0.0};
+    servo.touching = servo.drillOn = true;
+    const auto shown = [&](const lessons::Assignment& assignment, std::uint64_t generation, float depthMm) {
+        m_window->setAssignment(assignment);
+        m_window->showTooth(assignment.anatomy, generation, {});
+        servo.materialUnderBur = std::get<core::grading::PadsToName>(*assignment.exercise).madeOf[0];
+        publish(servo, {});
+        std::vector<float> top = assignment.anatomy->top;
+        for (std::size_t k = 0; k < top.size() / 2; ++k)
+            if (top[k] > -1.0F)
+                top[k] -= depthMm;
+        m_window->view().setHeights(top);
+        QTest::qWait(100);
+        return m_window->grab().toImage();
+    };
+    const lessons::Assignment first = assignedWith(1);
+    lessons::Assignment other = assignedWith(2);
+    for (std::uint64_t seed = 3; *other.exercise == *first.exercise; ++seed)
+        other = assignedWith(seed);
+    static_cast<void>(shown(other, 1, 0.0F));  // where everything finds its place
+    const QImage one = shown(first, 4, 0.0F);
+    const auto looksThe = [&](const QImage& same, const char* name) {
+        if (same == one)
+            return true;
+        one.save(QStringLiteral(CUSP_BINARY_DIR "/pictures/felt-one.png"));
+        same.save(QStringLiteral(CUSP_BINARY_DIR "/pictures/felt-%1.png").arg(name));
+        return false;
+    };
+    QVERIFY(looksThe(shown(other, 5, 0.0F), "other"));
+    QVERIFY(looksThe(shown(first, 6, 0.7F), "cut"));
+    for (const char* figure : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
+        QVERIFY2(!child<TabularLabel>(figure)->isVisible(), figure);
+    for (QAction* aid : {actions().section, actions().radiograph, actions().depthColours, actions().mirror})
+        QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
+    QVERIFY(m_window->view().picture() == m_window->view().picture());
+
+    // By keys: Tab leads to the choices, the space bar takes one, and the last answer is the one that is sent.
+    static_cast<void>(sent());
+    auto* enamel = child<QPushButton>("pad01");
+    auto* dentin = child<QPushButton>("pad02");
+    enamel->setFocus();
+    QTest::keyClick(enamel, Qt::Key_Space);
+    QTest::mouseClick(dentin, Qt::LeftButton);
+    const QList<SessionCommand> answers = sent();
+    QCOMPARE(answers.size(), 2);
+    QCOMPARE(std::get<AddNote>(answers[0]).code, core::grading::answerNote(0, Material::Enamel));
+    QCOMPARE(std::get<AddNote>(answers[1]).code, core::grading::answerNote(0, Material::Dentin));
+    QVERIFY(dentin->isChecked() && !enamel->isChecked());
+    QVERIFY(!child<QPushButton>("exerciseGrade")->isVisible());
+    child<QPushButton>("pad11")->click();
+    child<QPushButton>("pad20")->click();
+    QVERIFY(child<QPushButton>("exerciseGrade")->isVisible());
+
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    actions().back->trigger();
+    QVERIFY(child<TabularLabel>("materialFigure")->isVisible());
+    QVERIFY(!dentin->isEnabled());
+    QVERIFY(child<QLabel>("padTruth0")->isVisible());
+    QVERIFY(m_window->grab().toImage() != one);
+}
+
 void TestMainWindow::theAidsInUseAreNoted()
 {
     QTest::qWait(250);
@@ -873,7 +953,7 @@ void TestMainWindow::helpListsEveryAction()
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
         QVERIFY2(words.contains(group.title), qPrintable(group.title));
-        QCOMPARE(group.actions.front()->isVisible(), group.actions.front() != actions().pauseReplay);
+        QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
             for (const QKeySequence& key : action->shortcuts())
@@ -1414,6 +1494,91 @@ void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()
     QVERIFY(line->saidAt(at(30.0, 24)).isEmpty());
 }
 
+void TestMainWindow::anotherAttemptIsShownBeside()
+{
+    using ui::tooth::ToothView;
+    const auto links = std::make_unique<UiLinks>();
+    const auto views = [this] { return m_window->findChildren<ToothView*>(); };
+    m_window->setReplaying(true, 60.0);
+    m_window->setReplayCourse(course());
+    QCOMPARE(views().size(), 1);
+    const int line = child<ui::replay::TimeLine>("timeLine")->sizeHint().height();
+    m_window->showBeside(*links, support::syntheticMolar(), 1, {}, "Somebody");
+    ui::replay::Course other = course();
+    other.lengthS = other.readyS = 30.0;
+    m_window->setBesideCourse(other);
+    QCOMPARE(views().size(), 2);
+    ToothView* beside = views().front() == &m_window->view() ? views().back() : views().front();
+    QTRY_VERIFY(beside->isVisible() && beside->x() > m_window->view().geometry().right());
+    QTRY_VERIFY(std::abs(beside->width() - m_window->view().width()) <= 1);
+    const QList<QLabel*> labels = m_window->findChildren<QLabel*>();
+    for (const char* name : {"Somebody", "This attempt"})
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [name](const QLabel* label) {
+            return label->isVisible() && label->text() == QLatin1String(name);
+        }));
+    // Whichever is turned, the other follows.
+    press(Qt::Key_Right, Qt::ControlModifier);
+    const double azimuth = m_window->view().camera().azimuthDeg();
+    QTRY_COMPARE(beside->camera().azimuthDeg(), azimuth);
+    beside->setCamera(70.0, 30.0, 30.0);
+    QTRY_COMPARE(m_window->view().camera().azimuthDeg(), 70.0);
+    QTRY_COMPARE(m_window->view().camera().distanceMm(), 30.0);
+    // Both are on one time line, each with its own strokes.
+    auto* both = child<ui::replay::TimeLine>("timeLine");
+    QTRY_VERIFY(both->height() > line);
+    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12 + 32}).join(' ').contains("pulp is open"));
+    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12}).join(' ').contains("Undone"));
+    QVERIFY2(!actions().section->isEnabled(), "there is no room for it");
+    QSignalSpy close(m_window.get(), &MainWindow::besideCloseWanted);
+    press(Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(close.size(), 1);
+    m_window->hideBeside();
+    QCOMPARE(views().size(), 1);
+    QVERIFY(!actions().beside->isChecked() && actions().section->isEnabled());
+    QTRY_COMPARE(both->height(), line);
+}
+
+void TestMainWindow::theHandIsLedAlongOnRequest()
+{
+    QSignalSpy lead(m_window.get(), &MainWindow::leadWanted);
+    m_window->setReplaying(true, 60.0);
+    press(Qt::Key_A);
+    QCOMPARE(lead.size(), 0);
+    QVERIFY2(!actions().along->isVisible(), "a mouse leads nobody");
+    m_window->offerHome();
+    press(Qt::Key_A);
+    QCOMPARE(lead.size(), 1);
+    QVERIFY(lead.back().front().toBool());
+    m_window->showLeadEnd(true);
+    QVERIFY(!actions().along->isChecked());
+    QVERIFY(message().contains("your hand is free"));
+    press(Qt::Key_A);
+    QVERIFY(lead.back().front().toBool());
+    press(Qt::Key_A);
+    QVERIFY(!lead.back().front().toBool());
+    m_window->setReplaying(false);
+    QVERIFY(!actions().along->isVisible());
+}
+
+void TestMainWindow::theExpertIsOfferedWhereTheLessonHasOne()
+{
+    QSignalSpy expert(m_window.get(), &MainWindow::expertWanted);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 0);
+    lessons::Assignment assignment;
+    assignment.anatomy = support::syntheticMolar();
+    assignment.lesson.emplace();
+    assignment.lesson->expert.emplace();
+    m_window->setAssignment(assignment);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 1);
+    assignment.lesson->exam = true;
+    m_window->setAssignment(assignment);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 1);
+    QVERIFY(!actions().expert->isVisible());
+}
+
 void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
 {
     using core::history::MomentInfo;
@@ -1900,6 +2065,11 @@ void TestMainWindow::nothingIsClipped()
     window.setReplaying(true, 60.0);
     window.setReplayCourse(course());
     check("replay");
+    const auto beside = std::make_unique<UiLinks>();
+    window.showBeside(*beside, support::syntheticMolar(), 1, {}, "A recording with a long name");
+    window.setBesideCourse(course());
+    check("beside");
+    window.hideBeside();
     window.setReplaying(false);
     a->help->trigger();
     check("help");
@@ -1931,6 +2101,27 @@ void TestMainWindow::nothingIsClipped()
         a->lessons->trigger();
     }
     a->back->trigger();
+    std::uint64_t generation = 2;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({})) {
+        if (!lessons::isExercise(entry.read.lesson->task))
+            continue;
+        const lessons::Assignment exercise = lessons::assign(*entry.read.lesson).value().assignment;
+        window.setAssignment(exercise);
+        window.showTooth(exercise.anatomy, generation++, {});
+        check(entry.read.lesson->id.c_str());
+        for (const char* choice : {"pad01", "pad12", "pad20"})
+            if (auto* button = window.findChild<QPushButton*>(choice); button->isVisible())
+                button->click();
+        ServoState turning;
+        turning.tick = 1;
+        turning.drillOn = true;
+        publish(turning, session);
+        QTest::qWait(50);
+        check(qPrintable(QString::fromStdString(entry.read.lesson->id) + "-on"));
+        window.showScore(sheet(3.2, 40, 0.5), {});
+        a->back->trigger();
+        check(qPrintable(QString::fromStdString(entry.read.lesson->id) + "-graded"));
+    }
     lessons::Assignment assignment;
     assignment.anatomy = support::syntheticMolar();
     for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
@@ -1939,7 +2130,7 @@ void TestMainWindow::nothingIsClipped()
     QVERIFY(assignment.lesson.has_value());
     assignment.rubric = assignment.lesson->rubric;
     window.setAssignment(assignment);
-    window.showTooth(assignment.anatomy, 2, {});
+    window.showTooth(assignment.anatomy, generation, {});
     check("lesson");
     window.askForecast();
     check("forecast");

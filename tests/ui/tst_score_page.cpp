@@ -112,6 +112,7 @@ private slots:
     void theFirstViewNeedsNoScrolling_data();
     void theFirstViewNeedsNoScrolling();
     void keysReachRowsAndMoments();
+    void aNarrowWindowScrolls();
 
 private:
     void show(const Faulty& made);
@@ -307,6 +308,7 @@ void TestScorePage::theFirstViewNeedsNoScrolling_data()
     QTest::newRow("decay dark") << "decay-36-moderate" << true << QSize(1280, 800);
     QTest::newRow("decay light") << "decay-36-moderate" << false << QSize(1280, 800);
     QTest::newRow("class 1 light") << "class1-36" << false << QSize(1280, 800);
+    QTest::newRow("decay with a task bar") << "decay-36-moderate" << true << QSize(1280, 760);
     QTest::newRow("class 1 large") << "class1-36" << true << QSize(1920, 1080);
 }
 
@@ -341,6 +343,26 @@ void TestScorePage::keysReachRowsAndMoments()
     }
     for (QPushButton* chip : first->findChildren<QPushButton*>())
         QVERIFY2(reached.contains(chip), qPrintable(chip->text()));
+}
+
+/// Everything has the room it needs, one below the other.
+void TestScorePage::aNarrowWindowScrolls()
+{
+    m_actions->distinctColours->setChecked(true);
+    m_window->resize(853, 533);
+    m_page->resize(853, 533);
+    show(faulty("class1-36"));
+    const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+    QVERIFY(pane->hasMoreBelow());
+    QVERIFY(pane->widget()->width() <= pane->viewport()->width());
+    for (const CriterionRow* row : m_page->findChildren<CriterionRow*>())
+        QTRY_VERIFY2(row->height() >= row->heightForWidth(row->width()),
+                     qPrintable(QString("%1 has %2 px, wants %3")
+                                    .arg(row->accessibleName())
+                                    .arg(row->height())
+                                    .arg(row->heightForWidth(row->width()))));
+    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
+        pane->widget()->grab().save(folder + "/score-narrow-whole.png");
 }
 
 QTEST_MAIN(TestScorePage)

@@ -25,11 +25,12 @@ struct Mark
         Undo,
         Redo,
         StartAgain,
-        Bur,     ///< value: index of the bur taken
-        Aids,    ///< value: those in use from now on, bits of core::session::Aid
-        Note,    ///< value: its code
-        Home,    ///< the hand was led home
-        Resumed  ///< the attempt was taken up again
+        Bur,        ///< value: index of the bur taken
+        Handpiece,  ///< value: index of the handpiece taken
+        Aids,       ///< value: those in use from now on, bits of core::session::Aid
+        Note,       ///< value: its code
+        Home,       ///< the hand was led home
+        Resumed     ///< the attempt was taken up again
     };
     Kind kind = Kind::Undo;
     double atS = 0.0;

@@ -30,7 +30,7 @@ constexpr std::size_t kAsMade = 3;
 /// What is told of the moment shown is older than a seek for so long.
 constexpr qint64 kBehindMs = 100;
 constexpr double kThereS = 0.05;
-constexpr int kWordsFromPx = 1040;  ///< a narrower bar has no place for them
+constexpr int kWordsFromPx = 1400;  ///< a narrower bar has no place for them
 
 }  // namespace
 
@@ -71,6 +71,11 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     m_words->setForegroundRole(QPalette::PlaceholderText);
     row.addWidget(m_words);
     row.addStretch(1);
+    for (QAction* action : {actions.along, actions.expert, actions.beside}) {
+        QToolButton* button = barButton(action, true, bar);
+        row.addWidget(button);
+        bar->mayFold(button);
+    }
     QToolButton* view = viewMenu.makeButton(bar);
     row.addWidget(view);
     bar->mayFold(view);

@@ -92,6 +92,7 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     case Mark::Kind::Aids:
         painter.drawEllipse(at, 3.0, 3.0);
         break;
+    case Mark::Kind::Handpiece:
     case Mark::Kind::Note:
     case Mark::Kind::Home:
     case Mark::Kind::Resumed:
@@ -114,6 +115,8 @@ QString aidWords(std::uint64_t aids)
     add(kHeatMapAid, QCoreApplication::translate("TimeLine", "colours of depth"));
     add(kMirrorAid, QCoreApplication::translate("TimeLine", "mirror"));
     add(kIdealAid, QCoreApplication::translate("TimeLine", "ideal"));
+    add(kBurColourAid, QCoreApplication::translate("TimeLine", "colour of the bur"));
+    add(kFixtureAid, QCoreApplication::translate("TimeLine", "held within the outline"));
     return used.isEmpty()
                ? QCoreApplication::translate("TimeLine", "No aid in use")
                : QCoreApplication::translate("TimeLine", "Aids in use: %1").arg(used.join(QStringLiteral(", ")));
@@ -143,6 +146,8 @@ QString markWords(const Mark& mark)
         return QCoreApplication::translate("TimeLine", "Whole again");
     case Mark::Kind::Bur:
         return QCoreApplication::translate("TimeLine", "Bur %1: %2").arg(mark.value + 1).arg(burWords(mark.value));
+    case Mark::Kind::Handpiece:
+        return QCoreApplication::translate("TimeLine", "Another handpiece");
     case Mark::Kind::Aids:
         return aidWords(mark.value);
     case Mark::Kind::Note:

@@ -78,6 +78,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
             tr("Keep what you have cut as the ideal that lessons ask for"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S});
     openRecording =
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
+    expert =
+        add("expert", tr("The expert's attempt"),
+            tr("Watch how an expert does this lesson; in a replay, beside the attempt that is played"), {Qt::Key_Y});
 
     m_groups.push_back({tr("Replay"), {}});
     pauseReplay =
@@ -92,6 +95,12 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                  {Qt::Key_BracketLeft, Qt::Key_Down});
     faster = add("faster", tr("Faster"), tr("Play the recording faster, up to 16 times"),
                  {Qt::Key_BracketRight, Qt::Key_Up});
+    beside = add("beside", tr("Another beside"), tr("Open another attempt beside this one, or put it away"),
+                 {Qt::CTRL | Qt::Key_B});
+    beside->setCheckable(true);
+    along = add("along", tr("Be led along"), tr("Let the handpiece lead your hand along the attempt; a push lets go"),
+                {Qt::Key_A});
+    along->setCheckable(true);
 
     m_groups.push_back({tr("Seeing inside"), {}});
     section = add("section", tr("Section"), tr("Show a live cut through the bur, or put it away"), {Qt::Key_X});

@@ -61,6 +61,9 @@ public:
     QAction* replayEnd = nullptr;
     QAction* slower = nullptr;
     QAction* faster = nullptr;
+    QAction* beside = nullptr;   ///< checkable: another attempt is shown beside
+    QAction* along = nullptr;    ///< checkable: the device leads the hand; hidden where it cannot lead one
+    QAction* expert = nullptr;   ///< also in practice; hidden where the lesson has none
     QAction* section = nullptr;  ///< checkable: the cross-section is there
     QAction* turnSection = nullptr;
     QAction* radiograph = nullptr;

@@ -25,6 +25,7 @@
 #include <QTimer>
 
 #include "core/drilling/Bur.h"
+#include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
@@ -41,6 +42,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonEditor.h"
@@ -96,7 +98,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
-      m_infractionCard(new study::InfractionCard(m_room))
+      m_infractionCard(new study::InfractionCard(m_room)),
+      m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
 {
     setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
@@ -138,6 +141,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         emit takeBackWanted(m_infractionTick);
         workOn();
     });
+    connect(m_exerciseCard, &study::ExerciseCard::changed, this, &MainWindow::placeOverlays);
+    connect(m_exerciseCard, &study::ExerciseCard::answered, this,
+            [this](std::size_t pad, core::terrain::Material said) {
+                send(core::session::AddNote{core::grading::answerNote(pad, said)});
+            });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
@@ -338,6 +346,16 @@ void MainWindow::connectReplay()
         else
             m_view->setFocus();
     });
+    on(m_actions->beside, [this](bool wanted) {
+        m_actions->beside->setChecked(m_beside != nullptr);
+        if (wanted)
+            askForFile(m_actions->beside->text(), FileKind::Recording,
+                       [this](const QString& path) { emit besideWanted(path); });
+        else
+            emit besideCloseWanted();
+    });
+    on(m_actions->expert, [this] { emit expertWanted(); });
+    on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
     connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
             [this](const core::session::GoTo& where) { send(where); });
 }
@@ -347,8 +365,64 @@ void MainWindow::setHistorySource(replay::HistorySource source)
     m_room->history().setSource(std::move(source));
 }
 
+void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+                            std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name)
+{
+    m_busy->done();
+    hideBeside();
+    m_beside = new tooth::ToothView(links, m_room);
+    m_beside->setAccessibleName(name);
+    m_beside->setSettings(m_view->settings());
+    m_beside->setTooth(std::move(tooth), generation);
+    m_beside->setIdeal(ideal);
+    m_room->setBeside(m_beside, name, tr("This attempt"));
+    m_room->setSectionVisible(false);
+    connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
+    m_beside->lookAs(m_view->camera());
+    m_sharedLook = m_beside->camera().view();
+    m_actions->beside->setChecked(true);
+    enableActions();
+    placeOverlays();
+}
+
+void MainWindow::setBesideCourse(const replay::Course& course)
+{
+    m_room->replay().setBeside(course);
+}
+
+void MainWindow::hideBeside()
+{
+    if (m_beside == nullptr)
+        return;
+    m_room->setBeside(nullptr);
+    delete std::exchange(m_beside, nullptr);
+    m_room->replay().setBeside({});
+    m_room->setSectionVisible(m_actions->section->isChecked());
+    m_actions->beside->setChecked(false);
+    enableActions();
+    m_view->setFocus();
+}
+
+/// Whichever was turned, the other follows.
+void MainWindow::lookAlike()
+{
+    tooth::ToothView* turned = m_beside->camera().view() != m_sharedLook ? m_beside : m_view;
+    if (turned->camera().view() == m_sharedLook)
+        return;
+    m_sharedLook = turned->camera().view();
+    (turned == m_view ? m_beside : m_view)->lookAs(turned->camera());
+}
+
+void MainWindow::showLeadEnd(bool pushed)
+{
+    m_actions->along->setChecked(false);
+    showMessage(pushed ? tr("You held against it, so your hand is free. Press A to be led again.")
+                       : tr("The handpiece is not there any more, so your hand is free."));
+}
+
 void MainWindow::offerHome()
 {
+    m_canLead = true;
     m_actions->bringHome->setVisible(true);
     enableActions();
 }
@@ -384,6 +458,70 @@ void MainWindow::showIdeal()
                         m_aids.ideal ? tr("Only a tooth with decay has an ideal preparation.") : QString());
     m_viewMenu->setAllowed(given);
     m_room->section().setIdeal(given.ideal ? m_ideal : nullptr);
+}
+
+/// The card and the marks of an exercise, where the tooth that is shown is one's.
+void MainWindow::layExercise()
+{
+    const bool isThere = m_assignment && m_assignment->anatomy == m_tooth && m_assignment->exercise && !m_replaying &&
+                         m_tooth != nullptr;
+    if (isThere && m_exerciseGeneration != m_ownGeneration) {
+        m_exerciseGeneration = m_ownGeneration;
+        m_touched.reset();
+        m_exerciseCard->begin(*m_assignment->exercise);
+    }
+    m_exerciseCard->setVisible(isThere);
+    if (isThere)
+        m_room->setHintVisible(false);
+    markExercise();
+    placeOverlays();
+}
+
+/// What of it is seen on the tooth: rings on points; or the pads' outlines alone, until they have been graded.
+void MainWindow::markExercise()
+{
+    using namespace core::grading;
+    tooth::ExerciseMarks marks;
+    const bool isThere = m_exerciseCard->isVisibleTo(m_room);
+    if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
+        for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
+            marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
+    const bool isUnseen =
+        isThere && std::holds_alternative<PadsToName>(*m_assignment->exercise) && !m_exerciseCard->isConcluded();
+    if (isUnseen) {
+        const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);
+        for (std::size_t pad = 0; pad < kPads; ++pad) {
+            const glm::dvec2 middle(core::teeth::kPadX.at(pad), 0.0);
+            marks.pads.push_back({study::padName(pad), middle - half, middle + half});
+        }
+        marks.showsHeight = !m_actions->bringHome->isVisible();  // a device that leads a hand is felt by it
+    }
+    m_view->setExercise(marks);
+    m_room->panel().setBlindfold(isUnseen);
+}
+
+void MainWindow::showPractised(const core::grading::Practised& practised)
+{
+    if (!m_exerciseCard->isVisibleTo(m_room))
+        return;
+    m_exerciseCard->setPractised(practised);
+    if (const auto* touched = std::get_if<core::grading::Touched>(&practised); touched != nullptr) {
+        m_touched = *touched;
+        markExercise();
+    }
+}
+
+/// Where nothing is to be cut the drill is off to begin with, and afterwards as it was before.
+void MainWindow::setDrillFor(lessons::Task task)
+{
+    const bool shallRest = task == lessons::Task::TouchPoints || task == lessons::Task::HoldForce;
+    if (shallRest) {
+        m_drillWasOn = m_drillWasOn || m_actions->drill->isChecked();
+        wishDrill(false);
+    } else if (task == lessons::Task::TellLayers || m_drillWasOn) {
+        m_drillWasOn = false;
+        wishDrill(true);
+    }
 }
 
 void MainWindow::showXray()
@@ -422,6 +560,8 @@ void MainWindow::connectView()
     });
     const auto take = [this](const tooth::ViewSettings& settings) {
         m_view->setSettings(settings);
+        if (m_beside != nullptr)
+            m_beside->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
         m_room->history().setColours(settings.look.palette);
@@ -457,6 +597,8 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     guide(servo);
+    if (m_exerciseCard->isVisible())
+        m_exerciseCard->setServo(servo);
     if (servo.cutting && !m_hasCut) {
         m_hasCut = true;
         m_room->setHintVisible(false);
@@ -663,7 +805,8 @@ void MainWindow::enableActions()
                                         m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
     const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
-    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && m_aids.burColour && seesIdeal);
+    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && !m_replaying && m_aids.burColour &&
+                                     seesIdeal);
     m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
@@ -684,11 +827,17 @@ void MainWindow::enableActions()
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine || inEditor);
     m_actions->history->setEnabled(inRoom && mine);
-    for (QAction* action : {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin,
-                            m_actions->replayEnd, m_actions->slower, m_actions->faster}) {
-        action->setVisible(m_replaying);
-        action->setEnabled(inRoom && m_replaying);
+    for (QAction* action :
+         {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin, m_actions->replayEnd,
+          m_actions->slower, m_actions->faster, m_actions->beside, m_actions->along}) {
+        action->setVisible(m_replaying && (m_canLead || action != m_actions->along));
+        action->setEnabled(inRoom && m_replaying && !m_busy->isWorking());
     }
+    const bool hasExpert = m_assignment && m_assignment->lesson && m_assignment->lesson->expert;
+    m_actions->expert->setVisible(hasExpert && !m_assignment->lesson->exam);
+    m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
+    if (m_beside != nullptr)  // there is no room for it
+        m_actions->section->setEnabled(false);
 }
 
 void MainWindow::placeOverlays()
@@ -699,6 +848,7 @@ void MainWindow::placeOverlays()
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
+    m_exerciseCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
@@ -728,6 +878,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
+    layExercise();
     const QString title = isAssigned ? workTitle() : text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
     //: Beside the name of the tooth, where otherwise "lower left first molar" stands
@@ -803,6 +954,10 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
                            std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
+    if (m_exerciseCard->isVisibleTo(m_room)) {
+        m_exerciseCard->conclude();
+        markExercise();
+    }
     m_scorePage->setScore(workTitle(), sheet, history, expectedTenths, scored);
     goTo(m_scorePage);
 }
@@ -844,6 +999,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
+    setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     if (!assignment.lesson)
         return;
     m_room->lesson().setLesson(*assignment.lesson);
@@ -875,6 +1031,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
+    m_actions->along->setChecked(false);
     m_room->replay().begin(lengthS);
     showReplayPaused(false);
     m_room->setReplaying(replaying);

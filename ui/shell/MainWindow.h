@@ -13,6 +13,7 @@
 #include <QMainWindow>
 #include <QString>
 #include <QStringList>
+#include <glm/mat4x4.hpp>
 
 #include "core/base/Result.h"
 #include "core/grading/IdealCavity.h"
@@ -38,6 +39,7 @@ class XrayPage;
 }
 
 namespace ui::study {
+class ExerciseCard;
 class Forecast;
 class InfractionCard;
 class LessonEditor;
@@ -101,6 +103,8 @@ public slots:
                    std::optional<int> expectedTenths = {}, const std::optional<study::ScoredWork>& scored = {});
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
+    /// How the exercise of the student's lesson has gone so far.
+    void showPractised(const core::grading::Practised& practised);
     /// Asks what the student expects; forecastGiven() answers.
     void askForecast();
     /// The lesson that the tooth shown next is for; none: practised freely.
@@ -116,6 +120,14 @@ public slots:
     void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
     void setReplayCourse(const replay::Course& course);
+    /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
+    /// @param links  must outlive it: until hideBeside()
+    void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+                    std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
+    void setBesideCourse(const replay::Course& course);
+    void hideBeside();
+    /// The hand is led no longer: it has pushed, or the device is lost.
+    void showLeadEnd(bool pushed);
     /// The replay is held, or goes on, without having been asked to here.
     void showReplayPaused(bool paused);
     /// The recording has come to its end, where it is held.
@@ -162,6 +174,12 @@ signals:
     void replaySpeedChosen(double times);
     /// The replay is to show this moment of the recording.
     void seekWanted(double seconds);
+    void besideWanted(const QString& path);
+    void besideCloseWanted();
+    /// The recording that the lesson names: to be played, or to be put beside what is played.
+    void expertWanted();
+    /// The device is to lead the hand along what is played, or to let it go.
+    void leadWanted(bool on);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -201,6 +219,7 @@ private:
     void leaveWork(const std::function<void()>& what);
     void askToSave();
     void connectReplay();
+    void lookAlike();
     /// Says a sentence about the replay, with a button that stops it.
     void offerToStop(const QString& sentence);
     void enableActions();
@@ -208,6 +227,9 @@ private:
     [[nodiscard]] QString workTitle() const;
     void editLesson();
     void showIdeal();
+    void layExercise();
+    void markExercise();
+    void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
@@ -235,6 +257,7 @@ private:
     HelpOverlay* m_help;
     StereoCard* m_stereoCard;
     study::InfractionCard* m_infractionCard;
+    study::ExerciseCard* m_exerciseCard;
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_tooth;
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
@@ -254,11 +277,17 @@ private:
     Wish m_handpieceWish;
     std::vector<int> m_handpieces;  ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
     QElapsedTimer m_sinceGuide;
+    std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
+    std::optional<core::grading::Touched> m_touched;
+    bool m_drillWasOn = false;           ///< before an exercise for which it rests
     bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;
+    bool m_canLead = false;                ///< the device can lead a hand
+    tooth::ToothView* m_beside = nullptr;  ///< while there is another attempt beside
+    glm::dmat4 m_sharedLook{1.0};          ///< from where both looked last
     bool m_selfDrilling = false;
     bool m_mayClose = false;
     bool m_hasCut = false;

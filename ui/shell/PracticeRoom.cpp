@@ -54,17 +54,17 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     m_lesson = new study::LessonStrip(this);
     m_lesson->hide();
 
-    auto* middle = new QHBoxLayout;
-    middle->setSpacing(1);
-    middle->addWidget(m_section);
-    middle->addWidget(view, 1);
-    middle->addWidget(m_panel);
+    m_middle = new QHBoxLayout;
+    m_middle->setSpacing(1);
+    m_middle->addWidget(m_section);
+    m_middle->addWidget(view, 1);
+    m_middle->addWidget(m_panel);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(1);
     column->addWidget(makeTopBar(actions));
     column->addWidget(m_lesson);
-    column->addLayout(middle, 1);
+    column->addLayout(m_middle, 1);
     m_workBar = makeBottomBar(actions, viewMenu);
     column->addWidget(m_workBar);
     m_replay = new replay::ReplayBar(actions, viewMenu, this);
@@ -82,6 +82,29 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     m_hint->setObjectName(QStringLiteral("hint"));
 
     makeNotice();
+    for (QLabel** name : {&m_besideName, &m_ourName}) {
+        *name = new QLabel(this);
+        (*name)->setProperty("kind", "hint");
+        (*name)->setAttribute(Qt::WA_TransparentForMouseEvents);
+        (*name)->hide();
+    }
+}
+
+void PracticeRoom::setBeside(QWidget* view, const QString& name, const QString& ours)
+{
+    if (m_beside != nullptr)
+        m_beside->removeEventFilter(this);
+    m_beside = view;
+    if (view != nullptr) {
+        m_middle->insertWidget(m_middle->indexOf(m_view) + 1, view, 1);
+        view->installEventFilter(this);
+        view->show();
+    }
+    m_besideName->setText(name);
+    m_ourName->setText(ours);
+    m_besideName->setVisible(view != nullptr);
+    m_ourName->setVisible(view != nullptr);
+    placeOverlays();
 }
 
 void PracticeRoom::makeNotice()
@@ -229,7 +252,8 @@ QRect PracticeRoom::viewArea() const
 
 bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+    if ((watched == m_view || watched == m_beside) &&
+        (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
         placeOverlays();
         emit viewAreaChanged();
     }
@@ -257,6 +281,16 @@ void PracticeRoom::placeOverlays()
     m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
     m_hint->raise();
     m_history->placeIn(area);
+    const auto placeName = [](QLabel* label, const QRect& over) {
+        label->adjustSize();
+        const int wide = std::min(label->width(), over.width() - 2 * kSpace2);
+        label->setGeometry(over.center().x() - wide / 2, over.top() + kSpace2, wide, label->height());
+        label->raise();
+    };
+    if (m_beside != nullptr) {
+        placeName(m_ourName, area);
+        placeName(m_besideName, m_beside->geometry());
+    }
     placeNotice();
 }
 

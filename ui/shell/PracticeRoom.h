@@ -5,6 +5,7 @@
 #include <QWidget>
 
 class QFrame;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -45,6 +46,8 @@ public:
     [[nodiscard]] replay::ReplayBar& replay() { return *m_replay; }
     /// Over the tooth; hidden until it is wanted.
     [[nodiscard]] replay::HistoryPanel& history() { return *m_history; }
+    /// Shows another tooth to the right of ours, each with its name above it; null: none, and no names.
+    void setBeside(QWidget* view, const QString& name = {}, const QString& ours = {});
     /// @param title  "Tooth 36", or the file
     /// @param name   "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);
@@ -83,6 +86,10 @@ private:
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
     QToolButton* m_saveReference = nullptr;
+    QHBoxLayout* m_middle = nullptr;
+    QWidget* m_beside = nullptr;
+    QLabel* m_besideName = nullptr;  ///< above the tooth beside
+    QLabel* m_ourName = nullptr;     ///< above ours, while there is one beside
     QWidget* m_workBar = nullptr;
     replay::ReplayBar* m_replay = nullptr;
     replay::HistoryPanel* m_history = nullptr;

@@ -116,12 +116,15 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_health->hide();
     column->addWidget(m_health);
 
-    column->addSpacing(kSpace1);
-    column->addWidget(line(content));
-    column->addWidget(quietLabel(tr("Removed"), content));
-    auto* volumes = new QVBoxLayout;
+    m_removedBlock = new QWidget(content);
+    auto* volumes = new QVBoxLayout(m_removedBlock);
+    volumes->setContentsMargins(0, kSpace1, 0, 0);
     volumes->setSpacing(kSpace1);
-    column->addLayout(volumes);
+    volumes->addWidget(line(m_removedBlock));
+    volumes->addSpacing(kSpace1);
+    volumes->addWidget(quietLabel(tr("Removed"), m_removedBlock));
+    volumes->addSpacing(kSpace1);
+    column->addWidget(m_removedBlock);
     const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace2);
@@ -241,8 +244,17 @@ void SidePanel::setColours(render::Palette colours)
 
 void SidePanel::setDepthGauge(bool shown)
 {
-    m_depth.block->setVisible(shown);
-    m_dentin.block->setVisible(shown);
+    m_depthGauge = shown;
+    setBlindfold(m_blindfold);
+}
+
+void SidePanel::setBlindfold(bool on)
+{
+    m_blindfold = on;
+    for (QWidget* telling : {m_material.block, m_decay.block, m_removedBlock})
+        telling->setVisible(!on);
+    for (QWidget* depth : {m_depth.block, m_dentin.block})
+        depth->setVisible(m_depthGauge && !on);
 }
 
 void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,

@@ -42,6 +42,8 @@ public:
     void setColours(render::Palette colours);
     /// Without it neither depth nor the dentin left is told.
     void setDepthGauge(bool shown);
+    /// Tissues are to be told by feel: nothing of what would name them is shown.
+    void setBlindfold(bool on);
     /// Shows this push force without announcing it.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_pushN; }
@@ -77,6 +79,9 @@ private:
     TabularLabel* m_rpm = nullptr;
     TabularLabel* m_overcut = nullptr;
     QLabel* m_health = nullptr;
+    QWidget* m_removedBlock = nullptr;
+    bool m_depthGauge = true;
+    bool m_blindfold = false;
     QSlider* m_push = nullptr;
     TabularLabel* m_pushText = nullptr;
     double m_pushN = 1.0;

@@ -27,8 +27,8 @@ public:
     void setColours(render::Palette colours);
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
-    [[nodiscard]] QSize sizeHint() const override { return {320, 264}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 260}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 220}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -66,6 +66,10 @@ QString groupName(Task task)
         return QCoreApplication::translate("Lesson", "Practice block");
     case Task::CutIdeal:
         return QCoreApplication::translate("Lesson", "Ideal preparations");
+    case Task::TouchPoints:
+    case Task::HoldForce:
+    case Task::TellLayers:
+        return QCoreApplication::translate("Lesson", "The first minutes");
     case Task::RemoveDecay:
         break;
     }
@@ -75,14 +79,18 @@ QString groupName(Task task)
 int groupPlace(Task task)
 {
     switch (task) {
-    case Task::TraceShape:
+    case Task::TouchPoints:
+    case Task::HoldForce:
+    case Task::TellLayers:
         return 0;
-    case Task::RemoveDecay:
+    case Task::TraceShape:
         return 1;
+    case Task::RemoveDecay:
+        return 2;
     case Task::CutIdeal:
         break;
     }
-    return 2;
+    return 3;
 }
 
 QString toothWords(const Lesson& lesson)

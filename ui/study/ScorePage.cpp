@@ -34,6 +34,7 @@ using namespace ui::shell;
 
 constexpr int kWidestPx = 1720;
 constexpr int kNarrowestBesidePx = 1180;
+constexpr int kPictureBelowPx = 320;  ///< height of a picture that shares its rows with nothing
 constexpr qsizetype kListed = 4;
 constexpr std::size_t kShownHash = 12;
 constexpr qsizetype kCharted = 12;
@@ -137,6 +138,8 @@ void ScorePage::arrange()
         m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
     }
     m_placeCard->setVisible(m_scored.has_value());
+    for (QWidget* picture : {static_cast<QWidget*>(m_heat), static_cast<QWidget*>(m_section)})
+        picture->setMinimumHeight(beside ? 0 : kPictureBelowPx);
     m_cards->setColumnStretch(0, beside ? 4 : 1);
     m_cards->setColumnStretch(1, beside ? 5 : 0);
     m_cards->setRowStretch(1, beside ? 1 : 0);

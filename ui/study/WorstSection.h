@@ -20,8 +20,8 @@ public:
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
 
-    [[nodiscard]] QSize sizeHint() const override { return {320, 264}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 260}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 220}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -38,6 +38,8 @@ constexpr double kTiltPerPixel = 0.006;    ///< of the mirror's normal
 constexpr double kMirrorStepMm = 1.0;      ///< a notch of the wheel
 constexpr double kMirrorStepPx = 12.0;     ///< a key
 constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
+constexpr double kBeforeMm = 0.6;          ///< what is seen so far before a point hides it
+constexpr double kHeightBesidePx = 60.0;   ///< of the bur
 constexpr int kForceToldMs = 1200;
 constexpr double kLiftFollowS = 0.05;
 constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
@@ -99,6 +101,7 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     m_inbox.setGeneration(generation);
     showWhole(m_camera, *m_surface);
     m_mirror.reset();
+    m_exercise = {};
     showNeighbours();
     placeMirror();
     takePatches();
@@ -206,6 +209,14 @@ void ToothView::resetCamera()
     redraw();
 }
 
+void ToothView::setExercise(const ExerciseMarks& marks)
+{
+    if (marks == m_exercise)
+        return;
+    m_exercise = marks;
+    redraw();
+}
+
 void ToothView::turnRound()
 {
     m_camera.turn(180.0, 0.0);
@@ -216,6 +227,12 @@ void ToothView::turnRound()
 void ToothView::setCamera(double azimuthDeg, double elevationDeg, double distanceMm)
 {
     m_camera.set(azimuthDeg, elevationDeg, distanceMm);
+    redrawMoving();
+}
+
+void ToothView::lookAs(const Camera& camera)
+{
+    m_camera.lookAs(camera);
     redrawMoving();
 }
 
@@ -242,9 +259,11 @@ QImage ToothView::toothPicture()
     m_settings = {};
     m_settings.look.palette = own.look.palette;
     const auto mirror = std::exchange(m_mirror, std::nullopt);
+    const ExerciseMarks exercise = std::exchange(m_exercise, {});
     QImage image = picture();
     m_settings = own;
     m_mirror = mirror;
+    m_exercise = exercise;
     m_instrumentHidden = false;
     redraw();
     return image;
@@ -331,6 +350,9 @@ void ToothView::paintMarks(QPainter& painter)
     const bool beside = how.stereo == render::Stereo::SideBySide;
     const bool above = how.stereo == render::Stereo::TopBottom;
     const QSizeF size(width(), height());
+    const bool isBlindfolded = !m_exercise.pads.empty();
+    if (isBlindfolded)
+        paintBlindfold(painter, QRectF(QPointF(), size));
     for (int eye = 0; eye < (beside || above ? 2 : 1); ++eye) {
         painter.resetTransform();
         if (how.flipLeftRight) {
@@ -343,10 +365,16 @@ void ToothView::paintMarks(QPainter& painter)
         }
         painter.translate(beside ? 0.5 * eye * size.width() : 0.0, above ? 0.5 * eye * size.height() : 0.0);
         painter.scale(beside ? 0.5 : 1.0, above ? 0.5 : 1.0);
+        if (isBlindfolded)
+            drawPads(painter);
+        else
+            drawPoints(painter);
         drawForce(painter);
         if (m_surface && core::teeth::isGenerated(m_surface->anatomy()))
             drawGizmo(painter);
         if (!showsInstrument())
+            continue;
+        if (isBlindfolded)
             continue;
         const glm::dvec2 hand = m_camera.pixelOf(m_pose.deviceMm);
         const glm::dvec2 bur = m_camera.pixelOf(m_pose.anchorMm);
@@ -358,6 +386,40 @@ void ToothView::paintMarks(QPainter& painter)
             paintPlate(painter, presented(m_pointer) + QPointF(m_leftHanded ? -22.0 : 22.0, 18.0),
                        depthWords(*m_surface, *under, m_settings.look.depthColours), m_leftHanded);
     }
+}
+
+void ToothView::drawPoints(QPainter& painter)
+{
+    if (!m_surface)
+        return;
+    for (const PointMark& mark : m_exercise.points) {
+        const glm::dvec3 place(mark.placeMm, m_surface->topMm(mark.placeMm).value_or(0.0));
+        const glm::dvec3 beside = place + glm::dvec3(m_camera.rightOnTooth() * mark.reachMm, 0.0);
+        const glm::dvec2 at = m_camera.pixelOf(place);
+        const auto seen = m_surface->meetTooth(m_camera.rayThrough(at));
+        const bool isHidden = seen && glm::distance(*seen, place) > kBeforeMm;
+        paintPoint(painter, {at.x, at.y}, glm::distance(at, m_camera.pixelOf(beside)), mark.isTouched, isHidden);
+    }
+}
+
+/// Where pads and bur are, and nothing of what the bur does to them.
+void ToothView::drawPads(QPainter& painter)
+{
+    const auto seen = [&](glm::dvec2 place) {
+        const glm::dvec2 at = m_camera.pixelOf({place, 0.0});
+        return QPointF(at.x, at.y);
+    };
+    for (const PadMark& pad : m_exercise.pads)
+        paintPad(painter,
+                 QPolygonF({seen(pad.fromMm), seen({pad.toMm.x, pad.fromMm.y}), seen(pad.toMm),
+                            seen({pad.fromMm.x, pad.toMm.y})}),
+                 pad.name);
+    if (!showsInstrument())
+        return;
+    const QPointF bur = seen(glm::dvec2(m_pose.anchorMm));
+    paintBurSpot(painter, bur, m_servo.touching);
+    if (m_exercise.showsHeight)
+        paintHeight(painter, QSizeF(width(), height()), m_pose.anchorMm.z);
 }
 
 /// A place of the picture as it was before halves and flips.
@@ -407,7 +469,10 @@ void ToothView::drawForce(QPainter& painter)
     if (!showsInstrument() || (!pushing && !m_servo.touching && !m_forceTold))
         return;
     // An arc beside the tip: its whole length is the set force.
-    const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
+    glm::dvec3 tipMm = m_pose.anchorMm;
+    if (!m_exercise.pads.empty())
+        tipMm.z = 0.0;
+    const glm::dvec2 tip = m_camera.pixelOf(tipMm);
     constexpr double kRadiusPx = 44.0;
     constexpr double kHalfDeg = 42.0;
     const QRectF box(tip.x - kRadiusPx, tip.y - kRadiusPx, 2.0 * kRadiusPx, 2.0 * kRadiusPx);

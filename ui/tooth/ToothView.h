@@ -20,6 +20,7 @@
 #include "ui/render/ToothRenderer.h"
 #include "ui/render/ToothSurface.h"
 #include "ui/tooth/Camera.h"
+#include "ui/tooth/ExerciseMarks.h"
 #include "ui/tooth/PatchInbox.h"
 #include "ui/tooth/PointerControl.h"
 #include "ui/tooth/PoseTrack.h"
@@ -71,9 +72,13 @@ public:
     /// Shift, and moved to and fro with the wheel over it; with Alt, arrows and page keys do the same.
     void setSettings(const ViewSettings& settings);
     [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
+    /// What an exercise marks on the tooth, or that the view is blindfolded; a new tooth has nothing of it.
+    void setExercise(const ExerciseMarks& marks);
     void resetCamera();
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
+    /// From where another view looks.
+    void lookAs(const Camera& camera);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
     /// The same without the instrument: what has become of the tooth.
@@ -135,6 +140,8 @@ private:
     void showNeighbours();
     void drawForce(QPainter& painter);
     void drawGizmo(QPainter& painter);
+    void drawPoints(QPainter& painter);
+    void drawPads(QPainter& painter);
     [[nodiscard]] bool isOnMirror(QPointF position) const;
     void dragMirror(QPointF by, bool tilts);
     void pushMirror(double millimetres);
@@ -153,6 +160,7 @@ private:
     std::unique_ptr<render::ToothRenderer> m_renderer;
     std::unique_ptr<render::Presenter> m_presenter;
     ViewSettings m_settings;
+    ExerciseMarks m_exercise;
     std::vector<core::teeth::ArchPiece> m_neighbours;
     bool m_neighboursAreNew = false;  ///< the renderer has not seen them
     std::optional<render::DentalMirror> m_mirror;
