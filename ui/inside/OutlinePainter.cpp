@@ -149,7 +149,7 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
         const glm::dvec2 through = scene.plane->throughMm;
         const double far = above.shownMm.width() + above.shownMm.height();
         painter.save();
-        painter.setClipRect(area.adjusted(0.0, kMarginPx, 0.0, -kMarginPx), Qt::IntersectClip);
+        painter.setClipRect(area.adjusted(0.0, kMarginPx, 0.0, -2.0 * kMarginPx), Qt::IntersectClip);
         painter.setPen(QPen(QColor(kPlane), 1.4, Qt::DashLine));
         painter.drawLine(fit.at({through.x - far * way.x, through.y - far * way.y}),
                          fit.at({through.x + far * way.x, through.y + far * way.y}));
@@ -165,15 +165,20 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     painter.drawText(words, Qt::AlignTop | Qt::AlignLeft, QChar(0x2190) + QStringLiteral(" ") + side(pi));
     painter.drawText(words, Qt::AlignTop | Qt::AlignRight, side(0.0) + QStringLiteral(" ") + QChar(0x2192));
     painter.setFont(shell::typeface(shell::kSmall));
+    // In two rows, where one is too short.
     double x = area.left() + 8.0;
-    const double y = area.bottom() - 0.5 * kMarginPx;
+    double y = area.bottom() - 1.25 * kMarginPx;
     const auto key = [&](const QBrush& brush, const QBrush& hatch, const QString& name) {
+        const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
+        if (x + 18.0 + width > area.right() - 4.0 && x > area.left() + 8.0) {
+            x = area.left() + 8.0;
+            y = area.bottom() - 0.5 * kMarginPx;
+        }
         const QRectF square(x, y - 7.0, 13.0, 13.0);
         painter.fillRect(square, brush);
         painter.fillRect(square, hatch);
         x += 18.0;
         painter.setPen(QColor(kWords));
-        const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
         painter.drawText(QRectF(x, y - 9.0, width + 2.0, 18.0), Qt::AlignLeft | Qt::AlignVCenter, name);
         x += width + 12.0;
     };

@@ -34,7 +34,8 @@ constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
 constexpr int kWidestSectionPx = 560;
 constexpr int kNarrowestViewPx = 280;
-constexpr int kNameFromPx = 960;  ///< a narrower room has no place for the tooth's long name
+constexpr int kNameFromPx = 960;        ///< a narrower room has no place for the tooth's long name
+constexpr int kReferenceFromPx = 1000;  ///< nor for what is rarely used
 
 }  // namespace
 
@@ -163,10 +164,9 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     frame->mayFold(lessons);
     row->addWidget(barButton(actions.openScan, false, frame));
     row->addWidget(barButton(actions.openRecording, false, frame));
-    auto* save = barButton(actions.saveRecording, false, frame);
-    save->addAction(actions.saveReference);
-    save->setPopupMode(QToolButton::MenuButtonPopup);
-    row->addWidget(save);
+    row->addWidget(barButton(actions.saveRecording, false, frame));
+    m_saveReference = barButton(actions.saveReference, false, frame);
+    row->addWidget(m_saveReference);
     row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
@@ -264,6 +264,7 @@ void PracticeRoom::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     m_name->setVisible(width() >= kNameFromPx);
+    m_saveReference->setVisible(width() >= kReferenceFromPx);  // its key works all the same
     // A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth
     // as much as it can.
     const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);

@@ -85,6 +85,7 @@ private:
     study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
+    QToolButton* m_saveReference = nullptr;
     QHBoxLayout* m_middle = nullptr;
     QWidget* m_beside = nullptr;
     QLabel* m_besideName = nullptr;  ///< above the tooth beside
