@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Application.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
@@ -13,6 +16,7 @@
 
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
+#include "core/guidance/Fixture.h"
 #include "core/recording/Replay.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -20,6 +24,7 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -34,7 +39,6 @@ constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
-constexpr int kReplayWatchMs = 100;
 constexpr int kJournalWatchMs = 500;
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -124,23 +128,28 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::gradeRequested, this, &Application::grade);
     connect(m_window.get(), &MainWindow::recordingSaveRequested, this, &Application::saveRecording);
     connect(m_window.get(), &MainWindow::recordingOpenRequested, this, &Application::openRecording);
+    connect(m_window.get(), &MainWindow::besideWanted, this, &Application::openBeside);
+    connect(m_window.get(), &MainWindow::expertWanted, this, &Application::openExpert);
     connect(m_window.get(), &MainWindow::resumeRequested, this, &Application::resumeUnfinished);
     connect(m_window.get(), &MainWindow::discardRequested, this, &Application::discardUnfinished);
     connect(m_window.get(), &MainWindow::replayStopRequested, this, &Application::stopReplay);
-    connect(m_window.get(), &MainWindow::replayPauseRequested, this, [this](bool paused) {
-        if (m_replay)
-            m_replay->setPaused(paused);
-    });
-    connect(m_window.get(), &MainWindow::replaySpeedChosen, this, [this](int times) {
-        if (m_replay)
-            m_replay->setSpeed(times);
-    });
+    m_window->setHistorySource({[this] { return m_session.historySoFar(); },
+                                [this](core::session::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
+    connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
+    connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
+    ui::study::ScorePage& page = m_window->scorePage();
+    connect(&m_explainer, &Explainer::noiseFound, &page, &ui::study::ScorePage::setNoise);
+    connect(&m_explainer, &Explainer::momentsProgress, &page, &ui::study::ScorePage::setMomentsProgress);
+    connect(&m_explainer, &Explainer::momentsFound, &page,
+            [&page](const lessons::Moments& moments) { page.setMoments(moments.ofCriteria); });
+    connect(&m_explainer, &Explainer::failed, this, [this, &page](const core::Error& error) {
+        page.setMomentsProgress({});
+        m_window->showError(error, Failed::Marking);
+    });
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
-    m_replayWatch.setInterval(kReplayWatchMs);
-    connect(&m_replayWatch, &QTimer::timeout, this, &Application::watchReplay);
 
     if (options.simulatedDevice) {
         m_window->setSelfDrilling();
@@ -159,7 +168,7 @@ Application::~Application()
     // A load still under way would come back to nobody.
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
-    m_replayThread.reset();
+    m_replay.reset();
     m_syncThread.reset();
     m_journalThread.reset();
     // The window has asked about the work on the table before it let itself be closed.
@@ -334,6 +343,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_settings = settings;
     m_window->setAssignment(m_assignment);
     m_window->setHandpieces(m_settings.handpieces);
+    holdHand(false);
     m_ownGeneration = ++m_generation;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
@@ -343,6 +353,10 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
 
 void Application::letDemoHandDecide()
 {
+    if (m_replay && m_replay->isLeading()) {  // it goes along willingly
+        const glm::dvec3 shown = m_links.servo.latest().anchorMm;
+        m_demoWish.publish({.targetMm = glm::dvec2(shown), .hoverMm = shown.z, .pushing = false});
+    }
     const auto tooth = m_session.toothSoFar();
     if (!m_replay && tooth && tooth->anatomy == m_assignment.anatomy)
         m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
@@ -368,6 +382,17 @@ void Application::watchAttempt()
     m_window->tellInfraction(newest, canTakeBack);
 }
 
+/// Within the outline of what is to be cut, or nowhere.
+void Application::holdHand(bool wanted)
+{
+    const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
+    std::unique_ptr<const core::guidance::Fixture> fixture;
+    if (ideal)
+        fixture = std::make_unique<const core::guidance::Fixture>(*m_assignment.anatomy, *ideal);
+    if (m_links.commands.tryPush(core::session::SetFixture{fixture.get()}))
+        static_cast<void>(fixture.release());  // the session owns it now
+}
+
 /// To the last moment before a tick, on the way that led here.
 void Application::takeBack(std::uint64_t tick)
 {
@@ -386,9 +411,11 @@ void Application::grade()
     std::optional<core::grading::Practised> practised;
     if (const core::session::Findings now = m_follower.findings(); now.generation == m_ownGeneration)
         practised = now.practised;
-    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
+    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
         m_graded->practised == practised) {
-        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths);
+        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
+        compareWithClass();
+        m_explainer.tellAgain();
         return;
     }
     if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
@@ -412,9 +439,9 @@ void Application::finish(std::optional<int> expectedTenths)
     if (!done)
         return;
     const core::session::Findings& found = done->findings;
-    const auto marked = lessons::mark(
-        m_assignment, done->tooth,
-        lessons::Conduct{found.process, static_cast<int>(found.infractions.size()), found.aids, found.practised});
+    const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids,
+                                   found.practised};
+    const auto marked = lessons::mark(m_assignment, done->tooth, conduct);
     if (!marked) {
         m_window->showError(marked.error(), Failed::Marking);
         return;
@@ -422,6 +449,7 @@ void Application::finish(std::optional<int> expectedTenths)
     const lessons::ScoreSheet& sheet = marked->sheet;
     const std::uint64_t hash = core::terrain::stateHash(done->tooth);
     QList<database::AttemptRecord> history;
+    bool isKept = !m_attempts;
     if (m_attempts) {
         database::AttemptRecord record;
         record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -440,14 +468,38 @@ void Application::finish(std::optional<int> expectedTenths)
         const auto kept = m_attempts->add(record);
         const auto last = kept ? lastGrades(record)
                                : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
-        if (last) {
+        isKept = last.has_value();
+        if (last)
             history = QList<database::AttemptRecord>(last->begin(), last->end());
-            m_graded = {m_ownGeneration, hash, sheet, history, expectedTenths, found.practised};
-        } else {
+        else
             m_window->showError(last.error(), Failed::KeepingGrades);
-        }
     }
-    m_window->showScore(sheet, history, expectedTenths);
+    m_graded = {
+        m_ownGeneration,
+        hash,
+        sheet,
+        history,
+        expectedTenths,
+        {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured},
+        done->recording,
+        isKept,
+        found.practised};
+    m_window->showScore(sheet, history, expectedTenths, m_graded->work);
+    compareWithClass();
+    m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
+}
+
+/// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
+/// one person's.
+void Application::compareWithClass()
+{
+    if (m_graded->history.isEmpty())
+        return;
+    int best = m_graded->sheet.totalTenths;
+    for (const database::AttemptRecord& attempt : m_graded->history)
+        if (attempt.rubricHash == m_graded->sheet.rubricHash)
+            best = std::max(best, attempt.scoreTenths);
+    m_window->scorePage().setClass(lessons::classStanding(m_graded->sheet.totalTenths, std::array{best}));
 }
 
 /// Of the same lesson, or without one of the same tooth.
@@ -477,15 +529,45 @@ void Application::saveRecording(const QString& path)
 
 void Application::openRecording(const QString& path)
 {
+    readRecording(path, [this](const core::recording::Recording& recording) { play(recording); });
+}
+
+/// Beside the attempt that is played.
+void Application::openBeside(const QString& path)
+{
+    readRecording(path, [this, path](const core::recording::Recording& recording) {
+        if (!m_replay)
+            return;
+        if (const auto put = m_replay->putBeside(recording, QFileInfo(path).completeBaseName()); !put)
+            refuse(put.error(), Failed::OpeningRecording, path);
+    });
+}
+
+/// The one that the lesson names.
+void Application::openExpert()
+{
+    if (!m_assignment.lesson || !m_assignment.lesson->expert)
+        return;
+    const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
+    readRecording(path, [this, path](const core::recording::Recording& recording) {
+        if (!m_replay)
+            play(recording);
+        else if (const auto put = m_replay->putBeside(recording, tr("The expert")); !put)
+            refuse(put.error(), Failed::OpeningRecording, path);
+    });
+}
+
+void Application::readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use)
+{
     const int load = ++m_loading;
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
     inBackground(
         this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
-        [this, load, path](const core::Result<core::recording::Recording>& recording) {
+        [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
             if (load != m_loading)
                 return;
             if (recording)
-                play(*recording);
+                use(*recording);
             else
                 refuse(recording.error(), Failed::OpeningRecording, path);
         });
@@ -601,9 +683,10 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording)
+void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
 {
-    auto replay = ReplayLoop::make(recording, m_links, m_generation + 1);
+    auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
+                                   m_options.simulatedDevice ? m_device.get() : nullptr);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
         return;
@@ -617,22 +700,21 @@ void Application::play(const core::recording::Recording& recording)
     ++m_generation;
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
-    m_window->setReplaying(true, std::chrono::duration<double>(recording.duration()).count());
+    m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal());
     m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
-        m_replay->tick(recording.duration());  // straight to its end
-    m_replayThread = std::make_unique<LoopThread>(*m_replay, kSessionPeriod, LoopThread::Urgency::Normal);
-    m_replayThread->start();
-    m_replayWatch.start();
+        m_replay->goToEnd();
+    if (heldAtS)
+        m_replay->holdAt(*heldAtS);
+    m_replay->start();
 }
 
-void Application::watchReplay()
+/// Of the attempt that was graded, a little before that moment, held.
+void Application::showMoment(double seconds)
 {
-    if (!m_replay || !m_replay->isFinished())
-        return;
-    m_replayWatch.stop();
-    m_window->showReplayEnd();
+    if (m_graded && !m_replay)
+        play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -659,8 +741,6 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
-    m_replayWatch.stop();
-    m_replayThread.reset();
     m_replay.reset();
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
 
+#include "app/Explainer.h"
 #include "app/LoopThread.h"
-#include "app/ReplayLoop.h"
+#include "app/ReplayDesk.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
 #include "core/teeth/ToothBuilder.h"
@@ -47,6 +49,9 @@ public:
     void show();
     [[nodiscard]] ui::shell::MainWindow& window() { return *m_window; }
 
+    /// Plays the attempt that was graded, held a moment before this one: what led to it is seen when it goes on.
+    void showMoment(double seconds);
+
 private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
@@ -60,10 +65,15 @@ private:
     void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
              const QStringList& notes, bool unitInDoubt);
     void watchAttempt();
+    void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(std::optional<int> expectedTenths);
+    void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
+    void openBeside(const QString& path);
+    void openExpert();
+    void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
     void saveRecording(const QString& path);
     void openRecording(const QString& path);
     void keepJournal();
@@ -72,10 +82,10 @@ private:
     void resumeUnfinished();
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
-    void play(const core::recording::Recording& recording);
+    /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
+    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {});
     void putReplayAway();
     void stopReplay();
-    void watchReplay();
     void drawPicture();
     void letDemoHandDecide();
     void startLoops();
@@ -109,17 +119,20 @@ private:
         lessons::ScoreSheet sheet;
         QList<database::AttemptRecord> history;
         std::optional<int> expectedTenths;
+        ui::study::ScoredWork work;
+        core::recording::Recording recording;
+        bool isKept = false;  ///< or nowhere to keep it
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;
+    Explainer m_explainer;  ///< of m_graded
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
-    QTimer m_replayWatch;
     QTimer m_demoBeat;
-    std::unique_ptr<ReplayLoop> m_replay;
+    std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;
     core::session::ServoState m_handAtRest;  ///< the student's servo as it was when a replay began
 
@@ -129,7 +142,6 @@ private:
     std::unique_ptr<LoopThread> m_followerThread;
     std::unique_ptr<LoopThread> m_journalThread;
     std::unique_ptr<LoopThread> m_syncThread;
-    std::unique_ptr<LoopThread> m_replayThread;
 };
 
 }  // namespace app

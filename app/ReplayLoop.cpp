@@ -1,67 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ReplayLoop.h"
 
+#include <algorithm>
+
 namespace app {
+namespace {
 
-using namespace core::session;
-using core::history::TiledHeights;
+/// A few milliseconds of work.
+constexpr std::uint64_t kTicksABeat = 1000;
 
-core::Result<std::unique_ptr<ReplayLoop>> ReplayLoop::make(const core::recording::Recording& recording, UiLinks& links,
-                                                           std::uint64_t generation)
-{
-    auto servo = core::recording::Replayer::make(recording);
-    if (!servo)
-        return tl::unexpected(servo.error());
-    return std::unique_ptr<ReplayLoop>(new ReplayLoop(recording, links, generation, std::move(*servo)));
-}
-
-ReplayLoop::ReplayLoop(const core::recording::Recording& recording, UiLinks& links, std::uint64_t generation,
-                       core::recording::Replayer servo)
-    : m_links(links), m_generation(generation), m_servo(std::move(servo)), m_shown(m_servo.heights()),
-      m_removed(recording.anatomy())
-{
-    recording.forEach([this](const ServoEvent& event) { m_events.push_back(event); });
-    m_session.toothGeneration = generation;
-    m_session.wholeMm3 = core::terrain::volumes(m_servo.tooth().tooth());
-}
+}  // namespace
 
 void ReplayLoop::tick(std::chrono::microseconds dt)
 {
-    if (!m_paused.load(std::memory_order_relaxed))
-        m_due += dt * m_speed.load(std::memory_order_relaxed);
-    while (m_next < m_events.size() && m_played < m_due)
-        if (const ServoEvent& event = m_events[m_next++]; m_servo.play(event))
-            m_played += std::chrono::microseconds(event.dtUs);
-    sendPatches();
-    publish();
-    if (m_next == m_events.size() && m_toSend.empty())
-        m_finished.store(true, std::memory_order_release);
+    const double lengthS = m_attempt->lengthS();
+    const double wishedS = m_wishedS.exchange(-1.0, std::memory_order_relaxed);
+    if (wishedS >= 0.0)
+        m_atS = wishedS;
+    else if (!m_paused.load(std::memory_order_relaxed) && m_atS <= m_attempt->readyS())
+        m_atS += std::chrono::duration<double>(dt).count() * m_speed.load(std::memory_order_relaxed);
+    m_atS = std::min(m_atS, lengthS);
+    m_attempt->show(m_atS);
+    if (m_beside)
+        m_beside->show(lengthS > 0.0 ? m_atS / lengthS * m_beside->lengthS() : 0.0);
+    if (m_guide != nullptr)
+        lead();
+    m_isAtEnd.store(m_atS >= lengthS, std::memory_order_relaxed);
+    if (m_atS >= lengthS && !m_paused.exchange(true, std::memory_order_relaxed))
+        m_ended.store(true, std::memory_order_release);
 }
 
-void ReplayLoop::sendPatches()
+void ReplayLoop::lead()
 {
-    if (m_toSend.empty()) {
-        const TiledHeights& newest = m_servo.heights();
-        const std::vector<TilePatch> group = patchesBetween(m_shown, newest, m_servo.tick(), m_generation);
-        m_toSend.assign(group.begin(), group.end());
-        m_shown = newest;
+    m_guide->aim.publish({++m_aims, (m_beside ? *m_beside : *m_attempt).tipMm()});
+    const haptics::GuideState& state = m_guide->state.latest();
+    if (state.ticks == 0)
+        return;
+    m_attempt->setHand(state.present ? std::optional(state.tipMm) : std::nullopt);
+    m_hand.store(!state.present    ? Hand::Lost
+                 : state.leading   ? Hand::Led
+                 : state.wasPushed ? Hand::Pushed
+                                   : Hand::Free,
+                 std::memory_order_relaxed);
+}
+
+void ReplayLoop::setPaused(bool paused)
+{
+    if (!paused && m_isAtEnd.load(std::memory_order_relaxed))
+        seek(0.0);
+    m_paused.store(paused, std::memory_order_relaxed);
+}
+
+void ReplayLoop::prepare()
+{
+    static_cast<void>(m_attempt->prepare(kTicksABeat));
+    if (m_beside)
+        static_cast<void>(m_beside->prepare(kTicksABeat));
+}
+
+void ReplayLoop::goToEnd()
+{
+    while (m_attempt->prepare(kTicksABeat)) {
     }
-    while (!m_toSend.empty() && m_links.patches.tryPush(m_toSend.front()))
-        m_toSend.pop_front();
-}
-
-void ReplayLoop::publish()
-{
-    ServoState& state = m_links.servo.back();
-    state = m_servo.state();
-    state.toothGeneration = m_generation;
-    m_links.servo.publish();
-    const core::history::Removed& removed = m_removed.of(m_servo.heights());
-    m_session.removedMm3 = removed.volumesMm3;
-    m_session.overcutMm3 = removed.overcutMm3;
-    m_session.perforated = removed.perforated;
-    m_session.recordedS = std::chrono::duration<double>(m_played).count();
-    m_links.session.publish(m_session);
+    seek(m_attempt->lengthS());
+    tick({});
 }
 
 }  // namespace app

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace haptics {
 namespace {
@@ -23,6 +26,15 @@ constexpr float kLongestDelayS = 0.02F;
 constexpr double kForgottenS = 1.0;  ///< over which a delay is forgotten
 constexpr std::uint64_t kSpringStepPercent = 5;
 
+constexpr double kFixtureComesS = 0.3;
+constexpr double kFeltN = 0.1;
+
+glm::dvec3 clamped(const glm::dvec3& forceN, double mostN) noexcept
+{
+    const double newtons = std::sqrt(glm::dot(forceN, forceN));
+    return newtons > mostN ? forceN * (mostN / newtons) : forceN;
+}
+
 }  // namespace
 
 ServoLoop::ServoLoop(HapticDevice& device, std::unique_ptr<ServoTick> tick, ServoLinks& links,
@@ -40,6 +52,8 @@ ServoLoop::~ServoLoop()
         if (const auto* swap = std::get_if<SwapTooth>(&command)) {
             delete swap->tooth;
             delete swap->servo;
+        } else if (const auto* held = std::get_if<SetFixture>(&command)) {
+            delete held->fixture;
         }
 }
 
@@ -109,6 +123,28 @@ void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
     record({ServoEvent::Kind::Handpiece, 0, glm::vec3(0.0F), handpiece.index});
 }
 
+void ServoLoop::apply(const SetFixture& fixture) noexcept
+{
+    // tick() made sure there is room
+    if (m_fixture)
+        static_cast<void>(m_links.retiredFixtures.tryPush(m_fixture.release()));
+    m_fixture.reset(fixture.fixture);
+    m_fixtureShare = 0.0;
+}
+
+/// What holds the hand beside the contact. It is on no recording: all it does is where the hand goes.
+void ServoLoop::guide(double seconds) noexcept
+{
+    m_guideN = glm::dvec3(0.0);
+    const ServoState& state = m_tick->state();
+    if (!m_fixture || (state.health & (kDeviceLost | kBegunInside | kLedHome)) != 0) {
+        m_fixtureShare = 0.0;
+        return;
+    }
+    m_fixtureShare = std::min(1.0, m_fixtureShare + seconds / kFixtureComesS);
+    m_guideN = m_fixtureShare * m_fixture->forceN(state.deviceMm, state.burIndex);
+}
+
 void ServoLoop::apply(const BringHome&) noexcept
 {
     m_tick->bringHome();
@@ -141,12 +177,14 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     // Room for every tooth that a command could send back, and for what is to be recorded of it, is made sure of before
     // the command is taken.
     for (ServoCommand command; m_links.retired.space() > 0 && m_links.retiredServos.space() > 0 &&
-                               m_links.events.space() >= kMostEventsPerCommand && m_links.commands.tryPop(command);)
+                               m_links.retiredFixtures.space() > 0 && m_links.events.space() >= kMostEventsPerCommand &&
+                               m_links.commands.tryPop(command);)
         std::visit([this](const auto& known) { apply(known); }, command);
 
     m_missedPeriods += static_cast<std::uint64_t>(std::max<std::int64_t>(0, dt / m_period - 1));
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
-    const DeviceSample sample = m_device.exchange(m_tick->state().forceN);
+    const DeviceSample sample =
+        m_device.exchange(clamped(m_tick->state().forceN + m_guideN, m_tick->settings().force.clampN));
     const auto taken = std::chrono::steady_clock::now().time_since_epoch();
     if (m_tick->tooth() != nullptr) {
         if (sample.present)
@@ -157,6 +195,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
         const bool cut = !m_tick->changed().isEmpty();
         if (cut)
             markDirty(m_tick->changed());
+        guide(static_cast<double>(step.count()) * 1.0e-6);
         m_strokeEnded = m_stroke.endsWith(cut) || m_strokeEnded;
         if (++m_ticksSinceSent >= kTicksPerGroup || m_strokeEnded)
             sendPatches();
@@ -169,7 +208,8 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     out.trail = m_trail;
     out.toothGeneration = m_generation;
     out.missedPeriods = m_missedPeriods;
-    out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U);
+    out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U) |
+                  (glm::dot(m_guideN, m_guideN) > kFeltN * kFeltN ? core::session::kHeldInside : 0U);
     m_stateOut.publish();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/guidance/Fixture.h"
 #include "core/rt/Loop.h"
 #include "core/session/ServoLinks.h"
 #include "core/session/ServoTick.h"
@@ -38,7 +39,9 @@ private:
     void apply(const core::session::SetBur& bur) noexcept;
     void apply(const core::session::SetDrill& drill) noexcept;
     void apply(const core::session::SetHandpiece& handpiece) noexcept;
+    void apply(const core::session::SetFixture& fixture) noexcept;
     void apply(const core::session::BringHome& home) noexcept;
+    void guide(double seconds) noexcept;
     void watchDelay(float delayS, double seconds) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
     void markDirty(const core::drilling::CutRect& rect) noexcept;
@@ -60,6 +63,9 @@ private:
     std::size_t m_nextLate = 0;
     float m_delayS = 0.0F;  ///< longest of late
     std::uint64_t m_springPercent = 100;
+    std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand goes where it likes
+    double m_fixtureShare = 0.0;                               ///< of its force: it comes softly
+    glm::dvec3 m_guideN{0.0};                                  ///< of the last tick
 
     std::vector<std::uint8_t> m_isDirty;  ///< one a tile
     std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/Assignment.h"
 
-#include <bit>
 #include <cmath>
 #include <filesystem>
 
@@ -237,12 +236,12 @@ markAgain(const core::recording::Recording& recording,
         });
     if (!outcome)
         return tl::unexpected(outcome.error());
-    auto marked = mark(*assignment, outcome->tooth,
-                       Conduct{examiner.process(), static_cast<int>(examiner.infractions().size()), examiner.aids(),
-                               examiner.practised()});
+    Conduct conduct{examiner.process(), static_cast<int>(examiner.infractions().size()), examiner.aids(),
+                    examiner.practised()};
+    auto marked = mark(*assignment, outcome->tooth, conduct);
     if (!marked)
         return tl::unexpected(marked.error());
-    return Remarked{std::move(*outcome), std::move(*marked), examiner.infractions()};
+    return Remarked{std::move(*outcome), std::move(*marked), std::move(conduct), examiner.infractions()};
 }
 
 core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
@@ -253,7 +252,7 @@ core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth
     if (conduct) {
         result.measured.process = conduct->process;
         result.measured.infractions = conduct->infractions;
-        result.measured.aidsUsed = std::popcount(conduct->aids);
+        result.measured.aidsUsed = conduct->aidsUsed();
         result.measured.practised = conduct->practised;
     }
     if (assignment.ideal) {

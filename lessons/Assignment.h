@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -68,6 +69,7 @@ struct Conduct
     int infractions = 0;
     std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
     std::optional<core::grading::Practised> practised;  ///< of an exercise
+    [[nodiscard]] int aidsUsed() const { return std::popcount(aids); }
 };
 
 /// What an examiner of this assignment watches.
@@ -84,6 +86,7 @@ struct Remarked
 {
     core::recording::ReplayOutcome outcome;
     Mark mark;
+    Conduct conduct;
     std::vector<core::grading::Infraction> infractions;
 };
 

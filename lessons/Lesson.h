@@ -74,6 +74,14 @@ struct Ideal
     bool operator==(const Ideal&) const = default;
 };
 
+/// An attempt to learn from, a recording beside the lesson.
+struct Expert
+{
+    std::string file;  ///< absolute path; of a lesson that a recording keeps, its name alone
+    std::string hash;  ///< SHA-256 of its content, 64 hex digits
+    bool operator==(const Expert&) const = default;
+};
+
 /// Zones round a shape: so much beside and below the target is forgiven in per cent, beyond it is the container.
 struct LeewayZone
 {
@@ -128,8 +136,9 @@ struct Lesson
     bool exam = false;
     Rules rules;
     Rubric rubric;
+    std::optional<Expert> expert;
     LocalText notModelled;  ///< what the lesson leaves out
-    std::string hash;       ///< SHA-256 over the content, with rubric, scan and captured ideal; 64 hex digits
+    std::string hash;       ///< SHA-256 over the content, with rubric, scan, expert and captured ideal; 64 hex digits
     std::string json;       ///< the whole lesson as one JSON text, rubric included: what a recording keeps
     bool operator==(const Lesson&) const = default;
 };

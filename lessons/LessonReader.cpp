@@ -341,6 +341,7 @@ public:
         takeWork(lesson);
         takeTools(lesson);
         takeRules(lesson);
+        takeExpert(lesson);
         m_keys.objects("steps", kMostSteps, [&](JsonKeys& step) {
             lesson.steps.push_back({step.local("text", true), step.local("hint", false)});
             step.nameTheRest();
@@ -560,6 +561,18 @@ private:
             if (name == QLatin1String(id))
                 return aid;
         return nullptr;
+    }
+
+    void takeExpert(Lesson& lesson)
+    {
+        auto keys = m_keys.object("expert");
+        if (!keys)
+            return;
+        Expert expert;
+        const QString name = QString::fromStdString(keys->neededText("recording"));
+        takeFile(*keys, "recording", QStringLiteral("expert"), name, expert.file, expert.hash);
+        lesson.expert = expert;
+        keys->nameTheRest();
     }
 
     void takeRules(Lesson& lesson)

@@ -8,6 +8,10 @@
 namespace lessons {
 namespace {
 
+/// What is no larger comes from rounding and is no error: in units of the measure, and of the numbers that went in.
+constexpr double kRoundingUnits = 1.0e-9;
+constexpr double kRoundingShare = 1.0e-14;
+
 std::string in(const Rubric& rubric, const CriterionRule& rule, const char* key)
 {
     return "rubric " + rubric.id + ", criterion " + rule.id + ", " + key + ": ";
@@ -85,15 +89,14 @@ Criterion judge(const CriterionRule& rule, const Values& values)
         return line;
     }
     line.measured = value->second;
-    line.error = std::max(0.0, offTarget(rule, value->second) - line.tolerance);
+    const double error = offTarget(rule, value->second) - line.tolerance;
+    const double rounding =
+        std::max(kRoundingUnits, kRoundingShare * (std::abs(value->second) + std::abs(rule.target) + line.tolerance));
+    if (error > rounding)
+        line.error = error;
     if (line.error > 0.0)
         line.share = rule.span > 0.0 ? std::min(1.0, line.error / rule.span) : 1.0;
     return line;
-}
-
-int tenths(double points)
-{
-    return static_cast<int>(std::lround(points));
 }
 
 }  // namespace
@@ -134,6 +137,12 @@ core::Status check(const Rubric& rubric)
     return {};
 }
 
+int lostAlone(const Criterion& line, Verdict verdict)
+{
+    const int stake = verdict == Verdict::SumOfErrors ? line.weightTenths : kFullTenths;
+    return static_cast<int>(std::lround(stake * line.share));
+}
+
 ScoreSheet grade(const Rubric& rubric, const Values& values)
 {
     ScoreSheet sheet;
@@ -150,12 +159,12 @@ ScoreSheet grade(const Rubric& rubric, const Values& values)
         if (line.critical)
             continue;
         if (rubric.verdict == Verdict::SumOfErrors)
-            line.lostTenths = tenths(line.weightTenths * line.share);
+            line.lostTenths = lostAlone(line, rubric.verdict);
         else if (worst == nullptr || line.share > worst->share)
             worst = &line;
     }
     if (worst != nullptr)
-        worst->lostTenths = tenths(kFullTenths * worst->share);
+        worst->lostTenths = lostAlone(*worst, rubric.verdict);
     int left = kFullTenths;
     for (const Criterion& line : sheet.criteria)
         left -= line.lostTenths;

@@ -65,6 +65,10 @@ using Values = std::map<std::string, double, std::less<>>;
 /// criteria without weight. The sentence names criterion and key.
 [[nodiscard]] core::Status check(const Rubric& rubric);
 
+/// Tenths of a point that a criterion which is not critical costs taken by itself: its share of its weight, or of 100
+/// points where the worst error decides.
+[[nodiscard]] int lostAlone(const Criterion& line, Verdict verdict);
+
 /// Marks an attempt. docs/scoring.md says every step; a rubric that fails check() gives no sensible sheet. Any thread.
 [[nodiscard]] ScoreSheet grade(const Rubric& rubric, const Values& values);
 

@@ -379,7 +379,7 @@
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
-        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <extracomment>Title of a scale: how high the bur's tip stands over the block</extracomment>
         <translation>Höhe, mm</translation>
     </message>
 </context>
@@ -428,6 +428,30 @@
     <message>
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
         <translation>Das Handstück führt Ihre Hand über den Zahn zurück. Halten Sie dagegen, lässt es los.</translation>
+    </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation>Der Umriss hält Ihre Hand: Q lässt sie los.</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation>Ganzer Zahn</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Wieder ganz</translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation>%1 mm³ %2</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>jetzt</translation>
     </message>
 </context>
 <context>
@@ -692,6 +716,81 @@
     </message>
 </context>
 <context>
+    <name>TimeLine</name>
+    <message>
+        <source>section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>Tiefenmesser</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgenbild</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>Tiefenfarben</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation>Ideal</translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation>Farbe des Instruments</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>innerhalb des Umrisses gehalten</translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation>Keine Hilfe in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation>Hilfen in Gebrauch: %1</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>Rückgängig gemacht</translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation>Wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Wieder ganz</translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation>Instrument %1: %2</translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation>Anderes Handstück</translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation>Notiz %1</translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation>Die Hand wurde zurückgeführt</translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
+        <translation>Wieder aufgenommen</translation>
+    </message>
+</context>
+<context>
     <name>Tooth</name>
     <message>
         <source>upper right</source>
@@ -826,6 +925,10 @@
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
         <translation>Dieser Versuch wurde mit einem anderen Gerät gemacht und kann deshalb nicht fortgesetzt werden. Er bleibt aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>Der Experte</translation>
     </message>
     <message>
         <source>This exercise has not been begun yet, so there is nothing to grade.</source>
@@ -977,6 +1080,74 @@
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation>Ein Scan sagt nicht, welche Seite mesial ist; darum bekommt er keine Nachbarn.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation>Zu einem Zustand gehen: anklicken oder Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation>Jeder Ihrer Striche erscheint hier als kleines Bild. Ein Klick führt dorthin zurück; was danach kam, bleibt als eigener Zweig erhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation>Sie sehen eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Die Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>Nicht weiter zusehen und zur eigenen Arbeit zurückkehren (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation>Links und rechts führen von Strich zu Strich, Pos1 und Ende zum Anfang und zum Ende.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
+        <translation>Strich %1, %2 s, %3</translation>
     </message>
 </context>
 <context>
@@ -1332,6 +1503,107 @@
         <source>Take this handpiece</source>
         <translation>Dieses Handstück nehmen</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation>Zeigen, wohin man zurückkann, mit allen Zweigen, oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation>Einen Strich zurück</translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation>Zum Ende des vorigen Strichs zurückgehen und dort halten</translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation>Einen Strich weiter</translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation>Zum Ende des nächsten Strichs gehen und dort halten</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation>Zum Anfang der Aufzeichnung gehen</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation>Zum Ende der Aufzeichnung gehen</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation>Die Aufzeichnung langsamer abspielen, bis zu einem Zehntel</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation>Die Aufzeichnung schneller abspielen, bis zum 16-Fachen</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>Versuch des Experten</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation>Ansehen, wie ein Experte diese Aufgabe löst; bei einer Wiedergabe neben dem Versuch, der läuft</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Noch einer daneben</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Einen anderen Versuch neben diesem öffnen oder wieder schließen</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Sich führen lassen</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
+    </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation>Bohrer färben</translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation>Den Bohrer danach färben, wie nah er dem ist, was bleiben soll</translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation>Geführte Hand</translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
+        <translation>Eine sanfte Kraft hält die Hand im Umriss</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1556,6 +1828,10 @@
         <source>pass mark %1</source>
         <translation>bestanden ab %1</translation>
     </message>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation>%1 nach anderer Regel</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
@@ -1720,6 +1996,18 @@
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1785,44 +2073,6 @@
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>Maus über den Zahn führen, zum Präparieren linke Taste drücken; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
     </message>
-    <message>
-        <source>You are watching a recording</source>
-        <translation>Sie sehen eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Stop the recording</source>
-        <translation>Aufzeichnung beenden</translation>
-    </message>
-    <message>
-        <source>Progress of the recording</source>
-        <translation>Fortschritt der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation>Das Zusehen beenden und zur eigenen Arbeit zurückkehren (Esc)</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
-        <translation>Geschwindigkeit der Wiedergabe: 1-, 2-, 4- oder 8-fach</translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
-        <translation>%1×</translation>
-    </message>
-    <message>
-        <source>Speed of the replay: %1</source>
-        <translation>Geschwindigkeit der Wiedergabe: %1</translation>
-    </message>
 </context>
 <context>
     <name>ui::shell::ScoreBar</name>
@@ -1834,88 +2084,6 @@
     <message>
         <source>pass mark %1</source>
         <translation>bestanden ab %1</translation>
-    </message>
-</context>
-<context>
-    <name>ui::shell::ScorePage</name>
-    <message>
-        <source>Grade</source>
-        <translation>Bewertung</translation>
-    </message>
-    <message>
-        <source>Picture of the tooth as graded</source>
-        <translation>Bild des bewerteten Zahns</translation>
-    </message>
-    <message>
-        <source>How the grade was worked out</source>
-        <translation>So kommt die Bewertung zustande</translation>
-    </message>
-    <message>
-        <source>Sum</source>
-        <translation>Summe</translation>
-    </message>
-    <message>
-        <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
-        <translation>Bewertung: %1</translation>
-    </message>
-    <message>
-        <source>of 100</source>
-        <translation>von 100</translation>
-    </message>
-    <message>
-        <source>Passed</source>
-        <translation>Bestanden</translation>
-    </message>
-    <message>
-        <source>Not passed: harm done</source>
-        <translation>Nicht bestanden: Zahn geschädigt</translation>
-    </message>
-    <message>
-        <source>Not passed yet</source>
-        <translation>Noch nicht bestanden</translation>
-    </message>
-    <message>
-        <source>At most %1 points can be lost here</source>
-        <translation>Hier sind höchstens %1 Punkte zu verlieren</translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
-    </message>
-    <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation>Die freiliegende Fläche, von oben gesehen. Das abgetragene Volumen in mm³ steht in der Seitenleiste.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
-    </message>
-    <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
-        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
-    </message>
-    <message>
-        <source>Grades before</source>
-        <translation>Frühere Noten</translation>
-    </message>
-    <message>
-        <source>Fails the attempt and takes all points that are left</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation>Versuch nicht bestanden; nimmt alle Punkte, die übrig sind</translation>
-    </message>
-    <message>
-        <source>This is the first grade here.</source>
-        <translation>Das ist hier die erste Note.</translation>
     </message>
 </context>
 <context>
@@ -1938,6 +2106,7 @@
     </message>
     <message>
         <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
         <translation>Restkaries</translation>
     </message>
     <message>
@@ -1989,7 +2158,6 @@
     </message>
     <message>
         <source>beside the decay</source>
-        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
         <translation>neben der Karies</translation>
     </message>
     <message>
@@ -2016,6 +2184,23 @@
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
         <translation>U/min</translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation>Bis zur Grenze</translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation>Wie weit der Kopf des Bohrers von dem entfernt ist, was bleiben soll, nach unten oder zur Seite. Über einem Millimeter steht hier nichts.</translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation>Noch abzutragen</translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
+        <translation>über das Ideal hinaus</translation>
     </message>
 </context>
 <context>
@@ -2129,6 +2314,74 @@
     <message>
         <source>What is shown of the tooth, and how</source>
         <translation>Was vom Zahn gezeigt wird, und wie</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation>%1 nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation>%1 nie entfernt</translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation>%1 nie verdient</translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation>%1 bei %2, Zug %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation>Die Fläche, die offen liegt, von oben gesehen. Das abgetragene Volumen steht neben dem Zahn, in mm³.</translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation>Der Versuch ist nicht bestanden, alle übrigen Punkte sind verloren</translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation>Hier gehen höchstens %1 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation>%1: %2, %3 Punkte</translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation>Zeigen, wo das am schlimmsten war</translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation>Kein Zug hat das verursacht: sehen, wie der Versuch endete</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>Zusehen, wie es geschah: den Versuch von hier an abspielen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation>
+            <numerusform>%n weiterer</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
+        <translation>Jeden Zeitpunkt zeigen</translation>
     </message>
 </context>
 <context>
@@ -2256,6 +2509,33 @@
     <message>
         <source>Nothing: I expect all points</source>
         <translation>Nichts: Ich erwarte alle Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation>Der Zahn von oben, gefärbt nach dem, was zu tief ist und was noch fehlt</translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation>wie es sein soll</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm zu tief</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>%1 mm fehlen noch</translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation>fehlt noch</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>zu tief</translation>
     </message>
 </context>
 <context>
@@ -2441,6 +2721,144 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation>Bewertet nach „%1“, Version %2, Inhalt %3. Unterschnitte und Wände über 90° werden nicht gemessen: Das Modell ist ein Höhenfeld.</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation>Der fertige Zahn wird noch einmal mit halb und mit doppelt so vielen Säulen je Seite gemessen. Das sagt, wie sehr die Zahl am Raster hängt. Über die Hand, oder darüber, was an einem anderen Tag herauskäme, sagt es nichts.</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>Wo die Punkte geblieben sind</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation>Der Zeitpunkt jedes verlorenen Punkts wird gesucht …</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation>Der Zeitpunkt jedes verlorenen Punkts wird gesucht</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>Deine Versuche</translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation>von 100</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation>Nicht bestanden: Zahn geschädigt</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation>Bei halbem Raster %1, bei doppeltem %2.</translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation>Bei halbem Raster %1.</translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation>Die Bestehensgrenze liegt dazwischen: Das Ergebnis liegt im Rauschen.</translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation>Klar neben der Bestehensgrenze.</translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation>Die Arbeit ist überall, wie sie sein soll</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm zu tief</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>%1 mm fehlen noch</translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
+        <translation>%1: die schlimmste Stelle, %2</translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation>%1 hat keine Stelle; am weitesten neben dem Ideal: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>Von %n Person deiner Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
+            <numerusform>Von den besten Ergebnissen von %n Personen deiner Gruppe liegen %1 % darunter.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Person.</numerusform>
+            <numerusform>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Personen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>andere Regel</translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation>Das ist hier die erste Note.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
+        <translation>Schnitt durch die schlimmste Stelle</translation>
     </message>
 </context>
 <context>

@@ -379,7 +379,7 @@
     <name>ExerciseMarks</name>
     <message>
         <source>height, mm</source>
-        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <extracomment>Title of a scale: how high the bur's tip stands over the block</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -427,6 +427,30 @@
     </message>
     <message>
         <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>present</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -692,6 +716,81 @@
     </message>
 </context>
 <context>
+    <name>TimeLine</name>
+    <message>
+        <source>section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Tooth</name>
     <message>
         <source>upper right</source>
@@ -825,6 +924,10 @@
     </message>
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -976,6 +1079,74 @@
     </message>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1332,6 +1503,107 @@
         <source>Take this handpiece</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch how an expert does this lesson; in a replay, beside the attempt that is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -1556,6 +1828,10 @@
         <source>pass mark %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
@@ -1720,6 +1996,18 @@
         <source>Discard</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -1785,44 +2073,6 @@
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>You are watching a recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop the recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Progress of the recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop watching and go back to your own work (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the replay: 1, 2, 4 or 8 times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed of the replay: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>ui::shell::ScoreBar</name>
@@ -1833,88 +2083,6 @@
     </message>
     <message>
         <source>pass mark %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ui::shell::ScorePage</name>
-    <message>
-        <source>Grade</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture of the tooth as graded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the grade was worked out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of 100</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Passed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not passed: harm done</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not passed yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At most %1 points can be lost here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You expected %1 points: exactly so.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too many.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You expected %1 points: %2 too few.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
-        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grades before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fails the attempt and takes all points that are left</source>
-        <extracomment>Tooltip on the points of one criterion</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the first grade here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1938,6 +2106,7 @@
     </message>
     <message>
         <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1989,7 +2158,6 @@
     </message>
     <message>
         <source>beside the decay</source>
-        <extracomment>Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2015,6 +2183,23 @@
     <message>
         <source>rpm</source>
         <extracomment>Turns a minute</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2128,6 +2313,74 @@
     </message>
     <message>
         <source>What is shown of the tooth, and how</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2255,6 +2508,33 @@
     </message>
     <message>
         <source>Nothing: I expect all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2440,6 +2720,144 @@
     </message>
     <message>
         <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>Of the best result of %n person in your class, %1 % are below this.</numerusform>
+            <numerusform>Of the best results of %n people in your class, %1 % are below this.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person.</numerusform>
+            <numerusform>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n people.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -65,6 +65,19 @@ core::Result<core::settings::HardnessPreset> presetFromJson(const QString& file,
     return preset;
 }
 
+QString nameOf(lessons::Moment::Kind kind)
+{
+    switch (kind) {
+    case lessons::Moment::Kind::Stroke:
+        return QStringLiteral("stroke");
+    case lessons::Moment::Kind::Way:
+        return QStringLiteral("way");
+    case lessons::Moment::Kind::Never:
+        break;
+    }
+    return QStringLiteral("never");
+}
+
 }  // namespace
 
 core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameOrFile)
@@ -146,6 +159,41 @@ QString toText(const std::vector<core::grading::Infraction>& infractions)
                     .arg(text.isEmpty() ? QStringLiteral("infractions   ") : QString(14, QLatin1Char(' ')))
                     .arg(nameOf(infraction.breach), -15)
                     .arg(infraction.seconds, 0, 'f', 2);
+    return text;
+}
+
+QJsonObject toJson(const lessons::Moments& moments)
+{
+    QJsonObject object;
+    for (std::size_t k = 0; k < moments.ofCriteria.size(); ++k) {
+        QJsonArray list;
+        for (const lessons::Moment& moment : moments.ofCriteria[k])
+            list.append(QJsonObject{{"kind", nameOf(moment.kind)},
+                                    {"lost_tenths", moment.lostTenths},
+                                    {"tick", static_cast<qint64>(moment.tick)},
+                                    {"at_s", moment.seconds},
+                                    {"stroke", moment.stroke}});
+        object.insert(QString::fromStdString(moments.sheet.criteria[k].id), list);
+    }
+    return object;
+}
+
+QString toText(const lessons::Moments& moments)
+{
+    QString text;
+    for (std::size_t k = 0; k < moments.ofCriteria.size(); ++k)
+        for (const lessons::Moment& moment : moments.ofCriteria[k]) {
+            const QString when =
+                moment.kind == lessons::Moment::Kind::Never ? QStringLiteral("never earned")
+                : moment.stroke > 0
+                    ? QStringLiteral("at %1 s, stroke %2").arg(moment.seconds, 0, 'f', 2).arg(moment.stroke)
+                    : QStringLiteral("at %1 s").arg(moment.seconds, 0, 'f', 2);
+            text += QStringLiteral("%1 %2 %3 %4\n")
+                        .arg(text.isEmpty() ? QStringLiteral("lost          ") : QString(14, QLatin1Char(' ')))
+                        .arg(QString::fromStdString(moments.sheet.criteria[k].id), -15)
+                        .arg(-0.1 * moment.lostTenths, 6, 'f', 1)
+                        .arg(when);
+        }
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "core/grading/Referee.h"
 #include "core/session/ServoTick.h"
 #include "haptics/simulated/TickTimes.h"
+#include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
 
 /// What the commands that make or replay an attempt share: the hardness option, and its figures as JSON.
@@ -34,6 +35,9 @@ namespace app::cli {
 
 /// The score as a person reads it, one line a criterion.
 [[nodiscard]] QString toText(const lessons::ScoreSheet& sheet);
+/// When the points of each criterion were lost: as JSON by the criterion's id, or one line each.
+[[nodiscard]] QJsonObject toJson(const lessons::Moments& moments);
+[[nodiscard]] QString toText(const lessons::Moments& moments);
 /// One line each; empty for none.
 [[nodiscard]] QString toText(const std::vector<core::grading::Infraction>& infractions);
 

@@ -8,9 +8,52 @@
 #include "app/cli/Commands.h"
 #include "core/recording/Replay.h"
 #include "haptics/simulated/Simulation.h"
-#include "lessons/Assignment.h"
+#include "lessons/GridNoise.h"
+#include "lessons/Moments.h"
 
 namespace app::cli {
+namespace {
+
+/// What a score does not say by itself, and how long it took to find out.
+struct Explained
+{
+    lessons::GridNoise noise;
+    double noiseS = 0.0;
+    lessons::Moments moments;
+    double momentsS = 0.0;
+};
+
+core::Result<Explained> explain(const core::recording::Recording& recording, const lessons::Remarked& remarked)
+{
+    const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson());
+    if (!assignment)
+        return tl::unexpected(assignment.error());
+    QElapsedTimer timer;
+    timer.start();
+    Explained explained;
+    auto noise = lessons::gridNoise(*assignment, remarked.outcome.tooth, remarked.conduct);
+    if (!noise)
+        return tl::unexpected(noise.error());
+    explained.noise = *noise;
+    explained.noiseS = 1.0e-9 * static_cast<double>(timer.nsecsElapsed());
+    timer.start();
+    auto moments = lessons::momentsOf(*assignment, recording);
+    if (!moments)
+        return tl::unexpected(moments.error());
+    explained.moments = std::move(**moments);
+    explained.momentsS = 1.0e-9 * static_cast<double>(timer.nsecsElapsed());
+    return explained;
+}
+
+QString toText(const lessons::GridNoise& noise)
+{
+    return QStringLiteral("other grids    half %1%2%3\n")
+        .arg(0.1 * noise.half.totalTenths, 0, 'f', 1)
+        .arg(noise.twice ? QStringLiteral(", double %1").arg(0.1 * noise.twice->totalTenths, 0, 'f', 1) : QString(),
+             noise.isUncertain() ? QStringLiteral("; the pass mark lies between") : QString());
+}
+
+}  // namespace
 
 int replayCommand(const QStringList& arguments)
 {
@@ -18,8 +61,10 @@ int replayCommand(const QStringList& arguments)
     parser.setApplicationDescription(
         QStringLiteral("Replays a recording tick by tick, measures and scores the tooth it leaves."));
     parser.addPositionalArgument(QStringLiteral("RECORDING"), QStringLiteral("A file that Cusp has saved."));
+    parser.addOption({QStringLiteral("moments"),
+                      QStringLiteral("Says when each point was lost, and the score at half and at double the grid.")});
     parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
-    const QString usage = QStringLiteral("cusp replay RECORDING [--json]");
+    const QString usage = QStringLiteral("cusp replay RECORDING [--moments] [--json]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;
     if (parser.positionalArguments().size() != 1)
@@ -50,19 +95,35 @@ int replayCommand(const QStringList& arguments)
              "computes differently from the one that made it. Do not trust its score."});
     const core::grading::Measures& measures = remarked->mark.measured.measures;
     const lessons::ScoreSheet& sheet = remarked->mark.sheet;
+    std::optional<Explained> explained;
+    if (parser.isSet(QStringLiteral("moments"))) {
+        auto found = explain(*recording, *remarked);
+        if (!found)
+            return failed(found.error());
+        explained = std::move(*found);
+    }
     const double lastsS = std::chrono::duration<double>(recording->duration()).count();
     if (parser.isSet(QStringLiteral("json"))) {
-        printJson({{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
-                   {QStringLiteral("ticks"), static_cast<qint64>(recording->ticks())},
-                   {QStringLiteral("duration_s"), lastsS},
-                   {QStringLiteral("replay_s"), tookS},
-                   {QStringLiteral("tick_us"), toJson(*tickTimes)},
-                   {QStringLiteral("state_hash"), hashText(outcome.stateHash)},
-                   {QStringLiteral("verified"), recording->witness().has_value()},
-                   {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
-                   {QStringLiteral("measures"), toJson(remarked->mark.measured)},
-                   {QStringLiteral("score"), toJsonObject(sheet)},
-                   {QStringLiteral("infractions"), toJson(remarked->infractions)}});
+        QJsonObject answer{{QStringLiteral("tooth"), QString::fromStdString(recording->anatomy()->name)},
+                           {QStringLiteral("ticks"), static_cast<qint64>(recording->ticks())},
+                           {QStringLiteral("duration_s"), lastsS},
+                           {QStringLiteral("replay_s"), tookS},
+                           {QStringLiteral("tick_us"), toJson(*tickTimes)},
+                           {QStringLiteral("state_hash"), hashText(outcome.stateHash)},
+                           {QStringLiteral("verified"), recording->witness().has_value()},
+                           {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
+                           {QStringLiteral("measures"), toJson(remarked->mark.measured)},
+                           {QStringLiteral("score"), toJsonObject(sheet)},
+                           {QStringLiteral("infractions"), toJson(remarked->infractions)}};
+        if (explained) {
+            answer.insert(QStringLiteral("moments"), toJson(explained->moments));
+            answer.insert(QStringLiteral("moments_s"), explained->momentsS);
+            answer.insert(QStringLiteral("half_grid_tenths"), explained->noise.half.totalTenths);
+            answer.insert(QStringLiteral("double_grid_tenths"),
+                          explained->noise.twice ? QJsonValue(explained->noise.twice->totalTenths) : QJsonValue());
+            answer.insert(QStringLiteral("grids_s"), explained->noiseS);
+        }
+        printJson(answer);
         return kDone;
     }
     printText(
@@ -79,7 +140,8 @@ int replayCommand(const QStringList& arguments)
             .arg(measures.removedMm3[2], 0, 'f', 4)
             .arg(measures.removedMm3[3], 0, 'f', 4)
             .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString()) +
-        toText(sheet) + toText(remarked->infractions));
+        toText(sheet) + (explained ? toText(explained->moments) + toText(explained->noise) : QString()) +
+        toText(remarked->infractions));
     return kDone;
 }
 

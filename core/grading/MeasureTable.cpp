@@ -566,4 +566,23 @@ std::optional<MeasureInfo> findMeasure(std::string_view id)
     return found != kTable.end() ? std::optional(*found) : std::nullopt;
 }
 
+bool isOfProcess(const MeasureInfo& measure)
+{
+    Process complete;
+    complete.firstCutS = complete.strokeMm = complete.strokeS = complete.jerkMmPerS3 = 0.0;
+    complete.force = Process::Force{};
+    Measured way;
+    way.process = complete;
+    way.infractions = 0;
+    way.aidsUsed = 0;
+    // Of an exercise there is one kind at a time.
+    bool isTold = measure.value(way).has_value();
+    for (const Practised& practised : {Practised(Touched{{0.0}}), Practised(Held{1.0, 1.0, 1.0, 1.0, 0.0, true}),
+                                       Practised(Named{{terrain::Material::Enamel}, 1})}) {
+        way.practised = practised;
+        isTold = isTold || measure.value(way).has_value();
+    }
+    return isTold && !measure.value(Measured{}).has_value();
+}
+
 }  // namespace core::grading

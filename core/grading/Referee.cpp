@@ -27,7 +27,7 @@ std::vector<float> besideOf(const ToothAnatomy& anatomy, const std::vector<float
     std::vector<std::uint8_t> kept(anatomy.top.size());
     for (std::size_t k = 0; k < kept.size(); ++k)
         kept[k] = ideal[k] < anatomy.top[k] ? 0 : 1;
-    return teeth::distanceInside(anatomy.grid, kept);
+    return teeth::distanceInside(anatomy.grid, kept, teeth::Beyond::Marked);
 }
 
 /// Along x from each column to the nearer end of its row, over the middle half of the rows; beyond those far away.

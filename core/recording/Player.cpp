@@ -43,7 +43,7 @@ Player::Player(Recording recording, Replayer servo)
     keepKeyFrame();
 }
 
-bool Player::advance(std::uint64_t ticks)
+bool Player::advance(std::uint64_t ticks, const std::function<void(const ServoEvent&, const Replayer&)>& afterEvent)
 {
     const std::uint64_t until = m_servo.tick() + std::min(ticks, m_recording.ticks());
     while (m_servo.tick() < until || until == m_recording.ticks()) {
@@ -58,7 +58,10 @@ bool Player::advance(std::uint64_t ticks)
             m_ready = m_servo.tick();
             return false;
         }
-        play(m_events[m_nextAtHand++]);
+        const ServoEvent& event = m_events[m_nextAtHand++];
+        play(event);
+        if (afterEvent)
+            afterEvent(event, m_servo);
     }
     return true;
 }
@@ -112,6 +115,7 @@ void Player::keepPose(const session::ServoState& state)
                     .seconds = std::chrono::duration<double>(m_time).count(),
                     .health = state.health,
                     .burIndex = state.burIndex,
+                    .handpieceIndex = state.handpieceIndex,
                     .material = state.materialUnderBur,
                     .touching = state.touching,
                     .drillOn = state.drillOn,
@@ -196,6 +200,7 @@ session::ServoState Player::stateAt(std::uint64_t tick) const
     state.cutting = pose.cutting;
     state.handpieceOnCrown = pose.handpieceOnCrown;
     state.burIndex = pose.burIndex;
+    state.handpieceIndex = pose.handpieceIndex;
     state.materialUnderBur = pose.material;
     state.burRpm = static_cast<double>(pose.burRpm);
     state.depthMm = static_cast<double>(pose.depthMm);

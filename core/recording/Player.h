@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -48,7 +49,9 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<Player>> make(Recording recording);
 
     /// Plays so many ticks more. False when the recording is at its end. One thread, the same or with its own order.
-    bool advance(std::uint64_t ticks);
+    /// @param afterEvent  called after every event, as by replay(); may be empty
+    bool advance(std::uint64_t ticks,
+                 const std::function<void(const session::ServoEvent&, const Replayer&)>& afterEvent = {});
 
     [[nodiscard]] const Recording& recording() const { return m_recording; }
     /// Of the whole recording.
@@ -87,6 +90,7 @@ private:
         double seconds;  ///< since the beginning
         std::uint32_t health;
         std::uint8_t burIndex;
+        std::uint8_t handpieceIndex;
         terrain::Material material;
         bool touching;
         bool drillOn;

@@ -14,6 +14,10 @@
 #include "core/rt/TripleBuffer.h"
 #include "core/terrain/Tooth.h"
 
+namespace core::guidance {
+class Fixture;
+}
+
 /// What crosses between the threads: the servo (1 kHz), the session (about 100 Hz) and the ui. Plain values only.
 namespace core::session {
 
@@ -26,6 +30,7 @@ enum Health : std::uint32_t {
     kBegunInside = 1U << 4U,     ///< the bur began inside the tooth: no force and no cutting until it has been out
     kLoopIsSlow = 1U << 5U,      ///< force comes late: the spring is softer than set
     kLedHome = 1U << 6U,         ///< the hand is led home over the tooth (contact::WorkArea)
+    kHeldInside = 1U << 7U,      ///< a fixture holds the hand within the outline (guidance::Fixture)
 };
 
 /// Where the bur was at one moment.
@@ -156,11 +161,16 @@ struct SetHandpiece
 {
     std::uint8_t index = 0;  ///< into the attempt's handpieces (ServoSettings)
 };
+/// Holds the hand within an outline from now on, or does not: until this comes again. Ownership goes to the session.
+struct SetFixture
+{
+    const guidance::Fixture* fixture = nullptr;  ///< null: none
+};
 /// Lead the hand home over the tooth; nothing where the device has no work area.
 struct BringHome
 {};
-using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, SetHandpiece, BringHome, GoTo,
-                                    ResumeAttempt, SetAids, AddNote>;
+using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, SetHandpiece, SetFixture,
+                                    BringHome, GoTo, ResumeAttempt, SetAids, AddNote>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.

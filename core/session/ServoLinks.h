@@ -24,7 +24,7 @@ struct SwapTooth
     ServoTick* servo = nullptr;  ///< anew, owned: what computes from now on; null: as before
 };
 /// Session to servo.
-using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, SetHandpiece, BringHome>;
+using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, SetHandpiece, SetFixture, BringHome>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
 /// One thing that happened to the servo, or to the student while it worked, in the order in which it happened: what a
@@ -58,11 +58,12 @@ inline constexpr std::size_t kServoPatches = 4096;
 /// The channels between servo and session.
 struct ServoLinks
 {
-    rt::SpscQueue<ServoCommand, 64> commands;         ///< session -> servo
-    rt::SpscQueue<contact::LiveTooth*, 64> retired;   ///< servo -> session: teeth to be freed
-    rt::SpscQueue<ServoTick*, 8> retiredServos;       ///< servo -> session: to be freed
-    rt::SpscQueue<TilePatch, kServoPatches> patches;  ///< servo -> session
-    rt::SpscQueue<ServoEvent, 16384> events;          ///< servo -> session: 16 s at 1 kHz before anything is lost
+    rt::SpscQueue<ServoCommand, 64> commands;                    ///< session -> servo
+    rt::SpscQueue<contact::LiveTooth*, 64> retired;              ///< servo -> session: teeth to be freed
+    rt::SpscQueue<ServoTick*, 8> retiredServos;                  ///< servo -> session: to be freed
+    rt::SpscQueue<const guidance::Fixture*, 8> retiredFixtures;  ///< servo -> session: to be freed
+    rt::SpscQueue<TilePatch, kServoPatches> patches;             ///< servo -> session
+    rt::SpscQueue<ServoEvent, 16384> events;  ///< servo -> session: 16 s at 1 kHz before anything is lost
 };
 
 }  // namespace core::session

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/guidance/Fixture.h"
+
 namespace core::session {
 namespace {
 
@@ -18,6 +20,8 @@ void discard(const SessionCommand& command)
         delete replace->servo;
     } else if (const auto* resume = std::get_if<ResumeAttempt>(&command)) {
         delete resume->attempt;
+    } else if (const auto* held = std::get_if<SetFixture>(&command)) {
+        delete held->fixture;
     }
 }
 
@@ -59,6 +63,8 @@ void SessionLoop::freeRetired()
         delete tooth;
     for (ServoTick* servo = nullptr; m_servo.retiredServos.tryPop(servo);)
         delete servo;
+    for (const guidance::Fixture* fixture = nullptr; m_servo.retiredFixtures.tryPop(fixture);)
+        delete fixture;
 }
 
 void SessionLoop::takeEvents()
@@ -268,6 +274,11 @@ void SessionLoop::apply(const SetDrill& drill)
 void SessionLoop::apply(const SetHandpiece& handpiece)
 {
     static_cast<void>(m_servo.commands.tryPush(handpiece));
+}
+
+void SessionLoop::apply(const SetFixture& fixture)
+{
+    static_cast<void>(m_servo.commands.tryPush(fixture));
 }
 
 void SessionLoop::apply(const BringHome& home)

@@ -84,6 +84,7 @@ private:
     void apply(const SetBur& bur);
     void apply(const SetDrill& drill);
     void apply(const SetHandpiece& handpiece);
+    void apply(const SetFixture& fixture);
     void apply(const BringHome& home);
     void apply(const GoTo& where);
     void step(const std::function<bool()>& go);

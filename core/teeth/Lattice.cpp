@@ -185,16 +185,16 @@ std::vector<float> Lattice::smooth(std::span<const float> z, double radiusMm, fl
     return mean;
 }
 
-std::vector<float> distanceInside(const terrain::Grid& grid, std::span<const std::uint8_t> marked)
+std::vector<float> distanceInside(const terrain::Grid& grid, std::span<const std::uint8_t> marked, Beyond beyond)
 {
-    // A frame of unmarked nodes around the grid stands for "beyond".
+    // A frame of nodes around the grid stands for what is beyond.
     const auto side = static_cast<std::size_t>(grid.side) + 2;
     const double far = 4.0 * static_cast<double>(side) * static_cast<double>(side);
-    std::vector<double> squared(side * side, 0.0);
+    std::vector<double> squared(side * side, beyond == Beyond::Marked ? far : 0.0);
     for (int j = 0; j < grid.side; ++j)
         for (int i = 0; i < grid.side; ++i)
-            if (marked[grid.index(i, j)] != 0)
-                squared[(static_cast<std::size_t>(j) + 1) * side + static_cast<std::size_t>(i) + 1] = far;
+            squared[(static_cast<std::size_t>(j) + 1) * side + static_cast<std::size_t>(i) + 1] =
+                marked[grid.index(i, j)] != 0 ? far : 0.0;
 
     std::vector<double> line(side);
     std::vector<double> result(side);

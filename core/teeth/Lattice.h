@@ -55,8 +55,13 @@ private:
     double m_cellMm;
 };
 
+/// What lies beyond a grid.
+enum class Beyond { Unmarked, Marked };
+
 /// Distance in mm from each node marked 1 to the outline of the marked set (half a cell before the nearest unmarked
-/// node; beyond the grid nothing is marked), 0 on unmarked nodes. Exact Euclidean (Felzenszwalb, Huttenlocher 2012).
-[[nodiscard]] std::vector<float> distanceInside(const terrain::Grid& grid, std::span<const std::uint8_t> marked);
+/// node), 0 on unmarked nodes; more than the grid is wide where no node is unmarked. Exact Euclidean (Felzenszwalb,
+/// Huttenlocher 2012).
+[[nodiscard]] std::vector<float> distanceInside(const terrain::Grid& grid, std::span<const std::uint8_t> marked,
+                                                Beyond beyond = Beyond::Unmarked);
 
 }  // namespace core::teeth

@@ -4,19 +4,22 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <glm/geometric.hpp>
 
 #include "app/Application.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/support/OpenGlMain.h"
+#include "ui/replay/HistoryPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/TabularLabel.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using ui::shell::MainWindow;
@@ -30,8 +33,13 @@ private slots:
 
     void theFirstMinutesFromBeginningToEnd();
     void theSameWorkIsGradedOnce();
+    void aScoreIsExplainedInTheBackground();
     void stoppingAReplayBringsTheOwnWorkBack();
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
+    void aMomentOfTheOwnAttemptIsShownAndLeft();
+    void anotherAttemptIsPlayedBeside();
+    void aHandIsLedAlongARecording();
+    void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
     void theSimulatedHandpieceDrillsByItself();
     void anUnfinishedAttemptIsOfferedAndTakenUp();
@@ -294,12 +302,12 @@ void TestApplication::theSameWorkIsGradedOnce()
     };
     const auto grade = [this] {
         actions().grade->trigger();
-        QVERIFY(child<ui::shell::ScorePage>()->isVisible());
+        QVERIFY(child<ui::study::ScorePage>()->isVisible());
         actions().back->trigger();
     };
     // A whole tooth is no attempt.
     actions().grade->trigger();
-    QVERIFY(!child<ui::shell::ScorePage>()->isVisible());
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
     QVERIFY(message().contains("not ready") || message().contains("Nothing has been cut"));
     QCOMPARE(rows(), std::size_t(0));
     drillAt({-2.0, 1.0, -1.0});
@@ -310,6 +318,35 @@ void TestApplication::theSameWorkIsGradedOnce()
     grade();
     grade();
     QCOMPARE(rows(), std::size_t(2));
+}
+
+/// Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a moment
+/// plays the attempt from there.
+void TestApplication::aScoreIsExplainedInTheBackground()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    actions().grade->trigger();
+    const auto moments = [this] {
+        QList<QPushButton*> found;
+        for (QPushButton* button : child<ui::study::ScorePage>()->findChildren<QPushButton*>())
+            if (button->text().contains("never removed"))
+                found << button;
+        return found;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(moments().size(), 1, 30000);
+    QVERIFY(child<QLabel>("noise")->isVisible());
+    QVERIFY2(child<QLabel>("noise")->text().contains("At half the grid"), qPrintable(child<QLabel>("noise")->text()));
+    QVERIFY(child<QLabel>("class")->isVisible());
+    actions().back->trigger();
+    actions().grade->trigger();
+    QCOMPARE(moments().size(), 1);
+    QVERIFY(child<QLabel>("noise")->isVisible());
+    QTest::mouseClick(moments().front(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), 30000);
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);  // how it ended
 }
 
 void TestApplication::stoppingAReplayBringsTheOwnWorkBack()
@@ -349,6 +386,120 @@ void TestApplication::theOwnWorkIsStillAskedAboutAfterTwoReplays()
     m_application->window().close();
     QVERIFY(m_application->window().isVisible());
     QVERIFY(child<QMessageBox>("workQuestion") != nullptr);
+}
+
+void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    QVERIFY(own != "0.00");
+    m_application->showMoment(1.0e6);
+    // Held, a moment before its end.
+    QVERIFY(actions().pauseReplay->text().startsWith("Resume"));
+    const auto time = [this] { return child<ui::shell::TabularLabel>("replayTime")->text(); };
+    QTRY_VERIFY_WITH_TIMEOUT(time() != "0:00 of 0:00" && time().section(" of ", 0, 0) == time().section(" of ", 1, 1),
+                             10000);
+    QTRY_COMPARE(enamelRemoved(), own);
+    const QImage cut = m_application->window().view().toothPicture();
+    // Back to before it was cut, and forth to what the stroke has left.
+    actions().replayBegin->trigger();
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    QVERIFY(m_application->window().view().toothPicture() != cut);
+    actions().stepOn->trigger();
+    QTRY_COMPARE(enamelRemoved(), own);
+    QCOMPARE(m_application->window().view().toothPicture(), cut);
+    actions().stepBack->trigger();
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    actions().back->trigger();
+    QVERIFY(message().contains("your own work"));
+    QTRY_COMPARE(enamelRemoved(), own);
+    drillAt({2.0, 1.0, -1.0});
+}
+
+void TestApplication::anotherAttemptIsPlayedBeside()
+{
+    start();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("first.cusprec");
+    save(recording);
+    drillAt({2.0, 1.0, -1.0});
+    const QString own = enamelRemoved();
+    m_application->showMoment(1.0e6);
+    const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>(); };
+    for (int n = 0; n < 2; ++n) {  // another one takes its place
+        emit m_application->window().besideWanted(recording);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().beside->isEnabled() && views().size() == 2, 30000);
+    }
+    const auto* beside = views().front() == &m_application->window().view() ? views().back() : views().front();
+    // Both at their ends: what the first stroke has left, and what both have.
+    actions().replayEnd->trigger();
+    const auto cut = [](const ui::tooth::ToothView& view) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < view.tooth()->top.size(); ++k)
+            sum += static_cast<double>(view.tooth()->anatomy->top[k] - view.tooth()->top[k]);
+        return sum;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(cut(*beside) > 0.0 && cut(m_application->window().view()) > cut(*beside), 10000);
+    actions().replayBegin->trigger();
+    QTRY_VERIFY(cut(*beside) == 0.0 && cut(m_application->window().view()) == 0.0);
+    actions().beside->trigger();
+    QCOMPARE(views().size(), 1);
+    emit m_application->window().besideWanted(recording);
+    QTRY_COMPARE_WITH_TIMEOUT(views().size(), 2, 30000);
+    actions().back->trigger();
+    QCOMPARE(views().size(), 1);
+    QTRY_COMPARE(enamelRemoved(), own);
+}
+
+void TestApplication::aHandIsLedAlongARecording()
+{
+    start({}, true);
+    const QString before = enamelRemoved();
+    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
+    QTest::qWait(1500);
+    m_application->showMoment(1.0e6);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().along->isEnabled(), 10000);
+    core::session::ServoState seen;
+    connect(&m_application->window().view(), &ui::tooth::ToothView::frameAdvanced, this,
+            [&seen](const core::session::ServoState& state) { seen = state; });
+    const auto apartMm = [&seen] { return glm::length(seen.deviceMm - seen.anchorMm); };
+    actions().replayBegin->trigger();
+    actions().along->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(seen.tick == 0 || apartMm() < 3.0, 10000);
+    actions().pauseReplay->trigger();
+    QTest::qWait(1500);
+    QVERIFY2(actions().along->isChecked(), qPrintable("a hand that goes along is not let go: " + message()));
+    QVERIFY2(apartMm() < 3.0, qPrintable(QString("%1 mm").arg(apartMm())));
+    actions().along->trigger();
+    actions().back->trigger();
+    QTRY_VERIFY(!actions().along->isVisible());
+}
+
+void TestApplication::theUndoHistoryLeadsToAnyMoment()
+{
+    start();
+    actions().history->trigger();
+    const auto* list = &child<ui::replay::HistoryPanel>("historyPanel")->list();
+    drillAt({-2.0, 1.0, -1.0});
+    const QString first = enamelRemoved();
+    QTRY_COMPARE(list->model()->rowCount(), 2);
+    actions().undo->trigger();
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    drillAt({2.0, 1.0, -1.0});
+    const QString second = enamelRemoved();
+    QTRY_COMPARE(list->model()->rowCount(), 3);
+    const auto goTo = [&](int row) {
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualRect(list->model()->index(row, 0)).center());
+    };
+    goTo(1);  // what was undone
+    QTRY_COMPARE(enamelRemoved(), first);
+    goTo(2);
+    QTRY_COMPARE(enamelRemoved(), second);
+    goTo(0);
+    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    QVERIFY(list->model()->index(0, 0).data().toString().contains("present"));
 }
 
 void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()

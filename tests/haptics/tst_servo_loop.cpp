@@ -6,8 +6,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/guidance/Fixture.h"
 #include "core/history/TiledHeights.h"
 #include "haptics/falcon/FalconFeel.h"
+#include "haptics/simulated/SimulatedFalcon.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Locks.h"
 #include "tests/support/Rig.h"
@@ -112,6 +114,8 @@ private slots:
     void aWiderBurInANarrowHoleThrowsNobody();
     void nothingIsCutByAForceThatIsNotFelt();
     void handIsLedHomeOnRequest();
+    void fixtureHoldsTheHandAndNothingElse();
+    void everyHandIsHeldSteadily();
     void forceNeverPassesTheClamp();
     void forceChangesNoFasterThanAllowed();
     void groupsAreMomentsOfTheTooth();
@@ -582,6 +586,98 @@ void TestServoLoop::handIsLedHomeOnRequest()
             bare.servo.tick(1ms);
         }
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));  // a mouse is not led, a device that was lost no longer
+    }
+}
+
+namespace {
+
+/// A groove along y, 2 mm wide, is to be cut into the block.
+const core::guidance::Fixture* grooveFixture(const terrain::ToothAnatomy& anatomy)
+{
+    std::vector<float> ideal = anatomy.top;
+    for (int j = 0; j < anatomy.grid.side; ++j)
+        for (int i = 0; i < anatomy.grid.side; ++i)
+            if (std::abs(anatomy.grid.nodeMm(i, j).x) < 1.0)
+                ideal[anatomy.grid.index(i, j)] -= 1.0F;
+    return new core::guidance::Fixture(anatomy, ideal);
+}
+
+}  // namespace
+
+void TestServoLoop::fixtureHoldsTheHandAndNothingElse()
+{
+    Bare bare;
+    const auto anatomy = block();
+    bare.give(anatomy, 1);
+    bare.device.tipMm = {1.2F, 0.0F, 0.05F};  // over the block, beside the groove
+    const auto run = [&](int ticks) {
+        for (int n = 0; n < ticks; ++n)
+            bare.servo.tick(1ms);
+    };
+    run(20);
+    QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
+    bare.drainEvents();
+    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
+    run(2);
+    QVERIFY(length(bare.device.forceN) < 0.02);  // it comes softly
+    run(500);
+    QVERIFY2(bare.device.forceN.x < -0.2 && bare.device.forceN.x > -1.0,
+             qPrintable(QString::number(bare.device.forceN.x)));
+    QVERIFY((bare.state.latest().health & kHeldInside) != 0);
+    // It is no contact: the tooth knows nothing of it, and neither does the recording.
+    QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
+    QVERIFY(!bare.servo.state().touching);
+    for (ServoEvent event; bare.links->events.tryPop(event);)
+        QVERIFY(event.kind == ServoEvent::Kind::Tick);
+    // A lost device is held by nothing, and one that comes back is held softly.
+    bare.device.present = false;
+    run(20);
+    QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
+    bare.device.present = true;
+    run(3);
+    QVERIFY(length(bare.device.forceN) < 0.05);
+    run(500);
+    QVERIFY(bare.device.forceN.x < -0.2);
+    // Put away, and another and another: what was there is handed back to be freed.
+    QVERIFY(bare.links->commands.tryPush(SetFixture{}));
+    run(3);
+    QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
+    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
+    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
+    run(1);
+    int freed = 0;
+    for (const core::guidance::Fixture* old = nullptr; bare.links->retiredFixtures.tryPop(old); ++freed)
+        delete old;
+    QCOMPARE(freed, 2);
+    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));  // and one that comes too late
+}
+
+/// A hand that leans out of the groove through a simulated device comes to rest: no cycle, no buzz (haptics.md 2.2).
+void TestServoLoop::everyHandIsHeldSteadily()
+{
+    for (haptics::HandFigures figures : haptics::kHands) {
+        figures.tremorMm = 0.0;
+        figures.driftMm = 0.0;
+        const auto anatomy = block();
+        const std::unique_ptr<const core::guidance::Fixture> fixture(grooveFixture(*anatomy));
+        haptics::SimulatedFalcon falcon({}, figures, 0.001, 1, {0.0, 0.0, -0.6});
+        glm::dvec3 force(0.0);
+        double low = 1.0e9;
+        double high = -1.0e9;
+        constexpr int kTicks = 4000;
+        for (int n = 0; n < kTicks; ++n) {
+            // Thrown out at 100 mm/s, then held 2 mm out.
+            falcon.follow({std::min(2.6, 0.1 * n), 0.0, -0.6});
+            const haptics::DeviceSample sample = falcon.exchange(force);
+            force = fixture->forceN(glm::dvec3(sample.tipInToothMm), 1);
+            if (n > kTicks / 2) {
+                low = std::min(low, static_cast<double>(sample.tipInToothMm.x));
+                high = std::max(high, static_cast<double>(sample.tipInToothMm.x));
+            }
+        }
+        QVERIFY2(high - low < 0.1, qPrintable(QString("%1: %2 mm").arg(figures.name.data()).arg(high - low)));
+        QVERIFY2(high < 2.3, qPrintable(QString::number(high)));
+        QVERIFY2(figures.stiffnessNPerM < 500.0 || force.x < -0.5, qPrintable(QString::number(force.x)));
     }
 }
 

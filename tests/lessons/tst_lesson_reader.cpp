@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -31,6 +32,7 @@ private slots:
     void refusesAFileThatIsNotThere();
     void refusesNamesThatLeadElsewhere();
     void refusesTenMegabytes();
+    void anExpertsRecordingLiesBeside();
     void truncatedAnywhereNeverCrashes();
     void theHashTellsContentApart();
     void theTextOfALessonIsTheLesson();
@@ -346,6 +348,34 @@ void TestLessonReader::refusesTenMegabytes()
     QVERIFY2(sentences(read).contains("has 10.0 MB; a lesson has at most 1.0 MB"), qPrintable(sentences(read)));
     const QByteArray nested = QByteArray(200'000, '[') + QByteArray(200'000, ']');
     QVERIFY(!readLesson(write("deep.lesson.json", "{\"format\": 1, \"steps\": " + nested + "}")).lesson);
+}
+
+void TestLessonReader::anExpertsRecordingLiesBeside()
+{
+    QJsonObject object = lesson();
+    const std::string without = readLesson(write("e.lesson.json", object)).lesson->hash;
+    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
+    QVERIFY(sentences(readLesson(write("e.lesson.json", object)))
+                .contains("expert.recording: there is no file \"expert.cusprec\" beside the lesson"));
+    write("expert.cusprec", QByteArray("one"));
+    const ReadLesson one = readLesson(write("e.lesson.json", object));
+    QVERIFY2(one.lesson.has_value(), qPrintable(sentences(one)));
+    QVERIFY(QFileInfo(QString::fromStdString(one.lesson->expert->file)).isAbsolute());
+    QCOMPARE(one.lesson->expert->hash.size(), std::size_t{64});
+    QVERIFY(one.lesson->hash != without);
+    // Another recording is another lesson.
+    write("expert.cusprec", QByteArray("two"));
+    QVERIFY(readLesson(write("e.lesson.json", object)).lesson->hash != one.lesson->hash);
+    // A recording of an attempt keeps which one it was, not where it lies.
+    const ReadLesson kept = readLessonText(QByteArray::fromStdString(one.lesson->json), QStringLiteral("kept"));
+    QVERIFY2(kept.lesson.has_value(), qPrintable(sentences(kept)));
+    QCOMPARE(kept.lesson->expert->file, std::string("expert.cusprec"));
+    QCOMPARE(kept.lesson->expert->hash, one.lesson->expert->hash);
+    QCOMPARE(kept.lesson->hash, one.lesson->hash);
+    for (const char* name : {"../expert.cusprec", "/etc/passwd"}) {
+        object["expert"] = QJsonObject{{"recording", name}};
+        QVERIFY(!readLesson(write("e.lesson.json", object)).lesson);
+    }
 }
 
 void TestLessonReader::truncatedAnywhereNeverCrashes()

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/Rng.h"
+#include "lessons/ClassStanding.h"
 #include "lessons/LessonReader.h"
 #include "lessons/Rubric.h"
 #include "lessons/ScoreSheetJson.h"
@@ -55,6 +56,7 @@ private slots:
     void theExampleOfTheDocumentIsRight();
     void eachSideCountsItsOwnErrors_data();
     void eachSideCountsItsOwnErrors();
+    void whatComesFromRoundingIsNoError();
     void halfATenthGoesUp();
     void whatWasNotMeasuredEarnsNothing();
     void anAllowanceGrowsWithItsMeasure();
@@ -62,6 +64,7 @@ private slots:
     void aCriticalErrorTakesWhatIsLeft();
     void theSumIsAlwaysExact();
     void moreErrorNeverEarnsPoints();
+    void aClassIsComparedFromFivePeopleOn();
     void refusesWhatCannotMark_data();
     void refusesWhatCannotMark();
     void jsonHoldsEveryNumberBitForBit();
@@ -108,6 +111,42 @@ void TestRubric::eachSideCountsItsOwnErrors()
     const ScoreSheet sheet = grade(rubric, {{"a", value}});
     QCOMPARE(sheet.criteria[0].error, error);
     QCOMPARE(sheet.criteria[0].lostTenths, static_cast<int>(1000 * error));
+}
+
+/// Limits that no binary fraction can be: a value exactly on one is not beyond it, and a little more is.
+void TestRubric::whatComesFromRoundingIsNoError()
+{
+    Rubric rubric = decayRemoval();
+    CriterionRule& rule = rubric.criteria[2];
+    QVERIFY(rule.critical);
+    for (const Side side : {Side::Over, Side::Under, Side::Both})
+        for (int target = -30; target <= 30; ++target)
+            for (int tolerance = 0; tolerance <= 30; ++tolerance) {
+                rule.side = side;
+                rule.target = 0.1 * target;
+                rule.tolerance = 0.1 * tolerance;
+                const int sign = side == Side::Under ? -1 : 1;
+                const double limit = 0.1 * (target + sign * tolerance);
+                const auto failedAt = [&](double value) {
+                    return grade(rubric, {{"caries_left_percent", 0.0},
+                                          {"sound_overcut_mm3", 0.0},
+                                          {"pulp_exposed_mm2", value},
+                                          {"perforated_mm2", 0.0}})
+                        .failedCritically();
+                };
+                QVERIFY(!failedAt(limit));
+                QVERIFY(!failedAt(limit + sign * 1.0e-10));
+                QVERIFY(failedAt(limit + sign * 1.0e-8));
+            }
+    // Of large numbers the last bits are larger.
+    rule.side = Side::Over;
+    rule.target = 600000.7;
+    rule.tolerance = 200000.1;
+    const ScoreSheet large = grade(rubric, {{"caries_left_percent", 0.0},
+                                            {"sound_overcut_mm3", 0.0},
+                                            {"pulp_exposed_mm2", 0.1 * 8000008},
+                                            {"perforated_mm2", 0.0}});
+    QVERIFY(!large.failedCritically());
 }
 
 void TestRubric::halfATenthGoesUp()
@@ -213,6 +252,16 @@ void TestRubric::moreErrorNeverEarnsPoints()
         const int worse = grade(rubric, {{"a", value + rng.uniform()}, {"b", 1.5}}).totalTenths;
         QVERIFY(worse <= better);
     }
+}
+
+void TestRubric::aClassIsComparedFromFivePeopleOn()
+{
+    QCOMPARE(classStanding(800, {}), (ClassStanding{0, {}}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900}), (ClassStanding{4, {}}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900, 950}), (ClassStanding{5, 60.0}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 60.0}));
+    QCOMPARE(classStanding(0, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 0.0}));
+    QCOMPARE(classStanding(1000, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 100.0}));
 }
 
 void TestRubric::refusesWhatCannotMark_data()

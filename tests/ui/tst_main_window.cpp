@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListView>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -35,6 +36,8 @@
 #include "tests/support/SyntheticMolar.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/replay/HistoryPanel.h"
+#include "ui/replay/TimeLine.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/BusyCard.h"
@@ -48,7 +51,6 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
@@ -56,11 +58,13 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace core::session;
 using namespace ui::shell;
 using core::terrain::Material;
+using ui::study::ScorePage;
 using ui::text::Failed;
 
 class TestMainWindow : public QObject
@@ -96,6 +100,8 @@ private slots:
     void theXrayPageOpensAndSaves();
     void oneOfTheDepthColoursIsShown();
     void theAidsInUseAreNoted();
+    void theBurTellsHowNearItIs();
+    void aHandIsHeldOnRequest();
     void aBreachStopsTheBurAndIsExplained();
     void whatALessonLocksRests();
     void whatIsToBeFeltIsNotShown();
@@ -126,7 +132,13 @@ private slots:
     void aReplayRestsTheControls();
     void aReplayMarksItsOwnBurAtOnce();
     void aReplayTellsItsTimeAndPauses();
-    void aReplayHasFourSpeeds();
+    void aReplayHasEightSpeeds();
+    void keysGoThroughAReplayByStrokes();
+    void theTimeLineIsScrubbedAndTellsWhatWas();
+    void anotherAttemptIsShownBeside();
+    void theHandIsLedAlongOnRequest();
+    void theExpertIsOfferedWhereTheLessonHasOne();
+    void theUndoHistoryIsShownAndGoneThrough();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
 
@@ -773,7 +785,8 @@ void TestMainWindow::whatIsToBeFeltIsNotShown()
     QVERIFY(looksThe(shown(first, 6, 0.7F), "cut"));
     for (const char* figure : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
         QVERIFY2(!child<TabularLabel>(figure)->isVisible(), figure);
-    for (QAction* aid : {actions().section, actions().radiograph, actions().depthColours, actions().mirror})
+    for (QAction* aid :
+         {actions().section, actions().radiograph, actions().depthColours, actions().mirror, actions().history})
         QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
     QVERIFY(m_window->view().picture() == m_window->view().picture());
 
@@ -819,6 +832,51 @@ void TestMainWindow::theAidsInUseAreNoted()
     QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
     QTest::qWait(250);
     QVERIFY2(!aidsNoted().has_value(), "said once");
+}
+
+void TestMainWindow::theBurTellsHowNearItIs()
+{
+    const auto shown = [this] { return child<TabularLabel>("marginFigure")->text(); };
+    ServoState servo;
+    servo.tick = 1;
+    servo.toothGeneration = 1;
+    servo.anchorMm = {support::kLesionX, support::kLesionY, 20.0};
+    const auto whenAt = [&](double z) {
+        servo.anchorMm.z = z;
+        publish(servo, {});
+        QTest::qWait(250);
+        return shown();
+    };
+    const QString nothing = whenAt(20.0);
+    press(Qt::Key_A);
+    QCOMPARE(whenAt(20.0), nothing);
+    // Deep in what is to be kept beside the decay.
+    servo.anchorMm.x += 3.0;
+    const QString inside = whenAt(-3.0);
+    QVERIFY2(inside.startsWith(QChar(0x2212)), qPrintable(inside));
+    QVERIFY((aidsNoted().value_or(0) & kBurColourAid) != 0);
+    lessons::Aids aids;
+    aids.burColour = false;
+    m_window->setAids(aids);
+    QCOMPARE(whenAt(-3.0), nothing);
+    QVERIFY(!actions().burColour->isEnabled());
+    m_window->setAids({});
+    press(Qt::Key_A);
+    QCOMPARE(whenAt(-3.0), nothing);
+}
+
+void TestMainWindow::aHandIsHeldOnRequest()
+{
+    QSignalSpy wanted(m_window.get(), &MainWindow::fixtureWanted);
+    press(Qt::Key_Q);
+    press(Qt::Key_Q);
+    QCOMPARE(wanted.count(), 2);
+    QVERIFY(wanted.front().front().toBool() && !wanted.back().front().toBool());
+    lessons::Aids aids;
+    aids.fixture = false;
+    m_window->setAids(aids);
+    press(Qt::Key_Q);
+    QCOMPARE(wanted.count(), 2);
 }
 
 void TestMainWindow::aBreachStopsTheBurAndIsExplained()
@@ -894,6 +952,7 @@ void TestMainWindow::helpListsEveryAction()
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
         QVERIFY2(words.contains(group.title), qPrintable(group.title));
+        QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
             for (const QKeySequence& key : action->shortcuts())
@@ -1337,20 +1396,241 @@ void TestMainWindow::aReplayTellsItsTimeAndPauses()
     QCOMPARE(sent().size(), 1);
 }
 
-void TestMainWindow::aReplayHasFourSpeeds()
+void TestMainWindow::aReplayHasEightSpeeds()
 {
     QSignalSpy speed(m_window.get(), &MainWindow::replaySpeedChosen);
     m_window->setReplaying(true, 95.0);
-    auto* button = child<QPushButton>("replaySpeed");
-    for (const char* shown : {"2×", "4×", "8×", "1×", "2×"}) {
-        QTest::mouseClick(button, Qt::LeftButton);
-        QCOMPARE(button->text(), QString::fromUtf8(shown));
+    for (const char* shown : {"2×", "4×", "8×", "16×", "16×"}) {
+        press(Qt::Key_BracketRight);
+        QCOMPARE(figure("replaySpeed"), QString::fromUtf8(shown));
     }
-    QCOMPARE(speed.size(), 5);
-    QCOMPARE(speed[2].front().toInt(), 8);
+    QCOMPARE(speed.size(), 4);
+    QCOMPARE(speed[3].front().toDouble(), 16.0);
+    for (const char* shown : {"8×", "4×", "2×", "1×", "0.5×", "0.25×", "0.1×", "0.1×"}) {
+        press(Qt::Key_BracketLeft);
+        QCOMPARE(figure("replaySpeed"), QString::fromUtf8(shown));
+    }
+    QCOMPARE(speed.back().front().toDouble(), 0.1);
     m_window->setReplaying(false);
     m_window->setReplaying(true, 95.0);
-    QCOMPARE(button->text(), QString::fromUtf8("1×"));
+    QCOMPARE(figure("replaySpeed"), QString::fromUtf8("1×"));
+}
+
+/// Two strokes with different burs, an undo, and a breach.
+static ui::replay::Course course()
+{
+    ui::replay::Course course;
+    course.lengthS = course.readyS = 60.0;
+    course.strokes = {{5.0, 9.0, 9.01, 0}, {20.0, 21.0, 21.01, 3}};
+    course.marks = {{ui::replay::Mark::Kind::Bur, 15.0, 3}, {ui::replay::Mark::Kind::Undo, 40.0, 9000}};
+    core::grading::Infraction breach;
+    breach.breach = core::grading::Breach::PulpExposed;
+    breach.seconds = 20.5;
+    course.infractions = {breach};
+    return course;
+}
+
+void TestMainWindow::keysGoThroughAReplayByStrokes()
+{
+    QSignalSpy seek(m_window.get(), &MainWindow::seekWanted);
+    QSignalSpy pause(m_window.get(), &MainWindow::replayPauseRequested);
+    for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Home, Qt::Key_End, Qt::Key_Period})
+        press(key);
+    QVERIFY2(seek.isEmpty(), "while one drills these keys are the tooth's");
+    m_window->setReplaying(true, 60.0);
+    m_window->setReplayCourse(course());
+    const auto goes = [&](Qt::Key key, double to) {
+        seek.clear();
+        press(key);
+        QCOMPARE(seek.size(), 1);
+        QCOMPARE(seek.front().front().toDouble(), to);
+    };
+    goes(Qt::Key_Right, 9.01);
+    QCOMPARE(pause.size(), 1);
+    QVERIFY(actions().pauseReplay->text().startsWith("Resume"));
+    goes(Qt::Key_Period, 21.01);
+    goes(Qt::Key_Right, 40.0);
+    goes(Qt::Key_Right, 60.0);
+    goes(Qt::Key_Comma, 40.0);
+    goes(Qt::Key_Left, 21.01);
+    goes(Qt::Key_Home, 0.0);
+    goes(Qt::Key_Left, 0.0);
+    goes(Qt::Key_End, 60.0);
+    QCOMPARE(figure("replayTime"), QString("1:00 of 1:00"));
+    // The eye stays free.
+    const double azimuth = m_window->view().camera().azimuthDeg();
+    press(Qt::Key_Left, Qt::ControlModifier);
+    QVERIFY(m_window->view().camera().azimuthDeg() != azimuth);
+}
+
+void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()
+{
+    QSignalSpy seek(m_window.get(), &MainWindow::seekWanted);
+    m_window->setReplaying(true, 60.0);
+    m_window->setReplayCourse(course());
+    auto* line = child<ui::replay::TimeLine>("timeLine");
+    QTRY_VERIFY(line->width() > 400);
+    const auto at = [&](double seconds, int y) { return QPoint(qRound(line->xOf(seconds)), y); };
+    const double pixelS = 60.0 / (line->xOf(60.0) - line->xOf(0.0));
+    const auto last = [&] { return seek.back().front().toDouble(); };
+    QTest::mousePress(line, Qt::LeftButton, {}, at(30.0, 24));
+    QVERIFY(std::abs(last() - 30.0) <= pixelS);
+    QTest::mouseMove(line, at(10.0, 24));
+    QVERIFY(std::abs(last() - 10.0) <= pixelS);
+    QTest::mouseMove(line, at(50.0, 24));
+    QVERIFY(std::abs(last() - 50.0) <= pixelS);
+    QTest::mouseRelease(line, Qt::LeftButton, {}, at(50.0, 24));
+    const auto seeks = seek.size();
+    QTest::mouseMove(line, at(20.0, 24));
+    QCOMPARE(seek.size(), seeks);
+    // What led to the breach is seen.
+    QTest::mouseClick(line, Qt::LeftButton, {}, at(20.5, 12));
+    QVERIFY(std::abs(last() - 19.5) <= pixelS);
+    QVERIFY(line->saidAt(at(20.5, 12)).join(' ').contains("pulp is open"));
+    QVERIFY(line->saidAt(at(40.0, 12)).join(' ').contains("Undone"));
+    QVERIFY(line->saidAt(at(15.0, 12)).join(' ').contains("Bur 4"));
+    QVERIFY(line->saidAt(at(7.0, 24)).join(' ').contains("Stroke 1, 4.0 s"));
+    QVERIFY(line->saidAt(at(30.0, 24)).isEmpty());
+}
+
+void TestMainWindow::anotherAttemptIsShownBeside()
+{
+    using ui::tooth::ToothView;
+    const auto links = std::make_unique<UiLinks>();
+    const auto views = [this] { return m_window->findChildren<ToothView*>(); };
+    m_window->setReplaying(true, 60.0);
+    m_window->setReplayCourse(course());
+    QCOMPARE(views().size(), 1);
+    const int line = child<ui::replay::TimeLine>("timeLine")->sizeHint().height();
+    m_window->showBeside(*links, support::syntheticMolar(), 1, {}, "Somebody");
+    ui::replay::Course other = course();
+    other.lengthS = other.readyS = 30.0;
+    m_window->setBesideCourse(other);
+    QCOMPARE(views().size(), 2);
+    ToothView* beside = views().front() == &m_window->view() ? views().back() : views().front();
+    QTRY_VERIFY(beside->isVisible() && beside->x() > m_window->view().geometry().right());
+    QTRY_VERIFY(std::abs(beside->width() - m_window->view().width()) <= 1);
+    const QList<QLabel*> labels = m_window->findChildren<QLabel*>();
+    for (const char* name : {"Somebody", "This attempt"})
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [name](const QLabel* label) {
+            return label->isVisible() && label->text() == QLatin1String(name);
+        }));
+    // Whichever is turned, the other follows.
+    press(Qt::Key_Right, Qt::ControlModifier);
+    const double azimuth = m_window->view().camera().azimuthDeg();
+    QTRY_COMPARE(beside->camera().azimuthDeg(), azimuth);
+    beside->setCamera(70.0, 30.0, 30.0);
+    QTRY_COMPARE(m_window->view().camera().azimuthDeg(), 70.0);
+    QTRY_COMPARE(m_window->view().camera().distanceMm(), 30.0);
+    // Both are on one time line, each with its own strokes.
+    auto* both = child<ui::replay::TimeLine>("timeLine");
+    QTRY_VERIFY(both->height() > line);
+    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12 + 32}).join(' ').contains("pulp is open"));
+    QVERIFY(both->saidAt({qRound(both->xOf(41.0)), 12}).join(' ').contains("Undone"));
+    QVERIFY2(!actions().section->isEnabled(), "there is no room for it");
+    QSignalSpy close(m_window.get(), &MainWindow::besideCloseWanted);
+    press(Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(close.size(), 1);
+    m_window->hideBeside();
+    QCOMPARE(views().size(), 1);
+    QVERIFY(!actions().beside->isChecked() && actions().section->isEnabled());
+    QTRY_COMPARE(both->height(), line);
+}
+
+void TestMainWindow::theHandIsLedAlongOnRequest()
+{
+    QSignalSpy lead(m_window.get(), &MainWindow::leadWanted);
+    m_window->setReplaying(true, 60.0);
+    press(Qt::Key_A);
+    QCOMPARE(lead.size(), 0);
+    QVERIFY2(!actions().along->isVisible(), "a mouse leads nobody");
+    m_window->offerHome();
+    press(Qt::Key_A);
+    QCOMPARE(lead.size(), 1);
+    QVERIFY(lead.back().front().toBool());
+    m_window->showLeadEnd(true);
+    QVERIFY(!actions().along->isChecked());
+    QVERIFY(message().contains("your hand is free"));
+    press(Qt::Key_A);
+    QVERIFY(lead.back().front().toBool());
+    press(Qt::Key_A);
+    QVERIFY(!lead.back().front().toBool());
+    m_window->setReplaying(false);
+    QVERIFY(!actions().along->isVisible());
+}
+
+void TestMainWindow::theExpertIsOfferedWhereTheLessonHasOne()
+{
+    QSignalSpy expert(m_window.get(), &MainWindow::expertWanted);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 0);
+    lessons::Assignment assignment;
+    assignment.anatomy = support::syntheticMolar();
+    assignment.lesson.emplace();
+    assignment.lesson->expert.emplace();
+    m_window->setAssignment(assignment);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 1);
+    assignment.lesson->exam = true;
+    m_window->setAssignment(assignment);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 1);
+    QVERIFY(!actions().expert->isVisible());
+}
+
+void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
+{
+    using core::history::MomentInfo;
+    std::vector<MomentInfo> moments{{MomentId{1}, MomentId{}, 0, 0.0, true, {}}};
+    int asked = 0;
+    m_window->setHistorySource({[&] {
+                                    ++asked;
+                                    return moments;
+                                },
+                                [&](MomentId) { return m_window->view().tooth()->top; }});
+    auto* panel = child<ui::replay::HistoryPanel>("historyPanel");
+    QVERIFY(!panel->isVisible());
+    press(Qt::Key_U);
+    QVERIFY(panel->isVisible());
+    QVERIFY(panel->list().hasFocus());
+    QCOMPARE(panel->list().model()->rowCount(), 1);
+    QVERIFY2(panel->findChildren<QLabel*>().back()->isVisible(), "it says what will be here");
+    // Two strokes, one undone, another instead.
+    moments = {{MomentId{1}, MomentId{}, 0, 0.0, false, {}},
+               {MomentId{2}, MomentId{1}, 900, 0.9, false, {{0.0, 0.5, 0.0, 0.0}, 0.0, false}},
+               {MomentId{3}, MomentId{2}, 1900, 1.9, false, {{0.0, 0.8, 0.0, 0.0}, 0.0, false}},
+               {MomentId{4}, MomentId{2}, 67000, 67.0, true, {{0.0, 0.6, 0.0, 0.0}, 0.0, false}}};
+    SessionState session;
+    session.toothGeneration = 1;
+    session.historyVersion = 2;
+    publish({}, session);
+    QTRY_COMPARE(panel->list().model()->rowCount(), 4);
+    QCOMPARE(panel->list().model()->index(3, 0).data().toString(), QString("1:07, 0.10 mm³ enamel, present"));
+    QTRY_VERIFY(panel->picture(MomentId{3}) != nullptr);
+    QVERIFY(panel->picture(MomentId{3})->sizeInBytes() < 8192);
+    const int before = asked;
+    QTest::qWait(250);
+    QCOMPARE(asked, before);  // only when there is something new
+    QCOMPARE(panel->list().currentIndex().row(), 3);
+    press(Qt::Key_Up);
+    press(Qt::Key_Return);
+    auto commands = sent();
+    QCOMPARE(commands.size(), 1);
+    QCOMPARE(std::get<GoTo>(commands.front()).id, MomentId{3});
+    QTest::mouseClick(panel->list().viewport(), Qt::LeftButton, {},
+                      panel->list().visualRect(panel->list().model()->index(1, 0)).center());
+    commands = sent();
+    QCOMPARE(commands.size(), 1);
+    QCOMPARE(std::get<GoTo>(commands.front()).id, MomentId{2});
+    panel->list().setFocus();
+    press(Qt::Key_Escape);
+    QVERIFY2(m_window->view().hasFocus() && panel->isVisible(), "back to the tooth, and it stays");
+    m_window->setReplaying(true, 5.0);
+    QVERIFY(!panel->isVisible());
+    m_window->setReplaying(false);
+    QVERIFY(panel->isVisible());
+    press(Qt::Key_U);
+    QVERIFY(!panel->isVisible());
 }
 
 void TestMainWindow::escapeEndsAReplayAtOnce()
@@ -1735,8 +2015,8 @@ void TestMainWindow::nothingIsClipped()
             if (!scrolls && !window.rect().contains(QRect(widget->mapTo(&window, QPoint()), widget->size())))
                 return QString("%1: %2 '%3' lies outside")
                     .arg(page, widget->metaObject()->className(), widget->accessibleName());
-            const bool wraps = label != nullptr && label->wordWrap();
-            const QSize wanted = wraps ? QSize(0, label->heightForWidth(widget->width())) : widget->sizeHint();
+            const QSize wanted =
+                widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
             if (widget->width() < wanted.width() || widget->height() < wanted.height())
                 return QString("%1: %2 '%3' is %4x%5, wants %6x%7")
                     .arg(page, widget->metaObject()->className(),
@@ -1778,8 +2058,17 @@ void TestMainWindow::nothingIsClipped()
                      "a_file_with_a_name_as_long_as_names_can_be_which_has_to_go_to_a_second_line.sqlite");
     check("error");
     a->back->trigger();
-    window.setReplaying(true);
+    a->history->trigger();
+    check("history");
+    a->history->trigger();
+    window.setReplaying(true, 60.0);
+    window.setReplayCourse(course());
     check("replay");
+    const auto beside = std::make_unique<UiLinks>();
+    window.showBeside(*beside, support::syntheticMolar(), 1, {}, "A recording with a long name");
+    window.setBesideCourse(course());
+    check("beside");
+    window.hideBeside();
     window.setReplaying(false);
     a->help->trigger();
     check("help");
@@ -1828,7 +2117,14 @@ void TestMainWindow::nothingIsClipped()
     window.askForecast();
     check("forecast");
     a->back->trigger();
-    window.showScore(sheet(3.2, 40, 0.5), {});
+    ui::study::ScoredWork scored;
+    scored.tooth = std::make_shared<const core::terrain::Tooth>(assignment.anatomy);
+    scored.ideal = assignment.shownIdeal();
+    scored.measured.measures = core::grading::measure(*scored.tooth);
+    window.showScore(sheet(3.2, 40, 0.5), {}, 900, scored);
+    const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
+    const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
+    window.scorePage().setMoments({{never, moment}, {moment}, {moment}});
     check("score");
     for (const QScrollArea* area : window.findChildren<QScrollArea*>())
         if (area->isVisible())

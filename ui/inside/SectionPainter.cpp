@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -36,6 +37,8 @@ constexpr QRgb kSteel = 0xE6AEB8BC;
 constexpr QRgb kBorder = 0xFF000000;
 constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
 constexpr QRgb kSteelEdge = 0xFF11140F;
+constexpr QRgb kMark = 0xFFFFFFFF;
+constexpr double kMarkPx = 9.0;  ///< radius of the ring
 
 constexpr double kGutterPx = 30.0;  ///< for the heights at the left
 constexpr double kFootPx = 20.0;    ///< for the lengths below
@@ -250,6 +253,16 @@ void paintBur(QPainter& painter, const Frame& frame, const SectionScene& scene)
     painter.drawPolygon(outline);
 }
 
+void paintMark(QPainter& painter, const Frame& frame, const SectionScene& scene)
+{
+    const QPointF at(frame.x(scene.plane.alongMm({scene.markMm->x, scene.markMm->y})), frame.y(scene.markMm->z));
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [colour, wide] : {std::pair(kBorder, 4.5), std::pair(kMark, 2.0)}) {
+        painter.setPen(QPen(QColor(colour), wide));
+        painter.drawEllipse(at, kMarkPx, kMarkPx);
+    }
+}
+
 bool meetsTooth(const Section& section)
 {
     return std::any_of(section.samples.begin(), section.samples.end(), [](const SectionSample& sample) {
@@ -364,6 +377,8 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     paintHeights(painter, section, frame, &SectionSample::originalTopMm, surfacePen());
     if (scene.bur != nullptr)
         paintBur(painter, frame, scene);
+    if (scene.markMm)
+        paintMark(painter, frame, scene);
     if (!meetsTooth(section))
         paintNothingHere(painter, plot);
     painter.setClipRect(area);

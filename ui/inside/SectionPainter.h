@@ -26,6 +26,7 @@ struct SectionScene
     const core::drilling::Bur* bur = nullptr;
     glm::dvec3 tipMm{0.0};
     std::optional<double> downToPulpMm;  ///< from the tip: a dotted line is drawn so far down
+    std::optional<glm::dvec3> markMm;    ///< a place in the plane that is ringed
     render::Palette palette = render::Palette::Natural;
 };
 

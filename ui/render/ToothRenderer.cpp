@@ -12,6 +12,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLPixelTransferOptions>
+#include <QVector4D>
 
 #include "ui/render/Shaders.h"
 
@@ -320,6 +321,7 @@ void ToothRenderer::useMetal(const Scene& scene, const glm::dmat4& toothFromPart
     m_metalProgram.setUniformValue("turnRad", static_cast<float>(std::remainder(scene.turnRad, 6.283185307179586)));
     m_metalProgram.setUniformValue("blur", scene.drillOn ? 0.8F : 0.0F);
     m_metalProgram.setUniformValue("fade", 1.0F);
+    m_metalProgram.setUniformValue("tint", QVector4D());
     m_metalProgram.setUniformValue("glassRadius", 0.0F);
     glUniform4fv(m_metalProgram.uniformLocation("clipPlane"), 1, glm::value_ptr(m_clipPlane));
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
@@ -420,7 +422,10 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
     const glm::dmat4 toothFromPart = toothFromBur(scene, scene.tipMm);
     useMetal(scene, toothFromPart);
+    const glm::vec4& tint = scene.burTint;
+    m_metalProgram.setUniformValue("tint", QVector4D(tint.r, tint.g, tint.b, tint.a));
     drawPart(*m_burs[scene.burIndex]);
+    m_metalProgram.setUniformValue("tint", QVector4D());
     setMatrix(*this, m_metalProgram, "toothFromPart",
               glm::mat4(glm::translate(toothFromPart, glm::dvec3(0.0, 0.0, scene.liftMm))));
     // From the side the shank is what tells how the bur stands; from above it would hide all that it does.

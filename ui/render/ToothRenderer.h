@@ -44,7 +44,8 @@ struct Scene
     double handAzimuthRad = 0.0;              ///< from +x to where the handle points, about +z
     double turnRad = 0.0;                     ///< of the bur about its axis
     bool drillOn = false;
-    double liftMm = 0.0;  ///< of shank and handpiece along the bur, so that they clear the tooth
+    glm::vec4 burTint{0.0F};  ///< colour of the bur's head, and how much of it
+    double liftMm = 0.0;      ///< of shank and handpiece along the bur, so that they clear the tooth
 
     std::optional<glm::dvec3> ghostMm;  ///< where the hand holds the bur, shown faintly
     std::optional<DentalMirror> mirror;

@@ -31,6 +31,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     drill->setCheckable(true);
     undo = add("undo", tr("Undo"), tr("Take back the last stroke"), {Qt::CTRL | Qt::Key_Z});
     redo = add("redo", tr("Redo"), tr("Make the stroke again that was taken back"), {Qt::CTRL | Qt::SHIFT | Qt::Key_Z});
+    history = add("history", tr("History"), tr("Show what can be gone back to, branches and all, or put it away"),
+                  {Qt::Key_U});
+    history->setCheckable(true);
     reload =
         add("reload", tr("Start again"), tr("Make the tooth whole again; undo brings your work back"), {Qt::Key_R});
     grade = add("grade", tr("Grade"), tr("Measure what you have cut and explain the grade"), {Qt::Key_G});
@@ -70,8 +73,29 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
                         {Qt::CTRL | Qt::Key_S});
     openRecording =
         add("play", tr("Open a recording"), tr("Watch a saved attempt again"), {Qt::CTRL | Qt::SHIFT | Qt::Key_O});
+    expert =
+        add("expert", tr("The expert's attempt"),
+            tr("Watch how an expert does this lesson; in a replay, beside the attempt that is played"), {Qt::Key_Y});
+
+    m_groups.push_back({tr("Replay"), {}});
     pauseReplay =
         add("pause", tr("Pause the replay"), tr("Hold the recording where it is, or let it go on"), {Qt::Key_Space});
+    stepBack = add("step-back", tr("A stroke back"), tr("Go back to the end of the stroke before, and hold there"),
+                   {Qt::Key_Left, Qt::Key_Comma});
+    stepOn = add("step-on", tr("A stroke on"), tr("Go on to the end of the next stroke, and hold there"),
+                 {Qt::Key_Right, Qt::Key_Period});
+    replayBegin = add("to-begin", tr("To the beginning"), tr("Go to the beginning of the recording"), {Qt::Key_Home});
+    replayEnd = add("to-end", tr("To the end"), tr("Go to the end of the recording"), {Qt::Key_End});
+    slower = add("slower", tr("Slower"), tr("Play the recording more slowly, down to a tenth"),
+                 {Qt::Key_BracketLeft, Qt::Key_Down});
+    faster = add("faster", tr("Faster"), tr("Play the recording faster, up to 16 times"),
+                 {Qt::Key_BracketRight, Qt::Key_Up});
+    beside = add("beside", tr("Another beside"), tr("Open another attempt beside this one, or put it away"),
+                 {Qt::CTRL | Qt::Key_B});
+    beside->setCheckable(true);
+    along = add("along", tr("Be led along"), tr("Let the handpiece lead your hand along the attempt; a push lets go"),
+                {Qt::Key_A});
+    along->setCheckable(true);
 
     m_groups.push_back({tr("Seeing inside"), {}});
     section = add("section", tr("Section"), tr("Show a live cut through the bur, or put it away"), {Qt::Key_X});
@@ -98,6 +122,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     idealColours = choice("ideal", tr("Colours against the ideal"),
                           tr("Colour what is too deep and what is still to go, and tell it under the pointer"),
                           {Qt::SHIFT | Qt::Key_K});
+    //: The bur tells by its colour how near it is to what is to be kept
+    burColour = choice("target", tr("Colour the bur"), tr("Colour the bur by how near it is to what is to be kept"),
+                       {Qt::Key_A});
+    fixture = choice("rail", tr("Guided hand"), tr("Let a gentle force hold the hand within the outline"), {Qt::Key_Q});
     neighbours =
         choice("mouth", tr("Neighbouring teeth"), tr("Show the teeth beside this one, and the gum"), {Qt::Key_N});
     handPlace = choice("ghost", tr("Where the hand is"), tr("Show faintly where the hand holds the bur"), {Qt::Key_B});

@@ -50,8 +50,19 @@ public:
     QAction* openScan = nullptr;
     QAction* saveRecording = nullptr;
     QAction* openRecording = nullptr;
+    QAction* history = nullptr;  ///< checkable: the undo history is there
+    // While a recording is played. Otherwise they are hidden, and their keys mean something else to the tooth.
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of them rests at any time
-    QAction* section = nullptr;      ///< checkable: the cross-section is there
+    QAction* stepBack = nullptr;
+    QAction* stepOn = nullptr;
+    QAction* replayBegin = nullptr;
+    QAction* replayEnd = nullptr;
+    QAction* slower = nullptr;
+    QAction* faster = nullptr;
+    QAction* beside = nullptr;   ///< checkable: another attempt is shown beside
+    QAction* along = nullptr;    ///< checkable: the device leads the hand; hidden where it cannot lead one
+    QAction* expert = nullptr;   ///< also in practice; hidden where the lesson has none
+    QAction* section = nullptr;  ///< checkable: the cross-section is there
     QAction* turnSection = nullptr;
     QAction* radiograph = nullptr;
     QAction* turnRound = nullptr;
@@ -60,6 +71,8 @@ public:
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;
     QAction* idealColours = nullptr;
+    QAction* burColour = nullptr;
+    QAction* fixture = nullptr;  ///< checkable: the outline holds the hand
     QAction* handPlace = nullptr;
     QAction* neighbours = nullptr;
     QAction* distinctColours = nullptr;

@@ -116,12 +116,20 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
             for (const QKeySequence& key : action->shortcuts())
                 keys << key.toString(QKeySequence::NativeText);
             rows << rowOf(m_content, action->text(), keys);
-            QWidget* row = rows.back();
-            const auto follow = [row, action] { row->setVisible(action->isVisible()); };
-            follow();
-            connect(action, &QAction::visibleChanged, row, follow);
         }
         place(group.title, rows);
+        const auto follow = [this, heads = m_groups.back(), rows, actions = group.actions] {
+            bool any = false;
+            for (qsizetype k = 0; k < rows.size(); ++k) {
+                rows[k]->setVisible(actions[k]->isVisible());
+                any = any || actions[k]->isVisible();
+            }
+            heads->setVisible(any);
+            m_columns = 0;
+        };
+        follow();
+        for (const QAction* action : group.actions)
+            connect(action, &QAction::visibleChanged, this, follow);
     }
     QList<QWidget*> rows;
     for (const Gesture& gesture : gestures())
@@ -170,7 +178,11 @@ void HelpOverlay::fill(int columns)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kGapPx);
     int left = 0;
-    for (const QWidget* group : m_groups)
+    QList<QWidget*> groups;
+    for (QWidget* group : m_groups)
+        if (!group->isHidden())
+            groups << group;
+    for (const QWidget* group : groups)
         left += group->sizeHint().height();
     qsizetype next = 0;
     for (int k = columns; k > 0; --k) {
@@ -178,12 +190,12 @@ void HelpOverlay::fill(int columns)
         column->setSpacing(0);
         row->addLayout(column, 1);
         const int share = left / k;
-        for (int filled = 0; next < m_groups.size(); ++next) {
-            const int height = m_groups[next]->sizeHint().height();
+        for (int filled = 0; next < groups.size(); ++next) {
+            const int height = groups[next]->sizeHint().height();
             // Whichever comes nearer to the share: with this group, or without it.
             if (k > 1 && filled > 0 && filled + height - share > share - filled)
                 break;
-            column->addWidget(m_groups[next]);
+            column->addWidget(groups[next]);
             filled += height;
             left -= height;
         }

@@ -23,13 +23,14 @@ HistoryChart::HistoryChart(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void HistoryChart::setScores(const QList<int>& tenthsOldestFirst, int passMarkTenths)
+void HistoryChart::setScores(const QList<Score>& oldestFirst, int passMarkTenths)
 {
-    m_scores = tenthsOldestFirst;
+    m_scores = oldestFirst;
     m_passMarkTenths = passMarkTenths;
     QStringList words;
-    for (const int tenths : tenthsOldestFirst)
-        words << text::points(tenths);
+    for (const Score& score : oldestFirst)
+        words << (score.isComparable ? text::points(score.tenths)
+                                     : tr("%1 by another rubric").arg(text::points(score.tenths)));
     setAccessibleName(tr("Last grades, oldest first: %1").arg(words.join(QStringLiteral(", "))));
     update();
 }
@@ -58,18 +59,20 @@ void HistoryChart::paintEvent(QPaintEvent*)
     painter.setFont(typeface(kSmall, QFont::DemiBold));
     for (qsizetype k = 0; k < m_scores.size(); ++k) {
         const bool newest = k + 1 == m_scores.size();
-        const double tall = heightOf(m_scores[k]);
+        const double tall = heightOf(m_scores[k].tenths);
         const QRectF bar(static_cast<double>(k) * step, base - tall, column, tall);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(p.color(newest ? QPalette::Highlight : QPalette::Mid));
-        painter.drawRect(bar);
+        const QColor fill = p.color(newest ? QPalette::Highlight : QPalette::Mid);
+        const bool hatched = !m_scores[k].isComparable;
+        painter.setPen(hatched ? QPen(fill, 1) : QPen(Qt::NoPen));
+        painter.setBrush(QBrush(fill, hatched ? Qt::BDiagPattern : Qt::SolidPattern));
+        painter.drawRect(hatched ? bar.adjusted(0.5, 0.5, -0.5, -0.5) : bar);
         if (column < kNumberPx)
             continue;
         // Inside the column where it fits, above it otherwise.
         const bool inside = tall > 24.0;
         painter.setPen(p.color(inside && newest ? QPalette::HighlightedText : QPalette::WindowText));
         painter.drawText(QRectF(bar.left(), inside ? bar.top() + 4 : bar.top() - 20, column, 16), Qt::AlignCenter,
-                         QString::number((m_scores[k] + 5) / 10));
+                         QString::number((m_scores[k].tenths + 5) / 10));
     }
 }
 

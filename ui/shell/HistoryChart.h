@@ -6,20 +6,27 @@
 
 namespace ui::shell {
 
-/// The last scores as columns, oldest first, the newest marked, with the pass mark as a line.
+/// The last scores as columns, oldest first, the newest marked, with the pass mark as a line. What was marked by
+/// another rubric is hatched: it is shown and not compared.
 class HistoryChart : public QWidget
 {
     Q_OBJECT
 public:
+    struct Score
+    {
+        int tenths = 0;
+        bool isComparable = true;
+    };
+
     explicit HistoryChart(QWidget* parent);
-    void setScores(const QList<int>& tenthsOldestFirst, int passMarkTenths);
-    [[nodiscard]] QSize sizeHint() const override { return {240, 200}; }
+    void setScores(const QList<Score>& oldestFirst, int passMarkTenths);
+    [[nodiscard]] QSize sizeHint() const override { return {240, 104}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QList<int> m_scores;
+    QList<Score> m_scores;
     int m_passMarkTenths = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QListView>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -27,6 +28,7 @@
 #include "core/teeth/Block.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/replay/ReplayBar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -34,7 +36,6 @@
 #include "ui/shell/Memory.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
-#include "ui/shell/ScorePage.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
 #include "ui/shell/Theme.h"
@@ -45,12 +46,15 @@
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonStrip.h"
 #include "ui/study/LessonWords.h"
+#include "ui/study/Limit.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
 namespace {
 
 /// How long the servo may take to follow a wish before its own word counts again.
+constexpr qint64 kGuideEveryMs = 100;
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
@@ -68,8 +72,6 @@ QString patternOf(const QStringList& suffixes)
         patterns << "*." + suffix << "*." + suffix.toUpper();
     return patterns.join(u' ');
 }
-
-constexpr int kReplayBarPx = 64;
 
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kPanel = QStringLiteral("window/panel");
@@ -89,7 +91,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new Actions(this)), m_viewMenu(new ViewMenu(*m_actions, this)),
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
-      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new ScorePage(*m_actions, m_pages)),
+      m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
@@ -112,6 +114,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
 
     connectActions();
     connectView();
+    connectReplay();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -138,6 +141,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
                 send(core::session::AddNote{core::grading::answerNote(pad, said)});
             });
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
+    connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (m_assignment && m_assignment->lesson && m_assignment->lesson->exam)
             emit gradeRequested();
@@ -150,8 +154,6 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             [this](const QString& path) { savePicture(path, m_xray->bothFilms()); },
             newFileName(QStringLiteral("png")));
     });
-    connect(m_room, &PracticeRoom::replayStopRequested, this, &MainWindow::replayStopRequested);
-    connect(m_room, &PracticeRoom::replaySpeedChosen, this, &MainWindow::replaySpeedChosen);
 
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
@@ -192,6 +194,7 @@ void MainWindow::connectActions()
     on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
+    on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
     for (int k = 0; k < m_actions->handpieces.size(); ++k)
         on(m_actions->handpieces[k], [this, k] { wishHandpiece(k); });
     on(m_actions->otherHand, [this](bool left) {
@@ -239,10 +242,6 @@ void MainWindow::connectActions()
         askForFile(m_actions->openRecording->text(), FileKind::Recording,
                    [this](const QString& path) { emit recordingOpenRequested(path); });
     });
-    on(m_actions->pauseReplay, [this] {
-        setReplayPaused(!m_replayPaused);
-        emit replayPauseRequested(m_replayPaused);
-    });
     on(m_actions->savePicture, [this] {
         askForFile(
             m_actions->savePicture->text(), FileKind::Picture,
@@ -268,8 +267,112 @@ void MainWindow::connectActions()
     on(m_actions->quit, [this] { close(); });
 }
 
+void MainWindow::connectReplay()
+{
+    replay::ReplayBar& bar = m_room->replay();
+    connect(&bar, &replay::ReplayBar::stopWanted, this, &MainWindow::replayStopRequested);
+    connect(&bar, &replay::ReplayBar::speedChosen, this, &MainWindow::replaySpeedChosen);
+    connect(&bar, &replay::ReplayBar::seekWanted, this, &MainWindow::seekWanted);
+    const auto hold = [this](bool paused) {
+        showReplayPaused(paused);
+        emit replayPauseRequested(paused);
+    };
+    const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
+    on(m_actions->pauseReplay, [this, hold] { hold(!m_replayPaused); });
+    for (const bool onward : {false, true})
+        on(onward ? m_actions->stepOn : m_actions->stepBack, [&bar, hold, onward] {
+            hold(true);
+            bar.step(onward);
+        });
+    on(m_actions->replayBegin, [&bar] { bar.goToBegin(); });
+    on(m_actions->replayEnd, [&bar] { bar.goToEnd(); });
+    on(m_actions->slower, [&bar] { bar.changeSpeed(false); });
+    on(m_actions->faster, [&bar] { bar.changeSpeed(true); });
+    on(m_actions->history, [this](bool shown) {
+        m_room->history().setVisible(shown);
+        placeOverlays();
+        if (shown)
+            m_room->history().list().setFocus();
+        else
+            m_view->setFocus();
+    });
+    on(m_actions->beside, [this](bool wanted) {
+        m_actions->beside->setChecked(m_beside != nullptr);
+        if (wanted)
+            askForFile(m_actions->beside->text(), FileKind::Recording,
+                       [this](const QString& path) { emit besideWanted(path); });
+        else
+            emit besideCloseWanted();
+    });
+    on(m_actions->expert, [this] { emit expertWanted(); });
+    on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
+    connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
+            [this](const core::session::GoTo& where) { send(where); });
+}
+
+void MainWindow::setHistorySource(replay::HistorySource source)
+{
+    m_room->history().setSource(std::move(source));
+}
+
+void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+                            std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name)
+{
+    m_busy->done();
+    hideBeside();
+    m_beside = new tooth::ToothView(links, m_room);
+    m_beside->setAccessibleName(name);
+    m_beside->setSettings(m_view->settings());
+    m_beside->setTooth(std::move(tooth), generation);
+    m_beside->setIdeal(ideal);
+    m_room->setBeside(m_beside, name, tr("This attempt"));
+    m_room->setSectionVisible(false);
+    connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
+    m_beside->lookAs(m_view->camera());
+    m_sharedLook = m_beside->camera().view();
+    m_actions->beside->setChecked(true);
+    enableActions();
+    placeOverlays();
+}
+
+void MainWindow::setBesideCourse(const replay::Course& course)
+{
+    m_room->replay().setBeside(course);
+}
+
+void MainWindow::hideBeside()
+{
+    if (m_beside == nullptr)
+        return;
+    m_room->setBeside(nullptr);
+    delete std::exchange(m_beside, nullptr);
+    m_room->replay().setBeside({});
+    m_room->setSectionVisible(m_actions->section->isChecked());
+    m_actions->beside->setChecked(false);
+    enableActions();
+    m_view->setFocus();
+}
+
+/// Whichever was turned, the other follows.
+void MainWindow::lookAlike()
+{
+    tooth::ToothView* turned = m_beside->camera().view() != m_sharedLook ? m_beside : m_view;
+    if (turned->camera().view() == m_sharedLook)
+        return;
+    m_sharedLook = turned->camera().view();
+    (turned == m_view ? m_beside : m_view)->lookAs(turned->camera());
+}
+
+void MainWindow::showLeadEnd(bool pushed)
+{
+    m_actions->along->setChecked(false);
+    showMessage(pushed ? tr("You held against it, so your hand is free. Press A to be led again.")
+                       : tr("The handpiece is not there any more, so your hand is free."));
+}
+
 void MainWindow::offerHome()
 {
+    m_canLead = true;
     m_actions->bringHome->setVisible(true);
     enableActions();
 }
@@ -283,6 +386,8 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->radiograph, aids.radiograph);
     Actions::setAllowed(m_actions->depthColours, aids.heatMap);
     Actions::setAllowed(m_actions->mirror, aids.mirror);
+    Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
+    Actions::setAllowed(m_actions->fixture, aids.fixture);
     m_room->panel().setDepthGauge(aids.depthGauge);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
@@ -331,8 +436,7 @@ void MainWindow::markExercise()
     if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
         for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
             marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
-    const bool isUnseen =
-        isThere && std::holds_alternative<PadsToName>(*m_assignment->exercise) && !m_exerciseCard->isConcluded();
+    const bool isUnseen = isBlindfolded();
     if (isUnseen) {
         const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);
         for (std::size_t pad = 0; pad < kPads; ++pad) {
@@ -343,6 +447,15 @@ void MainWindow::markExercise()
     }
     m_view->setExercise(marks);
     m_room->panel().setBlindfold(isUnseen);
+    m_room->history().setVisible(!m_replaying && !isUnseen && m_actions->history->isChecked());
+    enableActions();
+}
+
+/// Tissues are to be told by feel, and have not been graded yet.
+bool MainWindow::isBlindfolded() const
+{
+    return m_exerciseCard->isVisibleTo(m_room) && !m_exerciseCard->isConcluded() &&
+           std::holds_alternative<core::grading::PadsToName>(*m_assignment->exercise);
 }
 
 void MainWindow::showPractised(const core::grading::Practised& practised)
@@ -350,7 +463,8 @@ void MainWindow::showPractised(const core::grading::Practised& practised)
     if (!m_exerciseCard->isVisibleTo(m_room))
         return;
     m_exerciseCard->setPractised(practised);
-    if (const auto* touched = std::get_if<core::grading::Touched>(&practised); touched != nullptr) {
+    if (const auto* touched = std::get_if<core::grading::Touched>(&practised);
+        touched != nullptr && m_touched != *touched) {
         m_touched = *touched;
         markExercise();
     }
@@ -405,8 +519,11 @@ void MainWindow::connectView()
     });
     const auto take = [this](const tooth::ViewSettings& settings) {
         m_view->setSettings(settings);
+        if (m_beside != nullptr)
+            m_beside->setSettings(settings);
         m_room->section().setColours(settings.look.palette);
         m_room->panel().setColours(settings.look.palette);
+        m_room->history().setColours(settings.look.palette);
         m_chooser->setMovesLittle(settings.movesLittle);
     };
     connect(m_viewMenu, &ViewMenu::chosen, this, take);
@@ -438,6 +555,7 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
         reading.dentinOverPulpMm.reset();
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
+    guide(servo);
     if (m_exerciseCard->isVisible())
         m_exerciseCard->setServo(servo);
     if (servo.cutting && !m_hasCut) {
@@ -461,6 +579,26 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
             m_actions->handpieces[shipped]->setChecked(true);
 }
 
+/// How near the bur is to what is to be kept, and how far the work has come, ten times a second.
+void MainWindow::guide(const core::session::ServoState& servo)
+{
+    const core::terrain::Tooth* tooth = m_view->tooth();
+    if (tooth == nullptr || m_ideal == nullptr || !m_aids.ideal || servo.tick == 0) {
+        m_view->setBurTint({});
+        m_room->panel().setGuide({}, {});
+        return;
+    }
+    std::optional<double> marginMm;
+    if (m_viewMenu->settings().showsMargin && servo.burIndex < core::drilling::burs().size())
+        marginMm =
+            core::guidance::marginMm(*tooth->anatomy, *m_ideal, core::drilling::burs()[servo.burIndex], servo.anchorMm);
+    m_view->setBurTint(study::limitColour(marginMm));
+    if (m_sinceGuide.isValid() && m_sinceGuide.elapsed() < kGuideEveryMs)
+        return;
+    m_sinceGuide.start();
+    m_room->panel().setGuide(marginMm, core::guidance::progressOf(*tooth->anatomy, *m_ideal, tooth->top));
+}
+
 void MainWindow::takeSession()
 {
     const core::session::SessionState& now = m_links.session.latest();
@@ -468,9 +606,11 @@ void MainWindow::takeSession()
     tellHarm(now);
     m_session = now;
     if (m_replaying)
-        m_room->setReplayTime(m_session.recordedS, m_replayLengthS);
-    else if (m_session.toothGeneration == m_ownGeneration)
+        m_room->replay().setPosition(m_session.recordedS);
+    else if (m_session.toothGeneration == m_ownGeneration) {
         m_room->lesson().setTime(m_session.recordedS);
+        m_room->history().follow(m_session.historyVersion);
+    }
     if (moved)
         enableActions();
     tellAids();
@@ -490,6 +630,8 @@ void MainWindow::tellAids()
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
         inUse(m_actions->mirror->isChecked(), kMirrorAid) |
+        inUse(m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
+        inUse(m_actions->fixture->isChecked(), kFixtureAid) |
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
@@ -591,6 +733,8 @@ void MainWindow::goBack()
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
         m_stereoCard->cancel();
+    } else if (m_room->history().list().hasFocus()) {
+        m_view->setFocus();
     } else if (m_replaying) {
         emit replayStopRequested();
     } else if (m_messages->dismiss()) {
@@ -617,6 +761,9 @@ void MainWindow::enableActions()
     m_actions->idealColours->setEnabled(m_actions->idealColours->isEnabled() && m_aids.heatMap && m_aids.ideal &&
                                         m_ideal != nullptr);
     m_actions->mirror->setEnabled(m_actions->mirror->isEnabled() && m_aids.mirror);
+    const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
+    m_actions->burColour->setEnabled(m_actions->burColour->isEnabled() && m_aids.burColour && seesIdeal);
+    m_actions->fixture->setEnabled(m_actions->fixture->isEnabled() && mine && m_aids.fixture && m_ideal != nullptr);
     m_actions->savePicture->setEnabled(inRoom && m_view->isUsable() && m_tooth != nullptr);
     m_actions->panel->setEnabled(inRoom);
     m_actions->section->setEnabled(inRoom && m_aids.section);
@@ -632,7 +779,18 @@ void MainWindow::enableActions()
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine);
-    m_actions->pauseReplay->setEnabled(inRoom && m_replaying);
+    m_actions->history->setEnabled(inRoom && mine && !isBlindfolded());
+    for (QAction* action :
+         {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin, m_actions->replayEnd,
+          m_actions->slower, m_actions->faster, m_actions->beside, m_actions->along}) {
+        action->setVisible(m_replaying && (m_canLead || action != m_actions->along));
+        action->setEnabled(inRoom && m_replaying && !m_busy->isWorking());
+    }
+    const bool hasExpert = m_assignment && m_assignment->lesson && m_assignment->lesson->expert;
+    m_actions->expert->setVisible(hasExpert && !m_assignment->lesson->exam);
+    m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
+    if (m_beside != nullptr)  // there is no room for it
+        m_actions->section->setEnabled(false);
 }
 
 void MainWindow::placeOverlays()
@@ -641,9 +799,7 @@ void MainWindow::placeOverlays()
     if (m_help->isVisible())
         m_help->raise();
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
-    // Above the bar of a replay.
-    const int bar = m_replaying ? kReplayBarPx : 0;
-    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - bar - m_stereoCard->height());
+    m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
     m_exerciseCard->placeIn(area);
     m_messages->placeIn(area);
@@ -664,11 +820,14 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     if (!m_replaying && generation != m_ownGeneration) {
         m_ownGeneration = generation;
         m_savedWork = {};
+        m_room->history().setTooth(m_tooth);
     }
     m_pulp.emplace(*m_tooth);
     m_view->setTooth(m_tooth, generation);
     const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
-    m_ideal = isAssigned ? m_assignment->shownIdeal() : core::grading::idealCavity(*m_tooth);
+    m_ideal = m_replaying  ? m_replayIdeal
+              : isAssigned ? m_assignment->shownIdeal()
+                           : core::grading::idealCavity(*m_tooth);
     m_room->lesson().setVisible(isAssigned && m_assignment->lesson && !m_replaying);
     m_view->setIdeal(m_ideal);
     showIdeal();
@@ -745,15 +904,14 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                           std::optional<int> expectedTenths)
+                           std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
     if (m_exerciseCard->isVisibleTo(m_room)) {
         m_exerciseCard->conclude();
         markExercise();
     }
-    m_scorePage->setScore(workTitle(), sheet, history, m_view->isUsable() ? m_view->toothPicture() : QImage(),
-                          expectedTenths);
+    m_scorePage->setScore(workTitle(), sheet, history, expectedTenths, scored);
     goTo(m_scorePage);
 }
 
@@ -791,6 +949,8 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
+    m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
+    m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     if (!assignment.lesson)
@@ -815,22 +975,29 @@ void MainWindow::showSaved(const QString& path)
         what();
 }
 
-void MainWindow::setReplaying(bool replaying, double lengthS)
+void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
-    m_replayLengthS = lengthS;
+    m_replayIdeal = std::move(ideal);
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
-    m_room->setReplayTime(0.0, lengthS);
-    setReplayPaused(false);
+    m_actions->along->setChecked(false);
+    m_room->replay().begin(lengthS);
+    showReplayPaused(false);
     m_room->setReplaying(replaying);
+    m_room->history().setVisible(!replaying && m_actions->history->isChecked());
     enableActions();
 }
 
-void MainWindow::setReplayPaused(bool paused)
+void MainWindow::setReplayCourse(const replay::Course& course)
+{
+    m_room->replay().setCourse(course);
+}
+
+void MainWindow::showReplayPaused(bool paused)
 {
     m_replayPaused = paused;
     m_actions->showReplayPaused(paused);
@@ -838,6 +1005,7 @@ void MainWindow::setReplayPaused(bool paused)
 
 void MainWindow::showReplayEnd()
 {
+    showReplayPaused(true);
     offerToStop(tr("The recording has come to its end."));
 }
 

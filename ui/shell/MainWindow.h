@@ -13,6 +13,7 @@
 #include <QMainWindow>
 #include <QString>
 #include <QStringList>
+#include <glm/mat4x4.hpp>
 
 #include "core/base/Result.h"
 #include "core/grading/IdealCavity.h"
@@ -20,7 +21,10 @@
 #include "core/session/Links.h"
 #include "database/records.h"
 #include "lessons/Assignment.h"
+#include "ui/replay/Course.h"
+#include "ui/replay/HistoryPanel.h"
 #include "ui/study/LessonsPage.h"
+#include "ui/study/ScoredWork.h"
 #include "ui/text/Texts.h"
 
 class QStackedWidget;
@@ -37,6 +41,7 @@ namespace ui::study {
 class ExerciseCard;
 class Forecast;
 class InfractionCard;
+class ScorePage;
 }  // namespace ui::study
 
 namespace ui::shell {
@@ -46,7 +51,6 @@ class BusyCard;
 class HelpOverlay;
 class MessageBar;
 class PracticeRoom;
-class ScorePage;
 class StereoCard;
 class ToothChooser;
 class ViewMenu;
@@ -71,6 +75,7 @@ public:
     [[nodiscard]] static QSize firstSize(const QSize& available);
 
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
+    [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
 
 public slots:
     /// The tooth that is now on the table.
@@ -91,8 +96,9 @@ public slots:
     void offerUnfinished(const QString& tooth, const QDateTime& begun);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     /// @param expectedTenths  what the student had said in forecast()
+    /// @param scored  what was marked, for the pictures of it
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                   std::optional<int> expectedTenths = {});
+                   std::optional<int> expectedTenths = {}, const std::optional<study::ScoredWork>& scored = {});
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// How the exercise of the student's lesson has gone so far.
@@ -106,9 +112,24 @@ public slots:
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
-    void setReplaying(bool replaying, double lengthS = 0.0);
-    /// The recording has come to its end.
+    /// @param ideal  what was to be cut; null: nothing
+    void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {});
+    /// How the attempt went that is played, as far as it is known; again when more of it is.
+    void setReplayCourse(const replay::Course& course);
+    /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
+    /// @param links  must outlive it: until hideBeside()
+    void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+                    std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
+    void setBesideCourse(const replay::Course& course);
+    void hideBeside();
+    /// The hand is led no longer: it has pushed, or the device is lost.
+    void showLeadEnd(bool pushed);
+    /// The replay is held, or goes on, without having been asked to here.
+    void showReplayPaused(bool paused);
+    /// The recording has come to its end, where it is held.
     void showReplayEnd();
+    /// Where the undo history is asked for.
+    void setHistorySource(replay::HistorySource source);
     /// Every tooth shown from now on is drilled by the simulated handpiece, and the window says so beside its name.
     void setSelfDrilling() { m_selfDrilling = true; }
     /// The device has a work area and a force: the user can ask to be led home over the tooth.
@@ -124,6 +145,8 @@ signals:
     /// The page of lessons opens: what it shows is to be brought up to date.
     void lessonsWanted();
     void lessonFolderWanted();
+    /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
+    void momentWanted(double seconds);
     /// @param worst  the criterion expected to cost most, by id; empty: none
     void forecastGiven(int expectedTenths, const QString& worst);
     void scanChosen(const QString& path);
@@ -136,9 +159,19 @@ signals:
     void resumeRequested();
     void discardRequested();
     void replayStopRequested();
+    /// Whether a force shall hold the hand within what is to be cut. Off with every new tooth.
+    void fixtureWanted(bool wanted);
     void replayPauseRequested(bool paused);
-    /// So many times as fast as the recording was made. Every replay begins with 1.
-    void replaySpeedChosen(int times);
+    /// So many times as fast as the recording was made, 0.1 to 16. Every replay begins with 1.
+    void replaySpeedChosen(double times);
+    /// The replay is to show this moment of the recording.
+    void seekWanted(double seconds);
+    void besideWanted(const QString& path);
+    void besideCloseWanted();
+    /// The recording that the lesson names: to be played, or to be put beside what is played.
+    void expertWanted();
+    /// The device is to lead the hand along what is played, or to let it go.
+    void leadWanted(bool on);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -163,6 +196,7 @@ private:
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
     void tellAids();
+    void guide(const core::session::ServoState& servo);
     void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
     void wishDrill(bool on);
@@ -176,7 +210,8 @@ private:
     /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
     void leaveWork(const std::function<void()>& what);
     void askToSave();
-    void setReplayPaused(bool paused);
+    void connectReplay();
+    void lookAlike();
     /// Says a sentence about the replay, with a button that stops it.
     void offerToStop(const QString& sentence);
     void enableActions();
@@ -185,6 +220,7 @@ private:
     void showIdeal();
     void layExercise();
     void markExercise();
+    [[nodiscard]] bool isBlindfolded() const;
     void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
@@ -203,7 +239,7 @@ private:
     QStackedWidget* m_pages;
     PracticeRoom* m_room;
     ToothChooser* m_chooser;
-    ScorePage* m_scorePage;
+    study::ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
     study::Forecast* m_forecast;
     inside::XrayPage* m_xray;
@@ -223,6 +259,7 @@ private:
     core::session::SessionState m_session;
     std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
+    core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
     lessons::Aids m_aids;
     std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth
@@ -230,6 +267,7 @@ private:
     Wish m_burWish;
     Wish m_handpieceWish;
     std::vector<int> m_handpieces;  ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
+    QElapsedTimer m_sinceGuide;
     std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
     std::optional<core::grading::Touched> m_touched;
     bool m_drillWasOn = false;           ///< before an exercise for which it rests
@@ -238,8 +276,10 @@ private:
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;
+    bool m_canLead = false;                ///< the device can lead a hand
+    tooth::ToothView* m_beside = nullptr;  ///< while there is another attempt beside
+    glm::dmat4 m_sharedLook{1.0};          ///< from where both looked last
     bool m_selfDrilling = false;
-    double m_replayLengthS = 0.0;
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below

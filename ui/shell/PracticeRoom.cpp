@@ -6,12 +6,13 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/inside/SectionView.h"
+#include "ui/replay/HistoryPanel.h"
+#include "ui/replay/ReplayBar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/FoldingBar.h"
 #include "ui/shell/LineIcon.h"
@@ -28,9 +29,6 @@ namespace {
 constexpr int kNoticeMs = 8000;
 constexpr int kNoticeIconPx = 32;
 constexpr int kNoticeTopPx = 88;  ///< below the place of a message
-constexpr int kReplayBarPx = 140;
-constexpr int kReplaySteps = 1000;
-constexpr int kFastestReplay = 8;
 constexpr int kSectionPercent = 27;
 constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
@@ -55,18 +53,23 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     m_lesson = new study::LessonStrip(this);
     m_lesson->hide();
 
-    auto* middle = new QHBoxLayout;
-    middle->setSpacing(1);
-    middle->addWidget(m_section);
-    middle->addWidget(view, 1);
-    middle->addWidget(m_panel);
+    m_middle = new QHBoxLayout;
+    m_middle->setSpacing(1);
+    m_middle->addWidget(m_section);
+    m_middle->addWidget(view, 1);
+    m_middle->addWidget(m_panel);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(1);
     column->addWidget(makeTopBar(actions));
     column->addWidget(m_lesson);
-    column->addLayout(middle, 1);
-    column->addWidget(makeBottomBar(actions, viewMenu));
+    column->addLayout(m_middle, 1);
+    m_workBar = makeBottomBar(actions, viewMenu);
+    column->addWidget(m_workBar);
+    m_replay = new replay::ReplayBar(actions, viewMenu, this);
+    m_replay->hide();
+    column->addWidget(m_replay);
+    m_history = new replay::HistoryPanel(this);
 
     m_hint = new QLabel(tr("Move the mouse over the tooth, press the left button to drill; right-drag turns the view; "
                            "F1 for keys"),
@@ -78,7 +81,29 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     m_hint->setObjectName(QStringLiteral("hint"));
 
     makeNotice();
-    makeReplayCard(actions);
+    for (QLabel** name : {&m_besideName, &m_ourName}) {
+        *name = new QLabel(this);
+        (*name)->setProperty("kind", "hint");
+        (*name)->setAttribute(Qt::WA_TransparentForMouseEvents);
+        (*name)->hide();
+    }
+}
+
+void PracticeRoom::setBeside(QWidget* view, const QString& name, const QString& ours)
+{
+    if (m_beside != nullptr)
+        m_beside->removeEventFilter(this);
+    m_beside = view;
+    if (view != nullptr) {
+        m_middle->insertWidget(m_middle->indexOf(m_view) + 1, view, 1);
+        view->installEventFilter(this);
+        view->show();
+    }
+    m_besideName->setText(name);
+    m_ourName->setText(ours);
+    m_besideName->setVisible(view != nullptr);
+    m_ourName->setVisible(view != nullptr);
+    placeOverlays();
 }
 
 void PracticeRoom::makeNotice()
@@ -108,58 +133,6 @@ void PracticeRoom::makeNotice()
     m_noticeTimer.setInterval(kNoticeMs);
     connect(&m_noticeTimer, &QTimer::timeout, this, &PracticeRoom::hideNotice);
     m_notice->hide();
-}
-
-void PracticeRoom::makeReplayCard(const Actions& actions)
-{
-    m_replay = new QFrame(this);
-    m_replay->setProperty("kind", "card");
-    auto* row = new QHBoxLayout(m_replay);
-    row->setContentsMargins(kSpace4, kSpace1, kSpace1, kSpace1);
-    row->setSpacing(kSpace2);
-    auto* icon = new QLabel(m_replay);
-    icon->setPixmap(linePixmap(QStringLiteral("play"), tones(palette()).attention, 20, devicePixelRatioF()));
-    row->addWidget(icon);
-    m_replayWords = new QLabel(tr("You are watching a recording"), m_replay);
-    row->addWidget(m_replayWords);
-    row->addSpacing(kSpace2);
-    m_replayProgress = new QProgressBar(m_replay);
-    m_replayProgress->setTextVisible(false);
-    m_replayProgress->setFixedWidth(kReplayBarPx);
-    m_replayProgress->setAccessibleName(tr("Progress of the recording"));
-    row->addWidget(m_replayProgress);
-    m_replayTime = new TabularLabel(m_replay);
-    m_replayTime->setFont(typeface(kBody, QFont::Medium));
-    m_replayTime->setObjectName(QStringLiteral("replayTime"));
-    row->addWidget(m_replayTime);
-    m_replaySpeed = new QPushButton(m_replay);
-    m_replaySpeed->setProperty("kind", "quiet");
-    m_replaySpeed->setObjectName(QStringLiteral("replaySpeed"));
-    m_replaySpeed->setToolTip(tr("Speed of the replay: 1, 2, 4 or 8 times"));
-    m_replaySpeed->setFocusPolicy(Qt::TabFocus);
-    connect(m_replaySpeed, &QPushButton::clicked, this, [this] {
-        showReplaySpeed(m_replayTimes < kFastestReplay ? 2 * m_replayTimes : 1);
-        emit replaySpeedChosen(m_replayTimes);
-    });
-    row->addWidget(m_replaySpeed);
-    row->addWidget(barButton(actions.pauseReplay, false, m_replay));
-    auto* stop = new QPushButton(tr("Stop"), m_replay);
-    stop->setProperty("kind", "quiet");
-    stop->setAccessibleName(tr("Stop the recording"));
-    stop->setToolTip(tr("Stop watching and go back to your own work (Esc)"));
-    stop->setFocusPolicy(Qt::TabFocus);
-    connect(stop, &QPushButton::clicked, this, &PracticeRoom::replayStopRequested);
-    row->addWidget(stop);
-    showReplaySpeed(1);
-    m_replay->hide();
-}
-
-void PracticeRoom::showReplaySpeed(int times)
-{
-    m_replayTimes = times;
-    //: Speed of a replay: so many times as fast as it was made
-    m_replaySpeed->setText(tr("%1×").arg(times));
-    m_replaySpeed->setAccessibleName(tr("Speed of the replay: %1").arg(m_replaySpeed->text()));
 }
 
 QWidget* PracticeRoom::makeTopBar(const Actions& actions)
@@ -211,7 +184,7 @@ QWidget* PracticeRoom::makeBottomBar(const Actions& actions, ViewMenu& viewMenu)
         row.addWidget(button);
         frame->mayFold(button);
     };
-    for (QAction* action : {actions.undo, actions.redo, actions.reload})
+    for (QAction* action : {actions.undo, actions.redo, actions.history, actions.reload})
         add(barButton(action, true, frame));
     row.addStretch(1);
     for (QAction* action : {actions.otherHand, actions.bringHome})
@@ -255,19 +228,8 @@ void PracticeRoom::hideNotice()
 void PracticeRoom::setReplaying(bool replaying)
 {
     m_replay->setVisible(replaying);
-    showReplaySpeed(1);
+    m_workBar->setVisible(!replaying);
     setHintVisible(m_hintWanted);
-}
-
-void PracticeRoom::setReplayTime(double playedS, double lengthS)
-{
-    // Never past the end, and at the end the very end: both read the same there.
-    const double shownS = std::min(playedS, lengthS);
-    m_replayProgress->setRange(0, kReplaySteps);
-    m_replayProgress->setValue(lengthS > 0.0 ? static_cast<int>(kReplaySteps * shownS / lengthS) : kReplaySteps);
-    //: Progress of a recording: minutes and seconds played, and of the whole
-    m_replayTime->setText(tr("%1 of %2").arg(text::duration(shownS), text::duration(lengthS)));
-    placeOverlays();
 }
 
 void PracticeRoom::setPanelVisible(bool visible)
@@ -287,7 +249,8 @@ QRect PracticeRoom::viewArea() const
 
 bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+    if ((watched == m_view || watched == m_beside) &&
+        (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
         placeOverlays();
         emit viewAreaChanged();
     }
@@ -313,8 +276,18 @@ void PracticeRoom::placeOverlays()
     const int height = m_hint->heightForWidth(width);
     m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
     m_hint->raise();
+    m_history->placeIn(area);
+    const auto placeName = [](QLabel* label, const QRect& over) {
+        label->adjustSize();
+        const int wide = std::min(label->width(), over.width() - 2 * kSpace2);
+        label->setGeometry(over.center().x() - wide / 2, over.top() + kSpace2, wide, label->height());
+        label->raise();
+    };
+    if (m_beside != nullptr) {
+        placeName(m_ourName, area);
+        placeName(m_besideName, m_beside->geometry());
+    }
     placeNotice();
-    placeReplayCard();
 }
 
 /// On as few lines as there is room for.
@@ -329,20 +302,6 @@ void PracticeRoom::placeNotice()
     m_notice->resize(width, m_notice->layout()->totalHeightForWidth(width));
     m_notice->move(area.center().x() - width / 2, area.top() + kNoticeTopPx);
     m_notice->raise();
-}
-
-/// What there is no room for goes: first the words, then the bar, which the time beside it tells as well.
-void PracticeRoom::placeReplayCard()
-{
-    const QRect area = viewArea();
-    m_replayWords->show();
-    m_replayProgress->show();
-    for (QWidget* spare : {static_cast<QWidget*>(m_replayWords), static_cast<QWidget*>(m_replayProgress)})
-        if (m_replay->sizeHint().width() > area.width() - 2 * kSpace2)
-            spare->hide();
-    m_replay->adjustSize();
-    m_replay->move(area.center().x() - m_replay->width() / 2, area.bottom() - kSpace4 - m_replay->height());
-    m_replay->raise();
 }
 
 }  // namespace ui::shell

@@ -5,14 +5,18 @@
 #include <QWidget>
 
 class QFrame;
+class QHBoxLayout;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 class QToolButton;
 
 namespace ui::inside {
 class SectionView;
 }
+
+namespace ui::replay {
+class HistoryPanel;
+class ReplayBar;
+}  // namespace ui::replay
 
 namespace ui::study {
 class LessonStrip;
@@ -38,6 +42,12 @@ public:
     [[nodiscard]] inside::SectionView& section() { return *m_section; }
     /// Above the tooth; hidden without a lesson.
     [[nodiscard]] study::LessonStrip& lesson() { return *m_lesson; }
+    /// In place of the work's own bar while a recording is played.
+    [[nodiscard]] replay::ReplayBar& replay() { return *m_replay; }
+    /// Over the tooth; hidden until it is wanted.
+    [[nodiscard]] replay::HistoryPanel& history() { return *m_history; }
+    /// Shows another tooth to the right of ours, each with its name above it; null: none, and no names.
+    void setBeside(QWidget* view, const QString& name = {}, const QString& ours = {});
     /// @param title  "Tooth 36", or the file
     /// @param name   "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);
@@ -47,7 +57,6 @@ public:
     void showNotice(const QString& what, const QString& whatToDo);
     void hideNotice();
     void setReplaying(bool replaying);
-    void setReplayTime(double playedS, double lengthS);
     /// Puts the side panel away, or shows it.
     void setPanelVisible(bool visible);
     /// Shows the cross-section beside the tooth, or puts it away.
@@ -58,8 +67,6 @@ public:
 signals:
     /// viewArea() is another one.
     void viewAreaChanged();
-    void replayStopRequested();
-    void replaySpeedChosen(int times);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -69,11 +76,8 @@ private:
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
     void makeNotice();
-    void makeReplayCard(const Actions& actions);
-    void showReplaySpeed(int times);
     void placeOverlays();
     void placeNotice();
-    void placeReplayCard();
 
     QWidget* m_view;
     SidePanel* m_panel;
@@ -81,12 +85,13 @@ private:
     study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
-    QWidget* m_replay = nullptr;
-    QLabel* m_replayWords = nullptr;
-    QProgressBar* m_replayProgress = nullptr;
-    TabularLabel* m_replayTime = nullptr;
-    QPushButton* m_replaySpeed = nullptr;
-    int m_replayTimes = 1;
+    QHBoxLayout* m_middle = nullptr;
+    QWidget* m_beside = nullptr;
+    QLabel* m_besideName = nullptr;  ///< above the tooth beside
+    QLabel* m_ourName = nullptr;     ///< above ours, while there is one beside
+    QWidget* m_workBar = nullptr;
+    replay::ReplayBar* m_replay = nullptr;
+    replay::HistoryPanel* m_history = nullptr;
     QLabel* m_hint = nullptr;
     QFrame* m_notice = nullptr;
     QLabel* m_noticeWhat = nullptr;

@@ -21,6 +21,7 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/Limit.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/PointerControl.h"
 
@@ -96,7 +97,17 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
     column->addLayout(pair);
-    m_decay = addFigure(column, tr("Decay left"), "decayFigure");
+    auto* asked = new QHBoxLayout;
+    asked->setSpacing(kSpace2);
+    m_decay = addFigure(asked, tr("Decay left"), "decayFigure");
+    //: How far the bur is from what is to be kept
+    m_margin = addFigure(asked, tr("To the limit"), "marginFigure");
+    m_margin.block->setToolTip(
+        brokenIntoLines(tr("How far the bur's head is from what is to be kept, downwards or sideways. Nothing is "
+                           "shown while it is more than a millimetre.")));
+    asked->setStretch(0, 1);
+    asked->setStretch(1, 1);
+    column->addLayout(asked);
 
     m_health = new QLabel(content);
     m_health->setFont(typeface(kSmall, QFont::Medium));
@@ -141,8 +152,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     auto* indent = new QWidget(content);
     indent->setFixedWidth(kSwatchPx);
     //: Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
-    m_overcut = addVolume(indent, quietLabel(tr("beside the decay"), content), "overcut");
-    m_overcut->setToolTip(brokenIntoLines(text::soundTissueCounted()));
+    m_overcutWords = quietLabel({}, content);
+    m_overcut = addVolume(indent, m_overcutWords, "overcut");
     addMaterial(Material::Pulp, "pulpRemoved")
         ->setToolTip(
             brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
@@ -191,6 +202,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     fill->addWidget(new ScrollPane(content, QPalette::Base, this));
 
     setPushForce(1.0);
+    setAsked(true);
+    setGuide({}, {});
     setFigures({}, {}, {});
 }
 
@@ -201,7 +214,8 @@ SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const QString& captio
     auto* lines = new QVBoxLayout(block);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(0);
-    lines->addWidget(quietLabel(caption, block));
+    auto* words = quietLabel(caption, block);
+    lines->addWidget(words);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);
     if (before != nullptr)
@@ -212,7 +226,7 @@ SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const QString& captio
     row->addWidget(value, 1);
     lines->addLayout(row);
     layout->addWidget(block);
-    return {block, caption, value};
+    return {block, caption, words, value};
 }
 
 void SidePanel::setFigure(const Figure& figure, const QString& words, const QString& unit, const QColor& colour)
@@ -237,7 +251,7 @@ void SidePanel::setDepthGauge(bool shown)
 void SidePanel::setBlindfold(bool on)
 {
     m_blindfold = on;
-    for (QWidget* telling : {m_material.block, m_decay.block, m_removedBlock})
+    for (QWidget* telling : {m_material.block, m_decay.block, m_margin.block, m_removedBlock})
         telling->setVisible(!on);
     for (QWidget* depth : {m_depth.block, m_dentin.block})
         depth->setVisible(m_depthGauge && !on);
@@ -291,7 +305,9 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 
     const double decay = session.wholeMm3.at(at(Material::Caries));
-    if (decay > 0.0) {
+    if (!m_isDecay) {
+        // setGuide() tells
+    } else if (decay > 0.0) {
         const double left = 100.0 * std::max(0.0, decay - session.removedMm3.at(at(Material::Caries))) / decay;
         // Never "0 %" while some is left.
         setFigure(m_decay, left > 0.0 && left < 0.5 ? tr("< 1") : text::number(left, 0), QStringLiteral("%"));
@@ -304,7 +320,8 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
     }
-    m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
+    if (m_isDecay)
+        m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
     QString health = text::healthText(servo.health & ~std::uint32_t{core::session::kForceClamped});
@@ -317,6 +334,42 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         m_health->setPalette(words);
         m_health->setText(health);
         m_health->setVisible(!health.isEmpty());
+    }
+}
+
+void SidePanel::setAsked(bool isDecay)
+{
+    m_isDecay = isDecay;
+    //: Of what is to be taken away: decay, or the preparation that is asked for
+    m_decay.caption = isDecay ? tr("Decay left") : tr("Still to cut");
+    m_decay.words->setText(m_decay.caption);
+    m_overcutWords->setText(isDecay ? tr("beside the decay") : tr("beyond the ideal"));
+    m_overcut->setToolTip(isDecay ? brokenIntoLines(text::soundTissueCounted()) : QString());
+    setGuide({}, {});
+}
+
+void SidePanel::setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress)
+{
+    const Tones tone = tones(palette());
+    const QColor quiet = palette().color(QPalette::PlaceholderText);
+    const QString mm = QStringLiteral("mm");
+    if (marginMm)
+        setFigure(m_margin, text::number(*marginMm, 2), mm,
+                  *marginMm < study::kAtLimitMm     ? tone.harmText
+                  : *marginMm < study::kNearLimitMm ? tone.attentionText
+                                                    : QColor());
+    else
+        setFigure(m_margin, dash(), mm, quiet);
+    if (m_isDecay)
+        return;
+    if (progress && progress->askedMm3 > 0.0) {
+        const double left = 100.0 * progress->leftMm3 / progress->askedMm3;
+        // Never "0 %" while some is left.
+        setFigure(m_decay, left > 0.0 && left < 0.5 ? tr("< 1") : text::number(left, 0), QStringLiteral("%"));
+        m_overcut->setText(text::number(progress->beyondMm3, 2), QStringLiteral("mm³"));
+    } else {
+        setFigure(m_decay, dash(), {}, quiet);
+        m_overcut->setText(dash(), {});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
+#include "core/guidance/Margin.h"
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
 #include "ui/render/Look.h"
@@ -32,6 +33,11 @@ public:
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
     void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
+    /// What is asked for: decay to come out, or a preparation to be cut.
+    void setAsked(bool isDecay);
+    /// How near the bur is to what is to be kept, and how far the work has come against the ideal; nothing where it is
+    /// not to be told.
+    void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
     /// Of the discs beside the names of tissues.
     void setColours(render::Palette colours);
     /// Without it neither depth nor the dentin left is told.
@@ -51,6 +57,7 @@ private:
     {
         QWidget* block;
         QString caption;
+        QLabel* words;
         TabularLabel* value;
     };
     /// @param before  stands before the value, or null
@@ -63,6 +70,9 @@ private:
     Figure m_depth{};
     Figure m_dentin{};
     Figure m_decay{};
+    Figure m_margin{};
+    QLabel* m_overcutWords = nullptr;
+    bool m_isDecay = true;
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};

@@ -40,7 +40,7 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
         m_menu->addAction(action);
     m_menu->addSeparator();
     for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
-                            actions.idealColours, actions.handPlace})
+                            actions.idealColours, actions.burColour, actions.fixture, actions.handPlace})
         m_menu->addAction(action);
     m_menu->addSeparator();
     for (QAction* action : {actions.distinctColours, actions.wetLook})
@@ -55,9 +55,10 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : this->actions())
         action->setIconVisibleInMenu(false);
     read();
-    for (QAction* action : {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours,
-                            actions.idealColours, actions.handPlace, actions.distinctColours, actions.wetLook,
-                            actions.stereo, actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
+    for (QAction* action :
+         {actions.mirror, actions.neighbours, actions.burLight, actions.depthColours, actions.idealColours,
+          actions.burColour, actions.handPlace, actions.distinctColours, actions.wetLook, actions.stereo,
+          actions.flipLeftRight, actions.flipUpDown, actions.reducedMotion})
         connect(action, &QAction::triggered, this, &ViewMenu::take);
     connect(actions.stereoPage, &QAction::triggered, this, &ViewMenu::stereoPageWanted);
 }
@@ -75,6 +76,7 @@ tooth::ViewSettings ViewMenu::settings() const
     if (!m_aids.heatMap || (shown.look.depthColours == render::DepthColours::AgainstIdeal && !m_aids.ideal))
         shown.look.depthColours = render::DepthColours::Off;
     shown.showsMirror = shown.showsMirror && m_aids.mirror;
+    shown.showsMargin = shown.showsMargin && m_aids.burColour && m_aids.ideal;
     return shown;
 }
 
@@ -111,6 +113,7 @@ void ViewMenu::read()
     m_actions.burLight->setChecked(isOn("light", true));  // as on every turbine of today
     m_actions.depthColours->setChecked(isOn("depth"));
     m_actions.idealColours->setChecked(isOn("ideal"));
+    m_actions.burColour->setChecked(isOn("margin"));
     m_actions.handPlace->setChecked(isOn("hand"));
     m_actions.neighbours->setChecked(isOn("neighbours"));
     m_actions.distinctColours->setChecked(isOn("distinct"));
@@ -148,6 +151,7 @@ void ViewMenu::take()
     now.presentation.stereo = m_actions.stereo->isChecked() ? m_lastStereo : render::Stereo::Off;
     now.presentation.flipLeftRight = m_actions.flipLeftRight->isChecked();
     now.presentation.flipUpDown = m_actions.flipUpDown->isChecked();
+    now.showsMargin = m_actions.burColour->isChecked();
     now.showsHand = m_actions.handPlace->isChecked();
     now.showsMirror = m_actions.mirror->isChecked();
     now.showsNeighbours = m_actions.neighbours->isChecked();
@@ -160,6 +164,7 @@ void ViewMenu::take()
     keep("light", now.look.burLight);
     keep("depth", now.look.depthColours == render::DepthColours::BelowOriginal);
     keep("ideal", now.look.depthColours == render::DepthColours::AgainstIdeal);
+    keep("margin", now.showsMargin);
     keep("hand", now.showsHand);
     keep("neighbours", now.showsNeighbours);
     keep("distinct", now.look.palette == render::Palette::Distinct);

@@ -396,6 +396,8 @@ QString healthText(std::uint32_t health)
         return QCoreApplication::translate("Health", "The computer is slow: the picture lags behind.");
     if ((health & core::session::kBegunInside) != 0)
         return QCoreApplication::translate("Health", "The bur is inside the tooth: lift it out, then it works.");
+    if ((health & core::session::kHeldInside) != 0)
+        return QCoreApplication::translate("Health", "The outline holds your hand: Q lets it go.");
     if ((health & core::session::kLedHome) != 0)
         return QCoreApplication::translate(
             "Health", "The handpiece leads your hand back over the tooth. Hold it back, and it lets go.");

@@ -57,6 +57,17 @@ void Camera::fit()
     m_distanceMm = m_wantedMm = fittingMm();
 }
 
+void Camera::lookAs(const Camera& other)
+{
+    m_lookAtMm = other.m_lookAtMm;
+    m_towardsMm = other.m_towardsMm;
+    m_azimuthDeg = other.m_azimuthDeg;
+    m_elevationDeg = other.m_elevationDeg;
+    m_distanceMm = other.m_distanceMm;
+    m_wantedMm = other.m_wantedMm;
+    m_fitted = false;
+}
+
 void Camera::set(double azimuthDeg, double elevationDeg, double distanceMm)
 {
     m_azimuthDeg = azimuthDeg;

@@ -35,6 +35,8 @@ public:
     void setStart(double azimuthDeg);
     /// Back to the start: the whole crown, three quarters from above.
     void reset();
+    /// From where another camera looks, at what it looks at.
+    void lookAs(const Camera& other);
     void set(double azimuthDeg, double elevationDeg, double distanceMm);
     void turn(double azimuthDeg, double elevationDeg);
     /// Closer by `steps` notches of a wheel, further when negative. Reached smoothly, see advance(). Closer,

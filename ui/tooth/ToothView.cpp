@@ -28,6 +28,7 @@
 namespace ui::tooth {
 namespace {
 
+constexpr float kTintShare = 0.85F;
 constexpr int kFrameMs = 16;
 constexpr int kLeastFrameMs = 4;
 constexpr int kLightLagMs = 400;  ///< by which light far from a cut may be behind
@@ -159,6 +160,11 @@ void ToothView::setDrillOn(bool on)
     redraw();
 }
 
+void ToothView::setBurTint(const QColor& colour)
+{
+    m_burTint = colour;
+}
+
 void ToothView::setLeftHanded(bool leftHanded)
 {
     m_leftHanded = leftHanded;
@@ -221,6 +227,12 @@ void ToothView::turnRound()
 void ToothView::setCamera(double azimuthDeg, double elevationDeg, double distanceMm)
 {
     m_camera.set(azimuthDeg, elevationDeg, distanceMm);
+    redrawMoving();
+}
+
+void ToothView::lookAs(const Camera& camera)
+{
+    m_camera.lookAs(camera);
     redrawMoving();
 }
 
@@ -318,6 +330,8 @@ render::Scene ToothView::scene(QSizeF sizePx) const
         scene.surfaceBelowTipMm = m_surface->topMm(glm::dvec2(m_pose.anchorMm));
     scene.turnRad = m_turnRad;
     scene.drillOn = m_drillOn;
+    if (m_burTint.isValid())
+        scene.burTint = {m_burTint.redF(), m_burTint.greenF(), m_burTint.blueF(), kTintShare};
     scene.look = m_settings.look;
     scene.mirror = m_mirror;
     scene.mirrorHandleLeft = !m_leftHanded;

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include <QColor>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QPixmap>
@@ -60,6 +61,8 @@ public:
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
     /// For the look of the bur only.
     void setDrillOn(bool on);
+    /// Colours the head of the bur; an invalid colour is that of steel.
+    void setBurTint(const QColor& colour);
     /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen:
     /// turned round, an incisor would hide its lesion.
     void setLeftHanded(bool leftHanded);
@@ -74,6 +77,8 @@ public:
     void resetCamera();
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
+    /// From where another view looks.
+    void lookAs(const Camera& camera);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
     /// The same without the instrument: what has become of the tooth.
@@ -178,6 +183,7 @@ private:
     bool m_surfaceIsNew = false;              ///< the renderer has not seen it
     render::ToothSurface::Changes m_changes;  ///< since the last picture
     bool m_drillOn = false;
+    QColor m_burTint;
     bool m_leftHanded = false;
     bool m_instrumentHidden = false;
     double m_turnRad = 0.0;      ///< of the bur

@@ -13,6 +13,7 @@ uniform float turnRad;     // how far the bur has turned
 uniform float blur;        // 0 standing still, 1 spinning: the blades run together
 uniform vec2 glassCentre;  // pixels: where the instrument must not hide the tooth
 uniform float fade;        // 1 solid, less: a ghost
+uniform vec4 tint;         // colour of the blades, and how much of it
 uniform float glassRadius; // pixels, 0: opaque everywhere
 uniform float crownAwayMm; // from the eye
 
@@ -44,6 +45,8 @@ void main()
         base = vec3(0.10, 0.105, 0.115);
         gloss = 0.45;
     }
+    base = mix(base, tint.rgb, tint.a);
+    gloss *= 1.0 - 0.85 * tint.a;
     // The room as the eye sees it mirrored: a soft sky, a long lamp to the left, a thin one to the right, and between
     // them the dark of the room that makes steel look like steel.
     vec3 seen = eyeRotation * normal;
@@ -63,7 +66,7 @@ void main()
     float rim = 1.0 - max(dot(normal, towardsEye), 0.0);
     rim *= rim;
     rim *= rim;
-    vec3 lit = base * (0.10 + 0.14 * max(dot(normal, towardsLight), 0.0) + gloss * room) +
+    vec3 lit = base * (0.10 + 0.45 * tint.a + 0.14 * max(dot(normal, towardsLight), 0.0) + gloss * room) +
                gloss * (0.9 * glance + 0.10 * rim);
 
     float opacity = 1.0;

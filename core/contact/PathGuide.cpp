@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/PathGuide.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/contact/Lengths.h"
+
+namespace core::contact {
+namespace {
+
+/// Dry friction of 0.25 N keeps a hand that lets itself be led within 0.6 mm.
+constexpr double kSpringNPerMm = 0.4;
+/// With 0.3 kg of grip and light hand half of critical; the hand has some of its own.
+constexpr double kDamperNSPerMm = 0.012;
+constexpr double kNearMm = 2.0;     ///< an anchor no farther from the aim has come to it
+constexpr double kStrideS = 0.005;  ///< of the damper's low-pass: no count is felt through it
+/// A hand that gains on the anchor by more than this goes along.
+constexpr double kGoesAlongMmPerS = 3.0;
+constexpr double kSlewNPerS = 150.0;  ///< fastest change of its force
+
+}  // namespace
+
+void PathGuide::drop() noexcept
+{
+    m_begins = true;
+    m_asked = false;
+    m_leading = false;
+    m_strength = 0.0;
+    m_forceN = glm::dvec3(0.0);
+}
+
+/// With the aim where it has come to it, else towards it; never farther ahead of the hand than the spring may pull.
+void PathGuide::walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept
+{
+    const glm::dvec3 way = aimMm - m_anchor;
+    const double with = lengthOf(way) < kNearMm ? lengthOf(aimMm - m_aim) : 0.0;
+    m_anchor += shortened(way, std::min(kWalkMmPerS * seconds + with, kFastestMmPerS * seconds));
+    m_anchor = deviceMm + shortened(m_anchor - deviceMm, kMostN / kSpringNPerMm);
+}
+
+/// Lets go of a hand that holds against the lead.
+void PathGuide::watchPush(const glm::dvec3& lead, double seconds) noexcept
+{
+    const double ahead = lengthOf(lead);
+    const bool isPulled = ahead * kSpringNPerMm >= kPushN;
+    const bool goesAlong = isPulled && glm::dot(m_pace.mmPerS(), lead) / ahead > kGoesAlongMmPerS;
+    m_pushedS = isPulled && !goesAlong ? m_pushedS + seconds : 0.0;
+    if (m_pushedS > kPushedS) {
+        m_leading = false;
+        m_wasPushed = true;
+    }
+}
+
+glm::dvec3 PathGuide::update(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept
+{
+    if (m_begins) {
+        m_pace.restart(deviceMm);
+        m_begins = false;
+    }
+    m_pace.add(deviceMm, seconds);
+    if (m_asked && !m_leading) {
+        m_leading = true;
+        m_wasPushed = false;
+        m_pushedS = 0.0;
+        m_anchor = deviceMm;
+        m_aim = aimMm;
+        m_gaining = glm::dvec3(0.0);
+    }
+    m_asked = false;
+
+    // A hand that goes ahead by itself is not held back.
+    if (m_leading && lengthOf(aimMm - deviceMm) < lengthOf(aimMm - m_anchor))
+        m_anchor = deviceMm;
+    const glm::dvec3 before = m_anchor;
+    if (m_leading) {
+        walk(deviceMm, aimMm, seconds);
+        watchPush(m_anchor - deviceMm, seconds);
+    }
+    m_aim = aimMm;
+    if (seconds > 0.0)
+        m_gaining += ((m_anchor - before) / seconds - m_pace.mmPerS() - m_gaining) * std::min(1.0, seconds / kStrideS);
+    m_strength =
+        m_leading ? std::min(1.0, m_strength + seconds / kRiseS) : std::max(0.0, m_strength - seconds / kFadeS);
+    glm::dvec3 force(0.0);
+    if (m_strength > 0.0) {
+        const glm::dvec3 pull = (m_anchor - deviceMm) * kSpringNPerMm + m_gaining * kDamperNSPerMm;
+        force = shortened(pull, kMostN) * m_strength;
+    }
+    m_forceN += shortened(force - m_forceN, kSlewNPerS * seconds);
+    return m_forceN;
+}
+
+}  // namespace core::contact

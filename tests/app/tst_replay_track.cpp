@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording as the view gets it: every moment, in any order, by tiles.
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "app/ReplayLoop.h"
+#include "core/base/Rng.h"
+#include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
+#include "tests/support/Rig.h"
+#include "tests/support/SyntheticTooth.h"
+#include "ui/tooth/PatchInbox.h"
+
+using namespace core;
+using namespace std::chrono_literals;
+using app::ReplayLoop;
+using app::ReplayTrack;
+using recording::Player;
+using recording::Recording;
+using ui::replay::Course;
+using ui::replay::Mark;
+
+namespace {
+
+constexpr std::uint64_t kGeneration = 7;
+
+std::shared_ptr<const terrain::ToothAnatomy> block()
+{
+    support::Block made;
+    made.side = 64;
+    made.cellMm = 0.12;
+    return support::makeBlock(made);
+}
+
+/// Three strokes with two burs, the second undone and made again, all of it undone at the end; an aid and a note.
+Recording attempt()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.send(session::SetDrill{true});
+    const auto stroke = [&rig](double x, int ticks) {
+        rig.lean(x, 0.0, 2.0, ticks);
+        rig.lift();
+        rig.run(40);
+    };
+    stroke(-1.2, 120);
+    rig.send(session::SetAids{session::kMirrorAid});
+    stroke(0.0, 150);
+    rig.send(session::Undo{});
+    rig.run(60);
+    rig.send(session::Redo{});
+    rig.run(60);
+    rig.send(session::AddNote{5});
+    rig.send(session::SetBur{3});
+    rig.run(20);
+    stroke(1.2, 130);
+    rig.send(session::Reload{});
+    rig.run(100);
+    rig.settle();
+    return rig.session->recordingSoFar().value();
+}
+
+/// What the view makes of states and patches.
+struct Viewer
+{
+    explicit Viewer(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy) : tooth(anatomy)
+    {
+        inbox.setGeneration(kGeneration);
+    }
+
+    void look()
+    {
+        for (session::TilePatch patch; links->patches.tryPop(patch);)
+            inbox.take(patch);
+        for (const session::TilePatch& patch : inbox.complete())
+            ui::tooth::write(patch, tooth);
+        inbox.complete().clear();
+    }
+    [[nodiscard]] double shownS() const { return links->session.latest().recordedS; }
+
+    std::unique_ptr<session::UiLinks> links = std::make_unique<session::UiLinks>();
+    ui::tooth::PatchInbox inbox;
+    terrain::Tooth tooth;
+};
+
+std::unique_ptr<ReplayTrack> trackOf(const Recording& recording, Viewer& viewer)
+{
+    return ReplayTrack::make(recording, *viewer.links, kGeneration).value();
+}
+
+void prepareAll(ReplayLoop& replay)
+{
+    for (int n = 0; n < 100; ++n)
+        replay.preparing().tick(5ms);
+}
+
+}  // namespace
+
+class TestReplayTrack : public QObject
+{
+    Q_OBJECT
+private slots:
+    void everyMomentComesToTheViewAsItWas();
+    void theCourseTellsStrokesAndMarks();
+    void aLessonsInfractionsAreFound();
+    void playsAtAnySpeedAndStopsAtTheEnd();
+    void showsWhatIsReadyUntilTheRestIs();
+    void anotherBesideIsAtTheSameShareOfItsTime();
+};
+
+void TestReplayTrack::everyMomentComesToTheViewAsItWas()
+{
+    const Recording made = attempt();
+    const auto truth = Player::make(made).value();
+    while (truth->advance(1000)) {
+    }
+    Viewer viewer(made.anatomy());
+    const auto track = trackOf(made, viewer);
+    while (track->prepare(1000)) {
+    }
+    Rng rng(4);
+    int rises = 0;
+    double deepest = 0.0;
+    for (int n = 0; n < 300; ++n) {
+        const double seconds = rng.uniform(0.0, track->lengthS());
+        const std::vector<float> before = viewer.tooth.top;
+        track->show(seconds);
+        viewer.look();
+        QCOMPARE(viewer.tooth.top, truth->heightsAt(truth->tickAt(seconds)));
+        QVERIFY(std::abs(viewer.shownS() - seconds) < 0.005);
+        const session::ServoState& state = viewer.links->servo.latest();
+        QCOMPARE(state.toothGeneration, kGeneration);
+        const session::ServoState was = truth->stateAt(truth->tickAt(seconds));
+        const session::ServoState next = truth->stateAt(truth->tickAt(seconds) + Player::kTicksAPose);
+        QCOMPARE(state.burIndex, was.burIndex);
+        QVERIFY(state.anchorMm.z >= std::min(was.anchorMm.z, next.anchorMm.z) - 1.0e-9);
+        QVERIFY(state.anchorMm.z <= std::max(was.anchorMm.z, next.anchorMm.z) + 1.0e-9);
+        // The figures beside the tooth are those of this moment.
+        const double removed = viewer.links->session.latest().removedMm3[1];
+        const double still = terrain::volumes(viewer.tooth)[1];
+        const double whole = terrain::volumes(terrain::Tooth(made.anatomy()))[1];
+        QVERIFY(std::abs(removed - (whole - still)) < 1.0e-6);
+        deepest = std::max(deepest, removed);
+        for (std::size_t k = 0; k < before.size(); ++k)
+            if (viewer.tooth.top[k] > before[k]) {
+                ++rises;
+                break;
+            }
+    }
+    QVERIFY2(rises > 50, "going back puts material back");
+    QVERIFY(deepest > 0.05);
+    // The very ends.
+    track->show(track->lengthS());
+    viewer.look();
+    QCOMPARE(viewer.tooth.top, made.anatomy()->top);
+    QCOMPARE(viewer.shownS(), track->lengthS());
+}
+
+void TestReplayTrack::theCourseTellsStrokesAndMarks()
+{
+    const Recording made = attempt();
+    Viewer viewer(made.anatomy());
+    const auto track = trackOf(made, viewer);
+    QCOMPARE(track->course().lengthS, track->lengthS());
+    QVERIFY(track->course().strokes.empty());
+    while (track->prepare(1000)) {
+    }
+    const Course course = track->course();
+    QCOMPARE(course.readyS, course.lengthS);
+    QCOMPARE(course.strokes.size(), 3U);
+    QCOMPARE(course.strokes[0].burIndex, course.strokes[1].burIndex);
+    QCOMPARE(course.strokes[2].burIndex, std::uint8_t{3});
+    QList<Mark::Kind> kinds;
+    for (const Mark& mark : course.marks)
+        kinds << mark.kind;
+    QCOMPARE(kinds, (QList<Mark::Kind>{Mark::Kind::Aids, Mark::Kind::Undo, Mark::Kind::Redo, Mark::Kind::Note,
+                                       Mark::Kind::Bur, Mark::Kind::StartAgain}));
+    // Going through it step by step shows each state of the tooth once: whole, one stroke, two, undone, redone, ...
+    std::vector<std::size_t> cut;
+    for (double at = 0.0; at < course.lengthS; at = course.stepAfter(at)) {
+        track->show(at);
+        viewer.look();
+        std::size_t columns = 0;
+        for (std::size_t k = 0; k < viewer.tooth.top.size(); ++k)
+            columns += viewer.tooth.top[k] < made.anatomy()->top[k] ? 1U : 0U;
+        cut.push_back(columns);
+    }
+    QCOMPARE(cut.size(), 7U);
+    QCOMPARE(cut[0], 0U);
+    QVERIFY(cut[1] > 0 && cut[2] > cut[1]);
+    QCOMPARE(cut[3], cut[1]);
+    QCOMPARE(cut[4], cut[2]);
+    QVERIFY(cut[5] > cut[4]);
+    QCOMPARE(cut[6], 0U);
+    // And back.
+    double at = course.lengthS;
+    for (std::size_t n = cut.size(); n-- > 0;)
+        at = course.stepBefore(at);
+    QCOMPARE(at, 0.0);
+}
+
+void TestReplayTrack::aLessonsInfractionsAreFound()
+{
+    const auto entries = lessons::readCatalog({});
+    const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
+        return known.read.lesson && known.read.lesson->id == "block-line";
+    });
+    QVERIFY(entry != entries.end());
+    const auto assigned = lessons::assign(*entry->read.lesson).value();
+    support::Rig rig;
+    rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
+    rig.send(session::SetBur{0});
+    rig.send(session::SetDrill{true});
+    rig.run(30);
+    // Far beside the line.
+    rig.lean(3.5, 3.5, 4.0, 1500);
+    rig.lift();
+    rig.settle();
+    const Recording made = rig.session->recordingSoFar().value();
+    const auto known = lessons::markAgain(made).value().infractions;
+    QVERIFY(!known.empty());
+    Viewer viewer(made.anatomy());
+    const auto track = trackOf(made, viewer);
+    QVERIFY(track->ideal() != nullptr);
+    while (track->prepare(300)) {
+    }
+    QVERIFY(track->course().infractions == known);
+}
+
+void TestReplayTrack::playsAtAnySpeedAndStopsAtTheEnd()
+{
+    const Recording made = attempt();
+    Viewer viewer(made.anatomy());
+    ReplayLoop replay(trackOf(made, viewer));
+    prepareAll(replay);
+    const double lengthS = replay.attempt().lengthS();
+    QVERIFY(lengthS > 1.0);
+    const auto beat = [&](int beats) {
+        for (int n = 0; n < beats; ++n)
+            replay.tick(10ms);
+        viewer.look();
+        return viewer.shownS();
+    };
+    const auto near = [](double a, double b) { return std::abs(a - b) < 0.005; };
+    QVERIFY(near(beat(20), 0.2));
+    replay.setSpeed(0.1);
+    QVERIFY(near(beat(100), 0.3));
+    replay.setPaused(true);
+    QVERIFY(near(beat(100), 0.3));
+    replay.seek(0.9);
+    QVERIFY(near(beat(1), 0.9));
+    QVERIFY(near(beat(50), 0.9));
+    replay.seek(0.1);
+    QVERIFY(near(beat(1), 0.1));
+    replay.setSpeed(16.0);
+    replay.setPaused(false);
+    QVERIFY(near(beat(2), 0.42));
+    QVERIFY(!replay.takeEnd());
+    QCOMPARE(beat(100), lengthS);
+    QVERIFY(replay.takeEnd());
+    QVERIFY2(!replay.takeEnd(), "told once");
+    QCOMPARE(viewer.tooth.top, made.anatomy()->top);  // all was undone
+    // Held at its end it goes back like anywhere else; let go there, it begins anew.
+    replay.setSpeed(1.0);
+    replay.seek(0.5);
+    QVERIFY(near(beat(5), 0.5));
+    replay.seek(lengthS);
+    beat(1);
+    QVERIFY2(!replay.takeEnd(), "who looks at the end has not played to it");
+    replay.setPaused(false);
+    QVERIFY(near(beat(10), 0.09));
+}
+
+void TestReplayTrack::showsWhatIsReadyUntilTheRestIs()
+{
+    const Recording made = attempt();
+    Viewer viewer(made.anatomy());
+    ReplayLoop replay(trackOf(made, viewer));
+    replay.setPaused(true);
+    replay.seek(replay.attempt().lengthS() - 0.05);
+    replay.tick(10ms);
+    viewer.look();
+    QVERIFY(viewer.shownS() < 0.01);
+    replay.preparing().tick(5ms);  // a thousand ticks
+    replay.tick(10ms);
+    const double soFar = viewer.shownS();
+    QVERIFY(soFar > 0.9 && soFar <= replay.attempt().readyS() && soFar < replay.attempt().lengthS());
+    prepareAll(replay);
+    replay.tick(10ms);
+    QVERIFY(std::abs(viewer.shownS() - replay.attempt().lengthS() + 0.05) < 0.005);
+}
+
+void TestReplayTrack::anotherBesideIsAtTheSameShareOfItsTime()
+{
+    const Recording made = attempt();
+    support::Rig rig;
+    rig.open(block());
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 2.0, 300);
+    rig.lift();
+    rig.settle();
+    const Recording shorter = rig.session->recordingSoFar().value();
+    Viewer viewer(made.anatomy());
+    Viewer besideViewer(shorter.anatomy());
+    ReplayLoop replay(trackOf(made, viewer));
+    replay.putBeside(trackOf(shorter, besideViewer));
+    prepareAll(replay);
+    replay.setPaused(true);
+    for (const double share : {0.25, 0.8, 0.5, 1.0}) {
+        replay.seek(share * replay.attempt().lengthS());
+        replay.tick(10ms);
+        QVERIFY(std::abs(viewer.shownS() - share * replay.attempt().lengthS()) < 0.005);
+        QVERIFY(std::abs(besideViewer.shownS() - share * replay.beside()->lengthS()) < 0.005);
+    }
+    besideViewer.look();
+    QCOMPARE(besideViewer.tooth.top, rig.session->toothSoFar()->top);
+}
+
+QTEST_APPLESS_MAIN(TestReplayTrack)
+#include "tst_replay_track.moc"

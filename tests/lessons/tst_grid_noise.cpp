@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <cmath>
+
+#include "core/grading/Columns.h"
+#include "core/terrain/Resample.h"
+#include "lessons/GridNoise.h"
+#include "lessons/LessonCatalog.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace lessons;
+using core::terrain::Sampling;
+
+namespace {
+
+/// A hemisphere's hollow in a block, which no lattice cuts evenly.
+std::shared_ptr<const core::terrain::ToothAnatomy> block(int side, double cellMm)
+{
+    support::Block made;
+    made.side = side;
+    made.cellMm = cellMm;
+    made.dejMm = -1.0;
+    made.topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); };
+    return support::makeBlock(made);
+}
+
+core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double deepMm)
+{
+    std::vector<float> top = anatomy->top;
+    for (int j = 0; j < anatomy->grid.side; ++j)
+        for (int i = 0; i < anatomy->grid.side; ++i) {
+            const std::size_t k = anatomy->grid.index(i, j);
+            const glm::dvec2 at = anatomy->grid.nodeMm(i, j) - glm::dvec2(0.31, -0.17);
+            const double r2 = 2.25 - at.x * at.x - at.y * at.y;
+            if (r2 > 0.0 && core::grading::wasSolid(*anatomy, k))
+                top[k] = std::min(top[k], static_cast<float>(-deepMm / 1.5 * std::sqrt(r2)));
+        }
+    return core::terrain::restored(anatomy, std::move(top));
+}
+
+double sum(const core::terrain::PerMaterial& volumes)
+{
+    return volumes[0] + volumes[1] + volumes[2] + volumes[3];
+}
+
+}  // namespace
+
+class TestGridNoise : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theSameToothOnOtherGrids();
+    void aHoleStaysAHole();
+    void smoothWorkHardlyDependsOnTheGrid();
+    void aCutUnderOneCellDoes();
+    void itSaysWhenThePassMarkLiesBetween();
+    void idealWorkStaysGoodAtEveryGrid();
+    void theLargestGridHasNoDouble();
+};
+
+void TestGridNoise::theSameToothOnOtherGrids()
+{
+    const auto anatomy = block(101, 0.1);
+    const core::terrain::Tooth tooth = hollowed(anatomy, 1.5);
+    for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
+        const auto other = core::terrain::resampled(*anatomy, sampling);
+        QCOMPARE(other->grid.side, sampling == Sampling::Half ? 51 : 201);
+        const core::terrain::Tooth same = core::terrain::resampled(tooth, other, sampling);
+        // Nodes that both have stand at the same place and hold the same.
+        for (int j = 0; j < 51; ++j)
+            for (int i = 0; i < 51; ++i) {
+                const std::size_t here = anatomy->grid.index(2 * i, 2 * j);
+                const std::size_t there =
+                    sampling == Sampling::Half ? other->grid.index(i, j) : other->grid.index(4 * i, 4 * j);
+                if (core::grading::wasSolid(*anatomy, here)) {
+                    QCOMPARE(same.top[there], tooth.top[here]);
+                    QCOMPARE(same.bottom[there], tooth.bottom[here]);
+                }
+            }
+        const double share = sampling == Sampling::Half ? 0.01 : 0.005;
+        const double volume = sum(core::terrain::volumes(same)) / sum(core::terrain::volumes(tooth));
+        QVERIFY2(std::abs(volume - 1.0) < share, qPrintable(QString::number(volume)));
+        const auto gone = core::terrain::removedVolumes(tooth);
+        const auto goneThere = core::terrain::removedVolumes(same);
+        for (const std::size_t material : {1U, 2U})
+            QVERIFY2(std::abs(goneThere[material] / gone[material] - 1.0) < share,
+                     qPrintable(QString::number(goneThere[material] / gone[material])));
+    }
+    // All of the area is shared out.
+    const auto twice = core::terrain::resampled(*anatomy, Sampling::Double);
+    double before = 0.0;
+    double after = 0.0;
+    for (const float area : anatomy->areaMm2)
+        before += static_cast<double>(area);
+    for (const float area : twice->areaMm2)
+        after += static_cast<double>(area);
+    QVERIFY(std::abs(after / before - 1.0) < 1.0e-4);
+}
+
+void TestGridNoise::aHoleStaysAHole()
+{
+    const auto anatomy = block(101, 0.1);
+    const core::terrain::Tooth tooth = hollowed(anatomy, 100.0);
+    const double area = core::grading::measure(tooth).perforatedMm2;
+    QVERIFY(area > 1.0);
+    for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
+        const core::terrain::Tooth same =
+            core::terrain::resampled(tooth, core::terrain::resampled(*anatomy, sampling), sampling);
+        const double there = core::grading::measure(same).perforatedMm2;
+        QVERIFY2(std::abs(there / area - 1.0) < 0.1, qPrintable(QString::number(there / area)));
+    }
+}
+
+void TestGridNoise::smoothWorkHardlyDependsOnTheGrid()
+{
+    const auto anatomy = block(150, 0.07);
+    Assignment assignment = practiceOn(anatomy).value();
+    assignment.rubric.criteria.resize(2);
+    assignment.rubric.criteria[0].measure = "removed_mm3";
+    assignment.rubric.criteria[0].tolerance = 0.0;
+    assignment.rubric.criteria[0].span = 10.0;
+    assignment.rubric.criteria[1].measure = "deepest_cut_mm";
+    assignment.rubric.criteria[1].tolerance = 0.0;
+    assignment.rubric.criteria[1].allowance.reset();
+    assignment.rubric.criteria[1].span = 4.0;
+    const GridNoise noise = gridNoise(assignment, hollowed(anatomy, 1.2)).value();
+    QVERIFY(noise.own.totalTenths > 100 && noise.own.totalTenths < 900);
+    QVERIFY(noise.twice.has_value());
+    QVERIFY(std::abs(noise.half.totalTenths - noise.own.totalTenths) <= 8);
+    QVERIFY(std::abs(noise.twice->totalTenths - noise.own.totalTenths) <= 4);
+}
+
+/// A scratch one cell wide lies on a coarse node or between two: its volume doubles or is gone.
+void TestGridNoise::aCutUnderOneCellDoes()
+{
+    const auto anatomy = block(150, 0.07);
+    Assignment assignment = practiceOn(anatomy).value();
+    assignment.rubric.criteria.resize(1);
+    assignment.rubric.criteria[0].measure = "removed_mm3";
+    assignment.rubric.criteria[0].tolerance = 0.0;
+    assignment.rubric.criteria[0].span = 1.0;
+    assignment.rubric.criteria[0].weightTenths = 1000;
+    for (const int row : {74, 75}) {
+        std::vector<float> top = anatomy->top;
+        for (int i = 60; i < 90; ++i)
+            top[anatomy->grid.index(i, row)] -= 1.0F;
+        const GridNoise noise = gridNoise(assignment, core::terrain::restored(anatomy, top)).value();
+        const int lost = 1000 - noise.own.totalTenths;
+        QVERIFY(lost > 100);
+        QCOMPARE(1000 - noise.half.totalTenths > 3 * lost / 2, row == 74);
+        if (row == 75)
+            QCOMPARE(noise.half.totalTenths, 1000);
+        QVERIFY(std::abs(1000 - noise.twice->totalTenths - lost) < lost / 5);
+    }
+}
+
+void TestGridNoise::itSaysWhenThePassMarkLiesBetween()
+{
+    const auto anatomy = block(150, 0.07);
+    Assignment assignment = practiceOn(anatomy).value();
+    assignment.rubric.criteria.resize(1);
+    assignment.rubric.criteria[0].measure = "removed_mm3";
+    assignment.rubric.criteria[0].tolerance = 0.0;
+    assignment.rubric.criteria[0].span = 10.0;
+    assignment.rubric.criteria[0].weightTenths = 1000;
+    std::vector<float> top = hollowed(anatomy, 1.2).top;
+    for (int i = 40; i < 110; ++i)
+        top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
+    const core::terrain::Tooth tooth = core::terrain::restored(anatomy, top);
+    const GridNoise first = gridNoise(assignment, tooth).value();
+    QVERIFY(first.half.totalTenths < first.own.totalTenths - 10);
+    assignment.rubric.passMarkTenths = first.own.totalTenths - 5;
+    const GridNoise near = gridNoise(assignment, tooth).value();
+    QVERIFY(near.own.passed && !near.half.passed && near.isUncertain());
+    assignment.rubric.passMarkTenths = first.half.totalTenths - 50;
+    QVERIFY(!gridNoise(assignment, tooth)->isUncertain());
+}
+
+/// What asks for the ideal passes whoever cuts it, however finely that is measured. Prints the marks.
+void TestGridNoise::idealWorkStaysGoodAtEveryGrid()
+{
+    QElapsedTimer clock;
+    for (const CatalogEntry& entry : readCatalog({})) {
+        if (!entry.read.lesson || entry.read.lesson->task == Task::RemoveDecay)
+            continue;
+        const Assignment assignment = assign(*entry.read.lesson).value().assignment;
+        clock.start();
+        const GridNoise noise =
+            gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top)).value();
+        qInfo("%s: %d, half %d, double %d, in %lld ms", entry.read.lesson->id.c_str(), noise.own.totalTenths,
+              noise.half.totalTenths, noise.twice->totalTenths, static_cast<long long>(clock.elapsed()));
+        QCOMPARE(noise.own.totalTenths, 1000);
+        QVERIFY(!noise.isUncertain());
+    }
+}
+
+void TestGridNoise::theLargestGridHasNoDouble()
+{
+    const auto anatomy = block(600, 0.0175);
+    const Assignment assignment = practiceOn(anatomy).value();
+    QVERIFY(!gridNoise(assignment, hollowed(anatomy, 1.0))->twice.has_value());
+}
+
+QTEST_GUILESS_MAIN(TestGridNoise)
+#include "tst_grid_noise.moc"

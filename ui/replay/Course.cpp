@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/replay/Course.h"
+
+#include <algorithm>
+
+namespace ui::replay {
+namespace {
+
+/// Two moments nearer than this are one: the position that is told is behind by a beat.
+constexpr double kSameS = 0.025;
+
+bool changesTheTooth(const Mark& mark)
+{
+    return mark.kind == Mark::Kind::Undo || mark.kind == Mark::Kind::Redo || mark.kind == Mark::Kind::StartAgain;
+}
+
+}  // namespace
+
+double Course::stepAfter(double seconds) const
+{
+    double next = lengthS;
+    for (const Stroke& stroke : strokes)
+        if (stroke.doneS > seconds + kSameS)
+            next = std::min(next, stroke.doneS);
+    for (const Mark& mark : marks)
+        if (changesTheTooth(mark) && mark.atS > seconds + kSameS)
+            next = std::min(next, mark.atS);
+    return next;
+}
+
+double Course::stepBefore(double seconds) const
+{
+    double last = 0.0;
+    for (const Stroke& stroke : strokes)
+        if (stroke.doneS < seconds - kSameS)
+            last = std::max(last, stroke.doneS);
+    for (const Mark& mark : marks)
+        if (changesTheTooth(mark) && mark.atS < seconds - kSameS)
+            last = std::max(last, mark.atS);
+    return last;
+}
+
+}  // namespace ui::replay

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/grading/Referee.h"
+
+namespace ui::replay {
+
+/// A stroke, in seconds since the attempt began.
+struct Stroke
+{
+    double fromS = 0.0;
+    double toS = 0.0;
+    double doneS = 0.0;  ///< the moment to look at what it has left: all of it is shown
+    std::uint8_t burIndex = 0;
+    bool operator==(const Stroke&) const = default;
+};
+
+/// What happened beside the strokes.
+struct Mark
+{
+    enum class Kind : std::uint8_t {
+        Undo,
+        Redo,
+        StartAgain,
+        Bur,        ///< value: index of the bur taken
+        Handpiece,  ///< value: index of the handpiece taken
+        Aids,       ///< value: those in use from now on, bits of core::session::Aid
+        Note,       ///< value: its code
+        Home,       ///< the hand was led home
+        Resumed     ///< the attempt was taken up again
+    };
+    Kind kind = Kind::Undo;
+    double atS = 0.0;
+    std::uint64_t value = 0;
+    bool operator==(const Mark&) const = default;
+};
+
+/// How an attempt went, as far as it is known: what is drawn on a time line. All in order of time.
+struct Course
+{
+    double lengthS = 0.0;
+    double readyS = 0.0;  ///< up to here it is known, and can be shown
+    std::vector<Stroke> strokes;
+    std::vector<Mark> marks;
+    std::vector<core::grading::Infraction> infractions;
+
+    /// The end of the first stroke or of the first step through the history after a moment; the end of all when there
+    /// is none.
+    [[nodiscard]] double stepAfter(double seconds) const;
+    /// The last such before a moment; the beginning when there is none.
+    [[nodiscard]] double stepBefore(double seconds) const;
+};
+
+/// What leads to an infraction is seen from so long before it on, s.
+inline constexpr double kLeadUpS = 1.0;
+
+}  // namespace ui::replay

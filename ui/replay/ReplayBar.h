@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QFrame>
+
+#include "ui/replay/Course.h"
+
+class QLabel;
+
+namespace ui::shell {
+class Actions;
+class TabularLabel;
+class ViewMenu;
+}  // namespace ui::shell
+
+namespace ui::replay {
+
+class TimeLine;
+
+/// At the foot of the practice room while a recording is played: its time line, and beneath it what moves in time.
+class ReplayBar final : public QFrame
+{
+    Q_OBJECT
+public:
+    ReplayBar(const shell::Actions& actions, shell::ViewMenu& viewMenu, QWidget* parent);
+
+    /// A recording of this length begins, as fast as it was made; more of it is known by and by (setCourse).
+    void begin(double lengthS);
+    void setCourse(const Course& course);
+    /// What is shown beside; without a length nothing is.
+    void setBeside(const Course& beside);
+    /// The moment that is shown.
+    void setPosition(double seconds);
+
+    /// The end of the next stroke, or of the one before.
+    void step(bool onward);
+    void goToBegin() { seek(0.0); }
+    void goToEnd() { seek(m_course.lengthS); }
+    /// The next speed up, or down.
+    void changeSpeed(bool faster);
+
+signals:
+    void seekWanted(double seconds);
+    void speedChosen(double times);
+    void stopWanted();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void seek(double seconds);
+    void showTime();
+    void showSpeed();
+
+    Course m_course;
+    double m_positionS = 0.0;
+    QElapsedTimer m_sinceSeek;
+    std::size_t m_speed = 0;
+    TimeLine* m_line = nullptr;
+    QLabel* m_words = nullptr;
+    shell::TabularLabel* m_time = nullptr;
+    shell::TabularLabel* m_speedLabel = nullptr;
+};
+
+}  // namespace ui::replay

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/replay/TimeLine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+
+#include "core/drilling/Bur.h"
+#include "core/session/Links.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/InfractionCard.h"
+#include "ui/text/Texts.h"
+
+namespace ui::replay {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kMarksPx = 16;
+constexpr int kStrokesPx = 14;
+constexpr int kLanePx = kMarksPx + kStrokesPx + 2;
+constexpr int kScalePx = 16;
+constexpr int kSidePx = 16;           ///< left free at both ends, for the knob
+constexpr double kNarrowestPx = 2.0;  ///< of a stroke
+constexpr double kHitPx = 6.0;
+constexpr double kMostLabelsPx = 72.0;  ///< from one time on the scale to the next, at least
+constexpr double kSignPx = 6.0;         ///< half a sign
+
+/// After Okabe and Ito, in the order of core::drilling::burs().
+constexpr std::array<QRgb, 4> kBurs{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
+
+double scaleStep(double lengthS, double widthPx)
+{
+    for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0})
+        if (step / lengthS * widthPx >= kMostLabelsPx)
+            return step;
+    return 1800.0;
+}
+
+/// A triangle with an exclamation mark.
+void paintInfraction(QPainter& painter, QPointF at, const Tones& tone)
+{
+    QPainterPath sign;
+    sign.moveTo(at + QPointF(0.0, -kSignPx));
+    sign.lineTo(at + QPointF(kSignPx, kSignPx - 1.0));
+    sign.lineTo(at + QPointF(-kSignPx, kSignPx - 1.0));
+    sign.closeSubpath();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tone.harmText);
+    painter.drawPath(sign);
+    painter.setPen(QPen(roomPalette().color(QPalette::Base), 1.6));
+    painter.drawLine(at + QPointF(0.0, -2.0), at + QPointF(0.0, 1.5));
+    painter.drawPoint(at + QPointF(0.0, 3.5));
+}
+
+/// An arrow head that points to where time went.
+void paintArrow(QPainter& painter, QPointF at, double way)
+{
+    painter.drawLine(at + QPointF(3.5 * way, 0.0), at - QPointF(3.5 * way, 0.0));
+    painter.drawLine(at + QPointF(3.5 * way, 0.0), at + QPointF(0.5 * way, -3.0));
+    painter.drawLine(at + QPointF(3.5 * way, 0.0), at + QPointF(0.5 * way, 3.0));
+}
+
+void paintMark(QPainter& painter, QPointF at, const Mark& mark)
+{
+    painter.setPen(QPen(roomPalette().color(QPalette::PlaceholderText), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    switch (mark.kind) {
+    case Mark::Kind::Undo:
+        paintArrow(painter, at, -1.0);
+        break;
+    case Mark::Kind::Redo:
+        paintArrow(painter, at, 1.0);
+        break;
+    case Mark::Kind::StartAgain:
+        paintArrow(painter, at, -1.0);
+        painter.drawLine(at + QPointF(-4.5, -3.5), at + QPointF(-4.5, 3.5));
+        break;
+    case Mark::Kind::Bur:
+        painter.setPen(QColor(burColour(static_cast<std::uint8_t>(mark.value))));
+        painter.setFont(typeface(11, QFont::DemiBold));
+        painter.drawText(QRectF(at - QPointF(8.0, 8.0), QSizeF(16.0, 16.0)), Qt::AlignCenter,
+                         QString::number(mark.value + 1));
+        break;
+    case Mark::Kind::Aids:
+        painter.drawEllipse(at, 3.0, 3.0);
+        break;
+    case Mark::Kind::Handpiece:
+    case Mark::Kind::Note:
+    case Mark::Kind::Home:
+    case Mark::Kind::Resumed:
+        painter.drawRect(QRectF(at - QPointF(2.5, 2.5), QSizeF(5.0, 5.0)));
+        break;
+    }
+}
+
+QString aidWords(std::uint64_t aids)
+{
+    using namespace core::session;
+    QStringList used;
+    const auto add = [&](Aid aid, const QString& words) {
+        if ((aids & aid) != 0)
+            used << words;
+    };
+    add(kSectionAid, QCoreApplication::translate("TimeLine", "section"));
+    add(kDepthGaugeAid, QCoreApplication::translate("TimeLine", "depth gauge"));
+    add(kRadiographAid, QCoreApplication::translate("TimeLine", "X-ray"));
+    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "colours of depth"));
+    add(kMirrorAid, QCoreApplication::translate("TimeLine", "mirror"));
+    add(kIdealAid, QCoreApplication::translate("TimeLine", "ideal"));
+    add(kBurColourAid, QCoreApplication::translate("TimeLine", "colour of the bur"));
+    add(kFixtureAid, QCoreApplication::translate("TimeLine", "held within the outline"));
+    return used.isEmpty()
+               ? QCoreApplication::translate("TimeLine", "No aid in use")
+               : QCoreApplication::translate("TimeLine", "Aids in use: %1").arg(used.join(QStringLiteral(", ")));
+}
+
+QString burWords(std::uint64_t index)
+{
+    const auto burs = core::drilling::burs();
+    return index < burs.size() ? text::burName(burs[index].id) : QString::number(index + 1);
+}
+
+}  // namespace
+
+QColor burColour(std::uint8_t index)
+{
+    return kBurs.at(index % kBurs.size());
+}
+
+QString markWords(const Mark& mark)
+{
+    switch (mark.kind) {
+    case Mark::Kind::Undo:
+        return QCoreApplication::translate("TimeLine", "Undone");
+    case Mark::Kind::Redo:
+        return QCoreApplication::translate("TimeLine", "Redone");
+    case Mark::Kind::StartAgain:
+        return QCoreApplication::translate("TimeLine", "Whole again");
+    case Mark::Kind::Bur:
+        return QCoreApplication::translate("TimeLine", "Bur %1: %2").arg(mark.value + 1).arg(burWords(mark.value));
+    case Mark::Kind::Handpiece:
+        return QCoreApplication::translate("TimeLine", "Another handpiece");
+    case Mark::Kind::Aids:
+        return aidWords(mark.value);
+    case Mark::Kind::Note:
+        return QCoreApplication::translate("TimeLine", "Note %1").arg(mark.value);
+    case Mark::Kind::Home:
+        return QCoreApplication::translate("TimeLine", "The hand was led home");
+    case Mark::Kind::Resumed:
+        break;
+    }
+    return QCoreApplication::translate("TimeLine", "Taken up again");
+}
+
+TimeLine::TimeLine(QWidget* parent) : QWidget(parent)
+{
+    setObjectName(QStringLiteral("timeLine"));
+    setAccessibleName(tr("Time line"));
+    setAccessibleDescription(tr("Left and right go from stroke to stroke, Home and End to the beginning and the end."));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setCursor(Qt::PointingHandCursor);
+    setMouseTracking(true);
+}
+
+QSize TimeLine::sizeHint() const
+{
+    return {200, static_cast<int>(lanes().size()) * kLanePx + kScalePx + kSpace1};
+}
+
+void TimeLine::setCourse(const Course& course)
+{
+    m_course = course;
+    update();
+}
+
+void TimeLine::setBeside(const Course& beside)
+{
+    const bool another = (beside.lengthS > 0.0) != (m_beside.lengthS > 0.0);
+    m_beside = beside;
+    if (another)
+        updateGeometry();
+    update();
+}
+
+void TimeLine::setPosition(double seconds)
+{
+    if (std::abs(xOf(seconds) - xOf(m_positionS)) < 0.25) {
+        m_positionS = seconds;
+        return;
+    }
+    m_positionS = seconds;
+    update();
+}
+
+QList<TimeLine::Lane> TimeLine::lanes() const
+{
+    QList<Lane> all{{m_course, kSpace1}};
+    if (m_beside.lengthS > 0.0)
+        all << Lane{m_beside, kSpace1 + kLanePx};
+    return all;
+}
+
+double TimeLine::xIn(const Course& course, double seconds) const
+{
+    const double share = course.lengthS > 0.0 ? std::clamp(seconds / course.lengthS, 0.0, 1.0) : 0.0;
+    return kSidePx + share * (width() - 2 * kSidePx);
+}
+
+double TimeLine::xOf(double seconds) const
+{
+    return xIn(m_course, seconds);
+}
+
+double TimeLine::secondsAt(double x) const
+{
+    return std::clamp((x - kSidePx) / std::max(1, width() - 2 * kSidePx), 0.0, 1.0) * m_course.lengthS;
+}
+
+QStringList TimeLine::saidAt(const QPoint& place) const
+{
+    QStringList said;
+    for (const Lane& lane : lanes()) {
+        if (place.y() < lane.top || place.y() >= lane.top + kLanePx)
+            continue;
+        const auto isHere = [&](double seconds) { return std::abs(xIn(lane.course, seconds) - place.x()) <= kHitPx; };
+        const auto at = [](double seconds, const QString& what) {
+            //: On a time line: a time, and what happened then
+            return tr("%1  %2").arg(text::duration(seconds), what);
+        };
+        for (const core::grading::Infraction& infraction : lane.course.infractions)
+            if (isHere(infraction.seconds))
+                said << at(infraction.seconds, study::breachName(infraction));
+        for (const Mark& mark : lane.course.marks)
+            if (isHere(mark.atS))
+                said << at(mark.atS, markWords(mark));
+        if (place.y() < lane.top + kMarksPx)
+            continue;
+        for (std::size_t n = 0; n < lane.course.strokes.size(); ++n) {
+            const Stroke& stroke = lane.course.strokes[n];
+            if (place.x() < xIn(lane.course, stroke.fromS) - 1.0 || place.x() > xIn(lane.course, stroke.toS) + 1.0)
+                continue;
+            said << at(stroke.fromS, tr("Stroke %1, %2 s, %3")
+                                         .arg(n + 1)
+                                         .arg(text::number(stroke.toS - stroke.fromS, 1), burWords(stroke.burIndex)));
+            break;
+        }
+    }
+    return said;
+}
+
+void TimeLine::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Lane& lane : lanes())
+        paintLane(painter, lane);
+    paintScale(painter);
+    for (const Lane& lane : lanes())
+        paintMarks(painter, lane);
+    paintNow(painter);
+}
+
+void TimeLine::paintLane(QPainter& painter, const Lane& lane) const
+{
+    const QRectF bed(kSidePx, lane.top + kMarksPx, width() - 2 * kSidePx, kStrokesPx);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Button));
+    painter.drawRoundedRect(bed, 3.0, 3.0);
+    const double readyX = xIn(lane.course, lane.course.readyS);
+    if (lane.course.readyS < lane.course.lengthS) {
+        painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
+        painter.drawRect(QRectF(QPointF(readyX, bed.top()), bed.bottomRight()));
+    }
+    for (const Stroke& stroke : lane.course.strokes) {
+        const double x = xIn(lane.course, stroke.fromS);
+        const double wide = std::max(kNarrowestPx, xIn(lane.course, stroke.toS) - x);
+        painter.fillRect(QRectF(x, bed.top() + 2.0, wide, bed.height() - 4.0), burColour(stroke.burIndex));
+    }
+}
+
+/// Infractions last, so that nothing hides them.
+void TimeLine::paintMarks(QPainter& painter, const Lane& lane) const
+{
+    const double y = lane.top + kMarksPx / 2.0;
+    for (const Mark& mark : lane.course.marks)
+        paintMark(painter, {xIn(lane.course, mark.atS), y}, mark);
+    for (const core::grading::Infraction& infraction : lane.course.infractions)
+        paintInfraction(painter, {xIn(lane.course, infraction.seconds), y}, tones(palette()));
+}
+
+void TimeLine::paintScale(QPainter& painter) const
+{
+    if (!(m_course.lengthS > 0.0))
+        return;
+    const int top = height() - kScalePx;
+    painter.setFont(typeface(11));
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    const double step = scaleStep(m_course.lengthS, width() - 2 * kSidePx);
+    for (double s = 0.0; s <= m_course.lengthS; s += step) {
+        const double x = xOf(s);
+        painter.drawLine(QPointF(x, top), QPointF(x, top + 3.0));
+        const double from = std::clamp(x - 30.0, 2.0, width() - 62.0);
+        painter.drawText(QRectF(from, top + 2.0, 60.0, kScalePx - 2.0),
+                         (from > x - 29.0 ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignTop, text::duration(s));
+    }
+}
+
+void TimeLine::paintNow(QPainter& painter) const
+{
+    const double x = xOf(m_positionS);
+    const QColor colour = palette().color(QPalette::WindowText);
+    painter.setPen(QPen(colour, 2.0));
+    painter.drawLine(QPointF(x, kSpace1 + 2.0), QPointF(x, height() - kScalePx + 2.0));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawEllipse(QPointF(x, kSpace1 + 2.0), 5.0, 5.0);
+}
+
+void TimeLine::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton)
+        return;
+    const double x = event->position().x();
+    for (const Lane& lane : lanes()) {
+        const double y = event->position().y() - lane.top;
+        if (y < 0.0 || y >= kMarksPx)
+            continue;
+        for (const core::grading::Infraction& infraction : lane.course.infractions) {
+            if (std::abs(xIn(lane.course, infraction.seconds) - x) > kHitPx)
+                continue;
+            emit seekWanted(secondsAt(xIn(lane.course, infraction.seconds - kLeadUpS)));
+            return;
+        }
+    }
+    m_scrubs = true;
+    emit seekWanted(secondsAt(x));
+}
+
+void TimeLine::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_scrubs)
+        emit seekWanted(secondsAt(event->position().x()));
+}
+
+void TimeLine::mouseReleaseEvent(QMouseEvent*)
+{
+    m_scrubs = false;
+}
+
+bool TimeLine::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = dynamic_cast<QHelpEvent*>(event);
+    QStringList said = saidAt(help->pos());
+    if (said.isEmpty())
+        said << text::duration(secondsAt(help->pos().x()));
+    QToolTip::showText(help->globalPos(), said.join(u'\n'), this);
+    return true;
+}
+
+}  // namespace ui::replay

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+#include "ui/replay/Course.h"
+
+namespace ui::replay {
+
+/// The time line of an attempt: strokes as bars coloured by bur, above them what else happened, infractions first of
+/// all, and the moment that is shown. Dragged, it goes there; a click on an infraction goes to what led to it; pointed
+/// at, it says what is there. Beneath, with an axis of its own, another attempt that is shown beside.
+class TimeLine final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TimeLine(QWidget* parent);
+
+    void setCourse(const Course& course);
+    /// @param beside  no strokes, no length: there is none
+    void setBeside(const Course& beside);
+    /// The moment that is shown.
+    void setPosition(double seconds);
+    [[nodiscard]] const Course& course() const { return m_course; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+    /// Where a moment is on the line, px.
+    [[nodiscard]] double xOf(double seconds) const;
+    /// What is there, a line each; empty: nothing but time.
+    [[nodiscard]] QStringList saidAt(const QPoint& place) const;
+
+signals:
+    void seekWanted(double seconds);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    /// One attempt of the line, and where its lanes begin.
+    struct Lane
+    {
+        const Course& course;
+        int top;
+    };
+
+    [[nodiscard]] QList<Lane> lanes() const;
+    [[nodiscard]] double xIn(const Course& course, double seconds) const;
+    [[nodiscard]] double secondsAt(double x) const;
+    void paintLane(QPainter& painter, const Lane& lane) const;
+    void paintMarks(QPainter& painter, const Lane& lane) const;
+    void paintScale(QPainter& painter) const;
+    void paintNow(QPainter& painter) const;
+
+    Course m_course;
+    Course m_beside;
+    double m_positionS = 0.0;
+    bool m_scrubs = false;
+};
+
+/// Distinct for every eye on the dark of the practice room.
+[[nodiscard]] QColor burColour(std::uint8_t index);
+/// "Undone", "Another bur: Pear, No. 330".
+[[nodiscard]] QString markWords(const Mark& mark);
+
+}  // namespace ui::replay

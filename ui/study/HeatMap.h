@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QImage>
+#include <QWidget>
+
+#include "core/imaging/Section.h"
+#include "ui/render/Look.h"
+#include "ui/study/ScoredWork.h"
+
+namespace ui::study {
+
+/// The tooth from above, coloured by how far it is off the ideal: vermilion where it was cut too deep, blue where
+/// something is still to go, with a legend in millimetres; in the palette for every eye with a pattern on each. The
+/// pointer reads the depth under it. Dark in either theme, like the room with the tooth.
+class HeatMap final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit HeatMap(QWidget* parent);
+
+    void setWork(const ScoredWork& work);
+    /// Rings a column, and draws the line of the section through it; nothing: neither.
+    void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
+    void setColours(render::Palette colours);
+
+    [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 220}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    /// Where the picture lies, and which part of the grid it shows.
+    struct Frame
+    {
+        QRectF plot;
+        double pxPerCell = 1.0;
+        [[nodiscard]] QPointF at(double i, double j) const;
+        double firstI = 0.0;
+        double lastJ = 0.0;
+    };
+    [[nodiscard]] Frame frame() const;
+    [[nodiscard]] std::optional<std::size_t> nodeAt(const Frame& frame, const QPointF& at) const;
+    void draw();
+    void paintEnds(QPainter& painter, const Frame& frame) const;
+    void paintMark(QPainter& painter, const Frame& frame) const;
+    void paintLegend(QPainter& painter, const QRectF& area) const;
+
+    ScoredWork m_work;
+    int m_i0 = 0;  ///< the part of the grid with tooth, both ends included
+    int m_i1 = 0;
+    int m_j0 = 0;
+    int m_j1 = 0;
+    std::optional<std::size_t> m_mark;
+    core::imaging::SectionPlane m_plane;
+    render::Palette m_colours = render::Palette::Natural;
+    QImage m_picture;  ///< of the plot, in the pixels of the screen
+    std::optional<std::size_t> m_probed;
+};
+
+/// The colour of so many millimetres off the ideal, negative too deep, on either end's scale of render::kIdealScaleMm.
+[[nodiscard]] QRgb heatColour(double aboveMm);
+
+}  // namespace ui::study

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/ScorePage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <QDateTime>
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/HistoryChart.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/ScoreBar.h"
+#include "ui/shell/ScrollPane.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/CriterionRow.h"
+#include "ui/study/HeatMap.h"
+#include "ui/study/WorstSection.h"
+#include "ui/text/Texts.h"
+
+namespace ui::study {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kWidestPx = 1720;
+constexpr int kNarrowestBesidePx = 1180;
+constexpr int kPictureBelowPx = 320;  ///< height of a picture that shares its rows with nothing
+constexpr qsizetype kListed = 4;
+constexpr std::size_t kShownHash = 12;
+constexpr qsizetype kCharted = 12;
+
+QFrame* card(QWidget* parent)
+{
+    auto* frame = new QFrame(parent);
+    frame->setProperty("kind", "card");
+    return frame;
+}
+
+QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
+{
+    auto* made = new QLabel(words, parent);
+    made->setFont(typeface(size, weight));
+    made->setForegroundRole(role);
+    return made;
+}
+
+/// Words that fold: they take the height that their width asks for, and claim no more than that beforehand.
+void fold(QLabel* words)
+{
+    words->setWordWrap(true);
+    words->setMinimumHeight(1);
+}
+
+QString expectation(int expectedTenths, int totalTenths)
+{
+    const int gap = expectedTenths - totalTenths;
+    const QString expected = text::points(expectedTenths);
+    if (gap == 0)
+        return ScorePage::tr("You expected %1 points: exactly so.").arg(expected);
+    return (gap > 0 ? ScorePage::tr("You expected %1 points: %2 too many.")
+                    : ScorePage::tr("You expected %1 points: %2 too few."))
+        .arg(expected, text::points(std::abs(gap)));
+}
+
+/// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
+QString rubricWords(const ::lessons::ScoreSheet& sheet)
+{
+    const QString name =
+        QString::fromStdString(::lessons::inLanguage(sheet.rubricTitle, QLocale().name().toStdString()));
+    //: %1 is the name of a rubric, %2 its version, %3 the beginning of its hash
+    return ScorePage::tr("Marked by \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured: the "
+                         "model is a height field.")
+        .arg(name)
+        .arg(sheet.rubricVersion)
+        .arg(QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
+}
+
+}  // namespace
+
+ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr("Grade"), parent)
+{
+    auto* block = new QWidget(this);
+    block->setMaximumWidth(kWidestPx);
+    m_cards = new QGridLayout(block);
+    m_cards->setContentsMargins(0, 0, 0, 0);
+    m_cards->setSpacing(kSpace4);
+    m_resultCard = makeResult();
+    m_criteriaCard = makeCriteria();
+    m_placeCard = makePlace();
+    m_historyCard = makeHistory();
+    connect(actions.distinctColours, &QAction::toggled, this, [this](bool distinct) {
+        m_heat->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
+        m_section->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
+    });
+    arrange();
+
+    auto* content = new QWidget(this);
+    auto* row = new QHBoxLayout(content);
+    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    row->addStretch(1);
+    row->addWidget(block, 1000);
+    row->addStretch(1);
+    body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    buttons->addStretch(1);
+    buttons->addWidget(pageButton(actions.saveRecording, "", this));
+    buttons->addWidget(pageButton(actions.reload, "", this));
+    m_back = pageButton(actions.back, "filled", this);
+    buttons->addWidget(m_back);
+    body()->addLayout(buttons);
+}
+
+void ScorePage::arrange()
+{
+    const bool beside = width() >= kNarrowestBesidePx && m_scored;
+    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard})
+        m_cards->removeWidget(card);
+    m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
+    if (beside) {
+        m_cards->addWidget(m_criteriaCard, 1, 0, 2, 1);
+        m_cards->addWidget(m_placeCard, 1, 1);
+        m_cards->addWidget(m_historyCard, 2, 1);
+    } else {
+        m_cards->addWidget(m_criteriaCard, 1, 0, 1, 2);
+        m_cards->addWidget(m_placeCard, 2, 0, 1, 2);
+        m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
+    }
+    m_placeCard->setVisible(m_scored.has_value());
+    for (QWidget* picture : {static_cast<QWidget*>(m_heat), static_cast<QWidget*>(m_section)})
+        picture->setMinimumHeight(beside ? 0 : kPictureBelowPx);
+    m_cards->setColumnStretch(0, beside ? 4 : 1);
+    m_cards->setColumnStretch(1, beside ? 5 : 0);
+    m_cards->setRowStretch(1, beside ? 1 : 0);
+}
+
+void ScorePage::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    arrange();
+}
+
+void ScorePage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    m_back->setFocus();
+}
+
+/// What it came to, in one line: points, verdict, how near the pass mark, what was expected.
+QWidget* ScorePage::makeResult()
+{
+    QFrame* frame = card(this);
+    auto* row = new QHBoxLayout(frame);
+    row->setContentsMargins(kSpace6, kSpace2, kSpace6, kSpace2);
+    row->setSpacing(2 * kSpace6);
+    m_total = new TabularLabel(frame);
+    m_total->setFont(typeface(kHero, QFont::DemiBold));
+    m_total->setObjectName(QStringLiteral("total"));
+    row->addWidget(m_total);
+
+    auto* verdictColumn = new QVBoxLayout;
+    verdictColumn->setSpacing(kSpace2);
+    auto* verdict = new QHBoxLayout;
+    verdict->setSpacing(kSpace2);
+    m_verdictIcon = new QLabel(frame);
+    m_verdict = label({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
+    m_verdict->setObjectName(QStringLiteral("verdict"));
+    verdict->addWidget(m_verdictIcon);
+    verdict->addWidget(m_verdict, 1);
+    verdictColumn->addStretch(1);
+    verdictColumn->addLayout(verdict);
+    m_bar = new ScoreBar(frame);
+    verdictColumn->addWidget(m_bar);
+    verdictColumn->addStretch(1);
+    row->addLayout(verdictColumn, 2);
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(kSpace1);
+    m_expected = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_expected);
+    m_expected->setObjectName(QStringLiteral("expectation"));
+    m_noise = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_noise);
+    m_noise->setObjectName(QStringLiteral("noise"));
+    m_noise->setToolTip(
+        brokenIntoLines(tr("The finished tooth is measured again with half and with double the number of columns along "
+                           "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
+                           "or about what you would do on another day.")));
+    words->addStretch(1);
+    words->addWidget(m_expected);
+    words->addWidget(m_noise);
+    words->addStretch(1);
+    row->addLayout(words, 3);
+    return frame;
+}
+
+QWidget* ScorePage::makeCriteria()
+{
+    QFrame* frame = card(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
+    QLabel* title = label(tr("Where the points went"), kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    title->setContentsMargins(kSpace2, 0, 0, 0);
+    column->addWidget(title);
+    m_criteriaSlot = new QVBoxLayout;
+    column->addLayout(m_criteriaSlot);
+
+    m_looking = new QWidget(frame);
+    auto* looking = new QVBoxLayout(m_looking);
+    looking->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    looking->setSpacing(kSpace1);
+    looking->addWidget(label(tr("Finding the moment of each lost point …"), kSmall, QFont::Normal,
+                             QPalette::PlaceholderText, m_looking));
+    m_progress = new QProgressBar(m_looking);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Finding the moment of each lost point"));
+    looking->addWidget(m_progress);
+    m_looking->hide();
+    column->addWidget(m_looking);
+
+    column->addStretch(1);
+    column->addWidget(line(frame));
+    m_sum = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    fold(m_sum);
+    m_sum->setAlignment(Qt::AlignRight);
+    m_sum->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_sum->setObjectName(QStringLiteral("sum"));
+    column->addWidget(m_sum);
+    m_rubric = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    fold(m_rubric);
+    m_rubric->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_rubric->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_rubric->setObjectName(QStringLiteral("rubric"));
+    column->addWidget(m_rubric);
+    return frame;
+}
+
+QWidget* ScorePage::makePlace()
+{
+    QFrame* frame = card(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
+    m_place = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    fold(m_place);
+    m_place->setObjectName(QStringLiteral("place"));
+    column->addWidget(m_place);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace2);
+    m_heat = new HeatMap(frame);
+    m_section = new WorstSection(frame);
+    row->addWidget(m_heat, 1);
+    row->addWidget(m_section, 1);
+    column->addLayout(row, 1);
+    return frame;
+}
+
+QWidget* ScorePage::makeHistory()
+{
+    QFrame* frame = card(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
+    column->addWidget(label(tr("Your attempts"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_remark->setObjectName(QStringLiteral("historyRemark"));
+    column->addWidget(m_remark);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2 * kSpace6);
+    m_chart = new HistoryChart(frame);
+    row->addWidget(m_chart, 3);
+    m_listSlot = new QVBoxLayout;
+    row->addLayout(m_listSlot, 2);
+    row->setAlignment(m_listSlot, Qt::AlignTop);
+    column->addLayout(row, 1);
+    m_class = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_class->setObjectName(QStringLiteral("class"));
+    fold(m_class);
+    column->addWidget(m_class);
+    return frame;
+}
+
+void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
+                         const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
+                         const std::optional<ScoredWork>& scored)
+{
+    //: %1 is a lesson, "Tooth 36" or a file name
+    setTitle(tr("Grade: %1").arg(work));
+    m_expected->setVisible(expectedTenths.has_value());
+    if (expectedTenths)
+        m_expected->setText(expectation(*expectedTenths, sheet.totalTenths));
+    m_noise->hide();
+    m_rubric->setText(rubricWords(sheet));
+    const Tones tone = tones(palette());
+    m_total->setText(text::points(sheet.totalTenths), tr("of 100"));
+    const bool passed = sheet.passed();
+    m_verdict->setText(passed                     ? tr("Passed")
+                       : sheet.failedCritically() ? tr("Not passed: harm done")
+                                                  : tr("Not passed yet"));
+    m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
+                                        passed                     ? tone.accent
+                                        : sheet.failedCritically() ? tone.harm
+                                                                   : tone.attention,
+                                        26, devicePixelRatioF()));
+    m_bar->setScore(sheet.totalTenths, sheet.passMarkTenths);
+    m_scored = scored;
+    if (m_scored) {
+        m_heat->setWork(*m_scored);
+        m_section->setWork(*m_scored);
+    }
+    arrange();
+    setMomentsProgress({});
+    fillCriteria(sheet);
+    fillHistory(history, sheet);
+    m_class->hide();
+}
+
+void ScorePage::setNoise(const ::lessons::GridNoise& noise)
+{
+    const QString half = text::points(noise.half.totalTenths);
+    QString words = noise.twice
+                        //: %1 and %2 are points; the grid is that on which the tooth is measured
+                        ? tr("At half the grid %1, at double %2.").arg(half, text::points(noise.twice->totalTenths))
+                        : tr("At half the grid %1.").arg(half);
+    words += u' ';
+    words += noise.isUncertain() ? tr("The pass mark lies between: this result is within the noise.")
+                                 : tr("Not within the noise of the pass mark.");
+    m_noise->setText(words);
+    QPalette colours = palette();
+    if (noise.isUncertain())
+        colours.setColor(QPalette::WindowText, tones(palette()).attentionText);
+    m_noise->setPalette(colours);
+    m_noise->show();
+}
+
+void ScorePage::setMomentsProgress(std::optional<double> share)
+{
+    m_looking->setVisible(share.has_value());
+    if (share)
+        m_progress->setValue(static_cast<int>(std::lround(100.0 * *share)));
+}
+
+void ScorePage::setMoments(const std::vector<std::vector<::lessons::Moment>>& moments)
+{
+    setMomentsProgress({});
+    for (qsizetype k = 0; k < std::min(m_rows.size(), static_cast<qsizetype>(moments.size())); ++k)
+        m_rows[k]->setMoments(moments[static_cast<std::size_t>(k)]);
+}
+
+void ScorePage::fillCriteria(const ::lessons::ScoreSheet& sheet)
+{
+    delete m_criteria;
+    m_rows.clear();
+    m_criteria = new QWidget(this);
+    auto* column = new QVBoxLayout(m_criteria);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    CriterionRow* worst = nullptr;
+    for (const ::lessons::Criterion& criterion : sheet.criteria) {
+        auto* row = new CriterionRow(criterion, sheet.verdict, m_criteria);
+        connect(row, &CriterionRow::momentWanted, this, &ScorePage::momentWanted);
+        connect(row, &CriterionRow::toggled, this, [this, row](bool chosen) {
+            if (chosen)
+                showPlace(*row);
+        });
+        column->addWidget(row);
+        m_rows << row;
+        if (worst == nullptr || criterion.lostTenths > worst->criterion().lostTenths)
+            worst = row;
+    }
+    m_criteriaSlot->addWidget(m_criteria);
+    m_sum->setText(text::scoreSum(sheet));
+    if (worst != nullptr)
+        worst->setChecked(true);
+}
+
+/// Where this criterion is worst; where it has no place, where the work is farthest off the ideal.
+void ScorePage::showPlace(const CriterionRow& row)
+{
+    if (!m_scored)
+        return;
+    const auto measure = core::grading::findMeasure(row.criterion().measure);
+    const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
+    const auto node = own ? own : farthestOff(*m_scored);
+    const QString name = text::criterionName(row.criterion());
+    if (!node) {
+        m_place->setText(tr("The work is everywhere as it ought to be"));
+    } else {
+        const double above = static_cast<double>(aboveIdeal(*m_scored, *node));
+        const QString mm = text::number(std::abs(above), 2);
+        const QString off = above < 0.0 ? tr("%1 mm too deep").arg(mm) : tr("%1 mm still to go").arg(mm);
+        //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
+        m_place->setText(own ? tr("%1: the worst place, %2").arg(name, off)
+                             //: The same for a criterion like time, which has no place on the tooth
+                             : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
+    }
+    const core::imaging::SectionPlane plane =
+        node ? planeThrough(*m_scored, *node) : core::imaging::SectionPlane{m_scored->tooth->grid().middleMm(), 0.0};
+    m_heat->setMark(node, plane);
+    m_section->setMark(node, plane);
+}
+
+void ScorePage::setClass(const ::lessons::ClassStanding& standing)
+{
+    if (standing.percentBelow)
+        //: %1 is a number of per cent
+        m_class->setText(tr("Of the best results of %n people in your class, %1 % are below this.", "", standing.people)
+                             .arg(text::number(*standing.percentBelow, 0)));
+    else
+        //: %1 is a number of people
+        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and here "
+                            "are the results of %n person(s).",
+                            "", standing.people)
+                             .arg(::lessons::kFewestPeople));
+    m_class->show();
+}
+
+void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet)
+{
+    const auto isComparable = [&](const database::AttemptRecord& attempt) {
+        return attempt.rubricHash == sheet.rubricHash;
+    };
+    QList<HistoryChart::Score> scores;
+    for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
+        scores << HistoryChart::Score{history[k - 1].scoreTenths, isComparable(history[k - 1])};
+    if (scores.isEmpty())
+        scores << HistoryChart::Score{sheet.totalTenths, true};
+    m_chart->setScores(scores, sheet.passMarkTenths);
+
+    delete m_list;
+    m_list = new QWidget(this);
+    auto* grid = new QGridLayout(m_list);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(kSpace1);
+    grid->setColumnStretch(0, 1);
+    const QLocale locale;
+    for (qsizetype k = 0; k < std::min(kListed, history.size()); ++k) {
+        const auto& attempt = history[k];
+        const QDateTime when = QDateTime::fromString(QString::fromStdString(attempt.finishedUtc), Qt::ISODate);
+        const QString date = when.isValid() ? locale.toString(when.toLocalTime(), QLocale::ShortFormat)
+                                            : QString::fromStdString(attempt.finishedUtc);
+        auto* score = new TabularLabel(m_list);
+        score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
+        score->setAlignment(Qt::AlignRight);
+        score->setText(text::points(attempt.scoreTenths));
+        const int row = static_cast<int>(k);
+        grid->addWidget(
+            label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), row,
+            0);
+        if (!isComparable(attempt))
+            //: Beside an earlier grade that cannot be compared with this one
+            grid->addWidget(label(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list), row,
+                            1);
+        grid->addWidget(score, row, 2);
+    }
+    m_remark->setText(history.isEmpty()     ? tr("Grades are not being kept; this one will not be here next time.")
+                      : history.size() == 1 ? tr("This is the first grade here.")
+                                            : QString());
+    m_remark->setVisible(!m_remark->text().isEmpty());
+    m_listSlot->addWidget(m_list);
+}
+
+}  // namespace ui::study

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QList>
+
+#include "database/records.h"
+#include "lessons/ClassStanding.h"
+#include "lessons/GridNoise.h"
+#include "lessons/Moments.h"
+#include "lessons/ScoreSheet.h"
+#include "ui/shell/Page.h"
+#include "ui/study/ScoredWork.h"
+
+class QBoxLayout;
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace ui::shell {
+class HistoryChart;
+class ScoreBar;
+class TabularLabel;
+}  // namespace ui::shell
+
+namespace ui::study {
+
+class CriterionRow;
+class HeatMap;
+class WorstSection;
+
+/// A grade that explains itself: first what it came to, then why. Every criterion with what it cost, when, and its
+/// formula worked in numbers; the work from above and in a section, each through the place where the chosen criterion
+/// is worst; the sum, and the grades before it.
+class ScorePage final : public shell::Page
+{
+    Q_OBJECT
+public:
+    ScorePage(const shell::Actions& actions, QWidget* parent);
+
+    /// @param work     the lesson, or the tooth
+    /// @param history  newest first, this attempt included; empty: grades are not kept
+    /// @param expectedTenths  what the student had expected, where that was asked
+    /// @param scored   what was marked; nothing: no pictures
+    void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
+                  const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
+                  const std::optional<ScoredWork>& scored);
+    /// Where the score stands among those of a class.
+    void setClass(const ::lessons::ClassStanding& standing);
+    /// What the score comes to on other grids.
+    void setNoise(const ::lessons::GridNoise& noise);
+    /// The moments are being looked for, and so far this share of the attempt, 0 .. 1, has been looked at; nothing:
+    /// nobody looks any more.
+    void setMomentsProgress(std::optional<double> share);
+    /// Of the criteria of the sheet that is shown, in their order.
+    void setMoments(const std::vector<std::vector<::lessons::Moment>>& moments);
+
+signals:
+    /// The attempt is to be seen from this moment on.
+    void momentWanted(double seconds);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* makeResult();
+    QWidget* makeCriteria();
+    QWidget* makePlace();
+    QWidget* makeHistory();
+    /// The criteria beside the pictures; where there is no room for that, above.
+    void arrange();
+    void fillCriteria(const ::lessons::ScoreSheet& sheet);
+    void showPlace(const CriterionRow& row);
+    void fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet);
+
+    std::optional<ScoredWork> m_scored;
+    QGridLayout* m_cards = nullptr;
+    QWidget* m_resultCard = nullptr;
+    QBoxLayout* m_result = nullptr;
+    QWidget* m_criteriaCard = nullptr;
+    QWidget* m_placeCard = nullptr;
+    QWidget* m_historyCard = nullptr;
+    shell::TabularLabel* m_total = nullptr;
+    QLabel* m_verdictIcon = nullptr;
+    QLabel* m_verdict = nullptr;
+    QLabel* m_expected = nullptr;
+    QLabel* m_noise = nullptr;
+    QLabel* m_rubric = nullptr;
+    shell::ScoreBar* m_bar = nullptr;
+    QWidget* m_criteria = nullptr;
+    QVBoxLayout* m_criteriaSlot = nullptr;
+    QList<CriterionRow*> m_rows;
+    QWidget* m_looking = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_sum = nullptr;
+    QLabel* m_place = nullptr;
+    HeatMap* m_heat = nullptr;
+    WorstSection* m_section = nullptr;
+    QPushButton* m_back = nullptr;
+    QLabel* m_remark = nullptr;
+    QLabel* m_class = nullptr;
+    shell::HistoryChart* m_chart = nullptr;
+    QWidget* m_list = nullptr;
+    QVBoxLayout* m_listSlot = nullptr;
+};
+
+}  // namespace ui::study

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "core/grading/IdealCavity.h"
+#include "core/grading/MeasureTable.h"
+#include "core/terrain/Tooth.h"
+
+namespace ui::study {
+
+/// The tooth that a score was given for: what the card needs to show where points were lost.
+struct ScoredWork
+{
+    std::shared_ptr<const core::terrain::Tooth> tooth;
+    core::grading::IdealTop ideal;  ///< what was asked for; null: that nothing be cut
+    core::grading::Measured measured;
+};
+
+/// How far a column ends above the ideal, mm: negative where it was cut too deep. 0 outside the tooth.
+[[nodiscard]] float aboveIdeal(const ScoredWork& work, std::size_t k);
+
+/// The column that is farthest off the ideal; nothing if all are right.
+[[nodiscard]] std::optional<std::size_t> farthestOff(const ScoredWork& work);
+
+}  // namespace ui::study
