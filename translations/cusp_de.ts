@@ -67,6 +67,14 @@
         <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
         <translation>Eine andere Form hinterlässt eine andere Kavität. Nimm einen Bohrer, den die Aufgabe nennt.</translation>
     </message>
+    <message>
+        <source>The tooth beside was touched by the turning bur</source>
+        <translation>Der drehende Bohrer hat den Nachbarzahn berührt</translation>
+    </message>
+    <message>
+        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Im Umriss bleiben; N zeigt die Nachbarzähne.</translation>
+    </message>
 </context>
 <context>
     <name>Bur</name>

@@ -67,6 +67,14 @@
         <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The tooth beside was touched by the turning bur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Bur</name>

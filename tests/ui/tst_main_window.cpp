@@ -787,7 +787,8 @@ void TestMainWindow::whatIsToBeFeltIsNotShown()
     QVERIFY(looksThe(shown(first, 6, 0.7F), "cut"));
     for (const char* figure : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
         QVERIFY2(!child<TabularLabel>(figure)->isVisible(), figure);
-    for (QAction* aid : {actions().section, actions().radiograph, actions().depthColours, actions().mirror})
+    for (QAction* aid :
+         {actions().section, actions().radiograph, actions().depthColours, actions().mirror, actions().history})
         QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
     QVERIFY(m_window->view().picture() == m_window->view().picture());
 

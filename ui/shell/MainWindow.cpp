@@ -486,8 +486,7 @@ void MainWindow::markExercise()
     if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
         for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
             marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
-    const bool isUnseen =
-        isThere && std::holds_alternative<PadsToName>(*m_assignment->exercise) && !m_exerciseCard->isConcluded();
+    const bool isUnseen = isBlindfolded();
     if (isUnseen) {
         const glm::dvec2 half(0.5 * core::teeth::kPadWidthMm, 0.5 * core::teeth::kPadLengthMm);
         for (std::size_t pad = 0; pad < kPads; ++pad) {
@@ -498,6 +497,15 @@ void MainWindow::markExercise()
     }
     m_view->setExercise(marks);
     m_room->panel().setBlindfold(isUnseen);
+    m_room->history().setVisible(!m_replaying && !isUnseen && m_actions->history->isChecked());
+    enableActions();
+}
+
+/// Tissues are to be told by feel, and have not been graded yet.
+bool MainWindow::isBlindfolded() const
+{
+    return m_exerciseCard->isVisibleTo(m_room) && !m_exerciseCard->isConcluded() &&
+           std::holds_alternative<core::grading::PadsToName>(*m_assignment->exercise);
 }
 
 void MainWindow::showPractised(const core::grading::Practised& practised)
@@ -505,7 +513,8 @@ void MainWindow::showPractised(const core::grading::Practised& practised)
     if (!m_exerciseCard->isVisibleTo(m_room))
         return;
     m_exerciseCard->setPractised(practised);
-    if (const auto* touched = std::get_if<core::grading::Touched>(&practised); touched != nullptr) {
+    if (const auto* touched = std::get_if<core::grading::Touched>(&practised);
+        touched != nullptr && m_touched != *touched) {
         m_touched = *touched;
         markExercise();
     }
@@ -826,7 +835,7 @@ void MainWindow::enableActions()
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
     m_actions->saveRecording->setEnabled(mine || inEditor);
-    m_actions->history->setEnabled(inRoom && mine);
+    m_actions->history->setEnabled(inRoom && mine && !isBlindfolded());
     for (QAction* action :
          {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin, m_actions->replayEnd,
           m_actions->slower, m_actions->faster, m_actions->beside, m_actions->along}) {

@@ -229,6 +229,7 @@ private:
     void showIdeal();
     void layExercise();
     void markExercise();
+    [[nodiscard]] bool isBlindfolded() const;
     void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);

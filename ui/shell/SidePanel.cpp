@@ -251,7 +251,7 @@ void SidePanel::setDepthGauge(bool shown)
 void SidePanel::setBlindfold(bool on)
 {
     m_blindfold = on;
-    for (QWidget* telling : {m_material.block, m_decay.block, m_removedBlock})
+    for (QWidget* telling : {m_material.block, m_decay.block, m_margin.block, m_removedBlock})
         telling->setVisible(!on);
     for (QWidget* depth : {m_depth.block, m_dentin.block})
         depth->setVisible(m_depthGauge && !on);
