@@ -121,7 +121,7 @@ private:
         std::optional<int> expectedTenths;
         ui::study::ScoredWork work;
         core::recording::Recording recording;
-        bool isKept = false;  ///< or nowhere to keep it
+        bool isKept = false;                                ///< or nowhere to keep it
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;
