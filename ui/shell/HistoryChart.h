@@ -20,7 +20,7 @@ public:
 
     explicit HistoryChart(QWidget* parent);
     void setScores(const QList<Score>& oldestFirst, int passMarkTenths);
-    [[nodiscard]] QSize sizeHint() const override { return {240, 104}; }
+    [[nodiscard]] QSize sizeHint() const override { return {240, 84}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -189,6 +190,32 @@ void CriterionRow::fillMoments(bool all)
             more, &QPushButton::clicked, this, [this] { fillMoments(true); }, Qt::QueuedConnection);
     }
     m_slot->addWidget(m_chips, 1, 0, 1, 3);
+}
+
+bool CriterionRow::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Up || key == Qt::Key_Down) {
+            event->accept();
+            return true;
+        }
+    }
+    return QAbstractButton::event(event);
+}
+
+void CriterionRow::keyPressEvent(QKeyEvent* event)
+{
+    const int step = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
+    if (step == 0) {
+        QAbstractButton::keyPressEvent(event);
+        return;
+    }
+    const auto rows = parentWidget()->findChildren<CriterionRow*>(QString(), Qt::FindDirectChildrenOnly);
+    if (CriterionRow* next = rows.value(rows.indexOf(this) + step)) {
+        next->setChecked(true);
+        next->setFocus(Qt::TabFocusReason);
+    }
 }
 
 void CriterionRow::paintEvent(QPaintEvent*)

@@ -29,6 +29,9 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    /// Up and down choose the row before and after, whatever else they are keys of.
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void fillMoments(bool all);

@@ -234,7 +234,7 @@ QWidget* ScorePage::makeCriteria()
 
     column->addStretch(1);
     column->addWidget(line(frame));
-    m_sum = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    m_sum = label({}, kSmall, QFont::DemiBold, QPalette::WindowText, frame);
     fold(m_sum);
     m_sum->setAlignment(Qt::AlignRight);
     m_sum->setContentsMargins(kSpace2, 0, kSpace2, 0);
