@@ -232,7 +232,7 @@ QString TestApplication::graded() const
         return QStringLiteral("is not offered");
     QTest::mouseClick(button, Qt::LeftButton);
     QTest::mouseClick(child<QPushButton>("showScore"), Qt::LeftButton);
-    return child<ui::shell::ScorePage>()->isVisible() ? child<ui::shell::TabularLabel>("total")->text() : message();
+    return child<ui::study::ScorePage>()->isVisible() ? child<ui::shell::TabularLabel>("total")->text() : message();
 }
 
 /// All three exercises, by the mouse, as somebody does them who has never held a handpiece.
@@ -264,7 +264,7 @@ void TestApplication::theFirstMinutesFromBeginningToEnd()
     // The same is not graded twice: the page comes at once, without a question.
     actions().back->trigger();
     actions().grade->trigger();
-    QVERIFY(child<ui::shell::ScorePage>()->isVisible());
+    QVERIFY(child<ui::study::ScorePage>()->isVisible());
     actions().back->trigger();
 
     openLesson("orientation-2-hold");

@@ -102,6 +102,7 @@ class TestReplayTrack : public QObject
     Q_OBJECT
 private slots:
     void everyMomentComesToTheViewAsItWas();
+    void showsLargeChangesToo();
     void theCourseTellsStrokesAndMarks();
     void aLessonsInfractionsAreFound();
     void playsAtAnySpeedAndStopsAtTheEnd();
@@ -155,6 +156,44 @@ void TestReplayTrack::everyMomentComesToTheViewAsItWas()
     viewer.look();
     QCOMPARE(viewer.tooth.top, made.anatomy()->top);
     QCOMPARE(viewer.shownS(), track->lengthS());
+}
+
+void TestReplayTrack::showsLargeChangesToo()
+{
+    // Everything at once: more tiles than the queue to the view holds, and a view that takes them late.
+    support::Block block;
+    block.side = 512;
+    block.cellMm = 0.02;
+    block.bottomMm = -0.01;  // so thin that the first touch of the bur bores through
+    const auto anatomy = support::makeBlock(block);
+    core::session::ServoSettings settings;
+    settings.hardness.material.fill({100.0, 0.0});
+    core::recording::Recording recording(settings, anatomy);
+    recording.append({core::session::ServoEvent::Kind::Drill, 0, {}, 1});
+    recording.append({core::session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
+    for (int n = 0; n < 4000; ++n)
+        recording.append({core::session::ServoEvent::Kind::Tick,
+                          1000,
+                          {-4.5F + 0.6F * std::floor(static_cast<float>(n) / 250.0F),
+                           4.5F - 0.036F * static_cast<float>(n % 250), -1.0F},
+                          0});
+    const auto outcome = core::recording::replay(recording);
+    core::session::UiLinks links;
+    auto track = app::ReplayTrack::make(recording, links, 1).value();
+    while (track->prepare(1000)) {
+    }
+    core::history::TiledHeights view(anatomy->grid, anatomy->top);
+    int patches = 0;
+    for (int n = 0; n < 20; ++n) {
+        for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+            view.setTile(patch.tileX, patch.tileY, patch.top);
+        track->show(60.0);
+    }
+    for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+        view.setTile(patch.tileX, patch.tileY, patch.top);
+    QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
+    QCOMPARE(view.flat(), outcome->tooth.top);
+    QVERIFY(links.session.latest().perforated);
 }
 
 void TestReplayTrack::theCourseTellsStrokesAndMarks()

@@ -100,8 +100,8 @@ void TestLessonReader::readsEveryKey()
     object["minutes"] = 12.5;
     object["exam"] = true;
     object["rules"] =
-        QJsonObject{{"pulp_exposed", false}, {"perforated", false},  {"depth_limit_mm", 2.5}, {"ridge_limit_mm", 1.2},
-                    {"beside_mm", 0.5},      {"force_limit_n", 3.0}, {"air_limit_s", 30}};
+        QJsonObject{{"pulp_exposed", false}, {"perforated", false}, {"neighbour_hit", true}, {"depth_limit_mm", 2.5},
+                    {"ridge_limit_mm", 1.2}, {"beside_mm", 0.5},    {"force_limit_n", 3.0},  {"air_limit_s", 30}};
     const ReadLesson read = readLesson(write("try.lesson.json", object));
     QVERIFY2(read.lesson, qPrintable(sentences(read)));
     QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
@@ -132,7 +132,7 @@ void TestLessonReader::readsEveryKey()
     QCOMPARE(inLanguage(got.steps.at(0).hint, "en"), std::string("Closer."));
     QCOMPARE(got.minutes, 12.5);
     QVERIFY(got.exam);
-    QCOMPARE(got.rules, (Rules{false, false, 2.5, 1.2, 0.5, 3.0, 30.0}));
+    QCOMPARE(got.rules, (Rules{false, false, true, 2.5, 1.2, 0.5, 3.0, 30.0}));
     QCOMPARE(got.rubric.id, std::string("decay_removal"));
     QCOMPARE(got.rubric.hash.size(), std::size_t{64});
 }
