@@ -2606,7 +2606,7 @@
     <message numerus="yes">
         <source>All %n points touched</source>
         <translation>
-            <numerusform>Der Punkt ist berührt</numerusform>
+            <numerusform>%n Punkt berührt</numerusform>
             <numerusform>Alle %n Punkte berührt</numerusform>
         </translation>
     </message>

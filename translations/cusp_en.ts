@@ -2606,7 +2606,7 @@
     <message numerus="yes">
         <source>All %n points touched</source>
         <translation>
-            <numerusform>The point is touched</numerusform>
+            <numerusform>%n point touched</numerusform>
             <numerusform>All %n points touched</numerusform>
         </translation>
     </message>

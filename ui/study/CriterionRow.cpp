@@ -20,6 +20,7 @@ namespace {
 using namespace ui::shell;
 using ::lessons::Moment;
 
+constexpr int kAbovePx = 3;  ///< and below: ten criteria are seen at a glance on 800 px
 constexpr double kTogetherS = 10.0;
 constexpr std::size_t kShownMoments = 3;
 constexpr int kChipsARow = 3;
@@ -90,7 +91,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     const Tones tone = tones(palette());
 
     m_slot = new QGridLayout(this);
-    m_slot->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
+    m_slot->setContentsMargins(kSpace2, kAbovePx, kSpace2, kAbovePx);
     m_slot->setHorizontalSpacing(kSpace4);
     m_slot->setVerticalSpacing(2);
     m_slot->setColumnStretch(0, 1);

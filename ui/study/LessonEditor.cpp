@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QAbstractItemView>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -174,6 +175,7 @@ QWidget* LessonEditor::makeForm()
     m_idealHead = head(tr("Ideal preparation"));
     m_reference = new QComboBox(form);
     m_reference->setAccessibleName(tr("What the ideal is"));
+    m_reference->view()->setAccessibleName(m_reference->accessibleName());
     m_reference->setObjectName(QStringLiteral("reference"));
     m_reference->setFocusPolicy(Qt::StrongFocus);
     m_reference->installEventFilter(this);
@@ -272,6 +274,7 @@ QWidget* LessonEditor::makeSweep()
     row->addWidget(folder);
     m_swept = new QComboBox(page);
     m_swept->setAccessibleName(tr("Whose tolerance is changed"));
+    m_swept->view()->setAccessibleName(m_swept->accessibleName());
     m_swept->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_swept->setMinimumContentsLength(12);
     m_swept->setFocusPolicy(Qt::StrongFocus);
@@ -471,6 +474,7 @@ void LessonEditor::fillFields()
             auto* choice = new QComboBox(m_fields);
             choice->addItems({tr("no"), tr("yes")});
             choice->setAccessibleName(field.name);
+            choice->view()->setAccessibleName(field.name);
             choice->setFixedWidth(kSpinPx);
             choice->setFocusPolicy(Qt::StrongFocus);
             choice->installEventFilter(this);

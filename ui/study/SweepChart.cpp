@@ -41,6 +41,8 @@ SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), 
     m_view->setRenderHint(QPainter::Antialiasing);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setFocusPolicy(Qt::NoFocus);
+    m_view->setAccessibleName(tr("Scores of past attempts over the tolerance"));
+    m_view->viewport()->setAccessibleName(m_view->accessibleName());
     m_view->viewport()->setMouseTracking(true);
     m_view->viewport()->installEventFilter(this);
     m_chart->setMargins({0, 0, 0, 0});

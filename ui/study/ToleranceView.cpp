@@ -25,8 +25,8 @@ ToleranceView::ToleranceView(QWidget* parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("The tolerances on the tooth"));
-    setToolTip(
-        tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does"));
+    setToolTip(ui::shell::brokenIntoLines(
+        tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does")));
 }
 
 void ToleranceView::show(std::shared_ptr<const Weighed> weighed)
