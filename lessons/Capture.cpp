@@ -44,6 +44,7 @@ core::Result<core::preparation::CapturedIdeal> captureFrom(std::span<const std::
         sources.push_back(path.filename().string());
     }
     std::vector<const core::terrain::Tooth*> attempts;
+    attempts.reserve(teeth.size());
     for (const core::terrain::Tooth& tooth : teeth)
         attempts.push_back(&tooth);
     return core::preparation::capture(attempts, tolerances, std::move(sources));

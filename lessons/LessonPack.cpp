@@ -221,7 +221,7 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
             return refused(core::ErrorCode::FileUnwritable,
                            QStringLiteral("The folder %1 cannot be made; name another.")
                                .arg(QDir::toNativeSeparators(place.absolutePath())));
-        const core::Status written = core::writeWhole(
+        core::Status written = core::writeWhole(
             std::filesystem::path(place.filePath().toStdU16String()),
             {file->content.constData(), static_cast<std::size_t>(file->content.size())}, "A file of the pack");
         if (!written)

@@ -287,7 +287,8 @@ void TestExercise::liveAndReplayFindTheSame()
     for (int n = 0; n < 60; ++n) {
         rig.lean(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(0.5, 1.5), 60);
         rig.lean(2.0 * (n % 2), 0.0, 1.0, 60);
-        rig.send(session::AddNote{answerNote(rng.below(3), static_cast<Material>(rng.below(3)))});
+        rig.send(
+            session::AddNote{answerNote(static_cast<std::size_t>(rng.below(3)), static_cast<Material>(rng.below(3)))});
         if (n % 7 == 0)
             rig.send(session::SetDrill{n % 2 == 0});
         if (n % 10 == 0)

@@ -258,7 +258,7 @@ void TestReplay::stormOfCommands()
             if (rng.below(8) == 0) {
                 session::ServoSettings other = settings;
                 other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
-                other.handpieces.resize(1 + rng.below(3));
+                other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
                 rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
                                                session::makeServoTick(other).value().release()});
             }

@@ -307,7 +307,7 @@ void TestMoments::aCriticalFaultHasTheMomentOfTheFault()
     const Moments found = momentsIn(assignment, recording);
     QVERIFY(isSound(assignment, recording, found));
     QCOMPARE(found.sheet.totalTenths, 0);
-    for (const std::size_t critical : {1, 2}) {
+    for (const std::size_t critical : {std::size_t{1}, std::size_t{2}}) {
         QCOMPARE(found.ofCriteria[critical].size(), std::size_t(1));
         QCOMPARE(found.ofCriteria[critical].front().stroke, fault);
     }

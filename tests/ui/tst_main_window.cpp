@@ -1607,6 +1607,8 @@ void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
     session.historyVersion = 2;
     publish({}, session);
     QTRY_COMPARE(panel->list().model()->rowCount(), 4);
+    QTRY_VERIFY2(panel->list().height() > 4 * 40 && panel->height() > panel->list().height(),
+                 qPrintable(QString("%1 in %2").arg(panel->list().height()).arg(panel->height())));
     QCOMPARE(panel->list().model()->index(3, 0).data().toString(), QString("1:07, 0.10 mm³ enamel, present"));
     QTRY_VERIFY(panel->picture(MomentId{3}) != nullptr);
     QVERIFY(panel->picture(MomentId{3})->sizeInBytes() < 8192);

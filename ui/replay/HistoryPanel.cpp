@@ -326,7 +326,10 @@ void HistoryPanel::placeIn(const QRect& area)
     m_area = area;
     const int width = std::min(kPanelPx, area.width() - 2 * kSpace2);
     m_list->setFixedHeight(std::max(1, m_model->rowCount()) * kRowPx);
-    const int wanted = layout()->totalHeightForWidth(width);
+    // Without words that may fold (m_empty is hidden) a layout knows of no height for a width.
+    layout()->activate();
+    const int wanted =
+        layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();
     const int height = std::min(wanted, area.height() - 2 * kSpace2);
     m_list->setFixedHeight(m_list->height() - wanted + height);
     setGeometry(area.left() + kSpace2, area.top() + kSpace2, width, height);

@@ -2,6 +2,7 @@
 #include "ui/study/SweepChart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QAreaSeries>
@@ -31,7 +32,7 @@ int quantile(const Sweep& sweep, std::size_t step, double share)
     for (const Sweep::Line& line : sweep.lines)
         all.push_back(line.tenths[step]);
     std::sort(all.begin(), all.end());
-    return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1) + 0.5)];
+    return all[static_cast<std::size_t>(std::lround(share * static_cast<double>(all.size() - 1)))];
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ void SweepChart::draw()
     counts->setGridLineVisible(false);
     counts->setTickType(QValueAxis::TicksDynamic);
     counts->setTickAnchor(0.0);
-    counts->setTickInterval(std::max(1.0, static_cast<double>((m_sweep.lines.size() + 4) / 5)));
+    counts->setTickInterval(std::max(1.0, std::ceil(static_cast<double>(m_sweep.lines.size()) / 5.0)));
     auto* passed = new QLineSeries;
     for (std::size_t step = 0; step < m_sweep.times.size(); ++step)
         passed->append(m_sweep.times[step], m_sweep.passed[step]);
