@@ -403,6 +403,7 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
     drillAt({-2.0, 1.0, -1.0});
     const QString own = enamelRemoved();
     QVERIFY(own != "0.00");
+    QTest::qWait(1500);  // an attempt of more than a second
     grade();
     m_application->showMoment(1.0e6);
     // Held, a moment before its end.
