@@ -625,7 +625,7 @@ void Application::keepJournal()
     m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_options.databaseFile));
     m_journalThread =
         std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
-    m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kPeriod,
+    m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kSyncRest,
                                                 LoopThread::Urgency::Normal);
     m_journalThread->start();
     m_syncThread->start();

@@ -57,6 +57,7 @@ Status JournalLoop::bringUpToDate()
                 return {};
             if (Status written = m_file->append(part.events); !written)
                 return written;
+            tellWritten();
         } else {
             if (!part.isWorthKeeping)
                 return {};
@@ -67,6 +68,7 @@ Status JournalLoop::bringUpToDate()
             if (!made)
                 return tl::unexpected(made.error());
             setFile(std::move(*made));
+            tellWritten();
         }
         m_written.store(m_file->events(), std::memory_order_release);
     }
@@ -79,6 +81,26 @@ void JournalLoop::setFile(std::shared_ptr<recording::JournalFile> file)
     m_file = std::move(file);
     const std::lock_guard lock(m_mutex);
     m_toSync = m_file;
+}
+
+void JournalLoop::tellWritten()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_isToBeSynced = true;
+    }
+    m_somethingWritten.notify_one();
+}
+
+/// In the thread that syncs.
+void JournalLoop::syncWhenWritten()
+{
+    {
+        std::unique_lock lock(m_mutex);
+        m_somethingWritten.wait_for(lock, kPeriod, [this] { return m_isToBeSynced; });
+        m_isToBeSynced = false;
+    }
+    sync();
 }
 
 /// In the thread that syncs.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -14,8 +15,9 @@ namespace core::session {
 
 /// Brings an attempt to the disk while it goes on, so that a killed program or a cut of power takes no more than the
 /// last tenth of a second of it. It asks the session for what is new, 25 times a second, and writes that, which no end
-/// of the program undoes; syncing() waits until the disk has it, which no cut of power undoes. Each has a thread of its
-/// own: session and servo never wait for a disk, and what a slow one is behind stays in the session's recording.
+/// of the program undoes; syncing() waits for that and then until the disk has it, which no cut of power undoes. Each
+/// has a thread of its own: session and servo never wait for a disk, and what a slow one is behind stays in the
+/// session's recording.
 ///
 /// A file comes into being with the first cut, and goes when the attempt is put away: when another tooth is taken, and
 /// by putAway(). Every other end leaves it to be found (recording::journalsIn).
@@ -23,6 +25,7 @@ class JournalLoop final : public rt::Loop
 {
 public:
     static constexpr std::chrono::milliseconds kPeriod{40};
+    static constexpr std::chrono::milliseconds kSyncRest{1};  ///< period of syncing(), which waits in its ticks
 
     /// @param session  must outlive the loop
     JournalLoop(const SessionLoop& session, std::filesystem::path folder);
@@ -30,7 +33,7 @@ public:
     void tick(std::chrono::microseconds dt) override;
     /// Writes what there is and waits for the disk.
     void end() override;
-    /// For the other thread, at the same beat.
+    /// For the other thread. A tick waits up to kPeriod for something to sync.
     [[nodiscard]] rt::Loop& syncing() { return m_syncing; }
 
     /// Before an attempt that was found is resumed as the tooth of this generation: its file is kept for it. Any
@@ -50,7 +53,7 @@ private:
     {
     public:
         explicit Syncing(JournalLoop& journal) : m_journal(journal) {}
-        void tick(std::chrono::microseconds) override { m_journal.sync(); }
+        void tick(std::chrono::microseconds) override { m_journal.syncWhenWritten(); }
 
     private:
         JournalLoop& m_journal;
@@ -59,6 +62,8 @@ private:
     [[nodiscard]] Status bringUpToDate();
     void beginWith(std::uint64_t generation);
     void sync();
+    void syncWhenWritten();
+    void tellWritten();
     void setFile(std::shared_ptr<recording::JournalFile> file);
     void tell(const Error& error);
 
@@ -75,7 +80,9 @@ private:
     Syncing m_syncing{*this};
     bool m_cannotSync = false;  ///< of the thread that syncs
 
+    std::condition_variable m_somethingWritten;
     std::mutex m_mutex;  ///< guards what follows
+    bool m_isToBeSynced = false;
     std::shared_ptr<recording::JournalFile> m_toSync;
     std::optional<Error> m_failure;
     struct Found

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An attempt in a program that is killed at any moment, found again, and taken up by the next program. This program is
-// its own victim: with --victim it works until it is killed, and says how far it is.
+// its own victim: with --victim it works until it is killed, and says how far it is. With --found it says what is left
+// of a victim's attempt, for power_cut.sh.
 #include <QCoreApplication>
+#include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -106,7 +108,7 @@ void say(const char* line)
 
     const std::thread journalThread([&] { keepBeating(JournalLoop::kPeriod, [&](auto dt) { journal.tick(dt); }); });
     const std::thread syncThread(
-        [&] { keepBeating(JournalLoop::kPeriod, [&](auto dt) { journal.syncing().tick(dt); }); });
+        [&] { keepBeating(JournalLoop::kSyncRest, [&](auto dt) { journal.syncing().tick(dt); }); });
     const std::thread sessionThread([&] { keepBeating(10ms, [&](auto dt) { session.tick(dt); }); });
     const std::thread servoThread([&] {
         keepBeating(1ms, [&](std::chrono::microseconds dt) {
@@ -183,6 +185,73 @@ Said parsed(const QByteArray& output)
     return said;
 }
 
+/// The attempt in a folder, if there is one that got as far as its first moment.
+Result<std::optional<recording::FoundAttempt>> attemptIn(const std::filesystem::path& folder)
+{
+    const auto files = recording::journalsIn(folder);
+    if (files.size() > 1)
+        return unexpected(ErrorCode::WrongKind, "There is more than one journal.");
+    return files.empty() ? Result<std::optional<recording::FoundAttempt>>(std::nullopt)
+                         : recording::findAttempt(files.front());
+}
+
+struct Compared
+{
+    int alike = 0;
+    int different = 0;
+    bool isPlayable = false;
+};
+
+/// What came back beside what was done, to the bit.
+Compared compared(const recording::Recording& left, const std::map<std::uint64_t, std::uint64_t>& hashes)
+{
+    Compared states;
+    std::uint64_t tick = 0;
+    const auto outcome = recording::replay(left, [&](const ServoEvent& event, const recording::Replayer& servo) {
+        if (!recording::isStep(event))
+            return;
+        const auto known = hashes.find(++tick);
+        if (known != hashes.end())
+            ++(terrain::stateHash(servo.tooth().tooth()) == known->second ? states.alike : states.different);
+    });
+    states.isPlayable = outcome.has_value();
+    return states;
+}
+
+/// After a cut of power: prints "found EVENTS lost AT_LEAST_MS AT_MOST_MS states COMPARED", or the same with "nothing"
+/// when no cutting had reached the disk. The cut fell between the two moments at which the victim's words were read.
+int sayWhatIsLeft(const char* folder, const char* saidBefore, const char* saidAfter)
+{
+    const auto words = [](const char* path) {
+        QFile file(QString::fromLocal8Bit(path));
+        return file.open(QIODevice::ReadOnly) ? parsed(file.readAll()) : Said();
+    };
+    const Said before = words(saidBefore);
+    const Said after = words(saidAfter);
+    const auto attempt = attemptIn(folder);
+    if (!attempt) {
+        std::fprintf(stderr, "%s\n", attempt.error().detail.c_str());
+        return 1;
+    }
+    if (!*attempt) {
+        const auto since = [&](const Said& said) {
+            return said.cutUs >= 0 ? 1.0e-3 * static_cast<double>(said.atUs - said.cutUs) : 0.0;
+        };
+        std::printf("nothing 0 lost %.1f %.1f states 0\n", since(before), since(after));
+        return 0;
+    }
+    const recording::Recording& left = (*attempt)->recording;
+    const Compared states = compared(left, after.hashes);
+    const auto lost = [&](const Said& said) {
+        return 1.0e-3 * static_cast<double>(std::max<std::int64_t>(0, said.atUs - left.duration().count()));
+    };
+    std::printf("found %llu lost %.1f %.1f states %d\n", static_cast<unsigned long long>(left.events()), lost(before),
+                lost(after), states.alike);
+    if (!states.isPlayable || states.different > 0)
+        std::fprintf(stderr, "What was left is not what was done.\n");
+    return states.isPlayable && states.different == 0 ? 0 : 1;
+}
+
 }  // namespace
 
 class TestKills : public QObject
@@ -205,7 +274,7 @@ void TestKills::nothingWrittenIsEverLost()
     int lives = 0;
     int found = 0;
     int resumed = 0;
-    int compared = 0;
+    int alike = 0;
     std::vector<double> lostMs;
     for (int kill = 0; kill < kills; ++kill) {
         if (++lives > kMostLives) {
@@ -230,11 +299,7 @@ void TestKills::nothingWrittenIsEverLost()
         hashes.insert(said.hashes.begin(), said.hashes.end());
         resumed += before > 0 && said.atUs > 0 ? 1 : 0;
 
-        const std::filesystem::path path = folder->path().toStdString();
-        const auto files = recording::journalsIn(path);
-        QVERIFY(files.size() <= 1);
-        auto attempt = files.empty() ? Result<std::optional<recording::FoundAttempt>>(std::nullopt)
-                                     : recording::findAttempt(files.front());
+        const auto attempt = attemptIn(folder->path().toStdString());
         QVERIFY2(attempt, attempt ? "" : attempt.error().detail.c_str());
         // None, or none that got as far as its first moment: then there was nothing before. The dead lock nobody out.
         if (!*attempt) {
@@ -253,27 +318,20 @@ void TestKills::nothingWrittenIsEverLost()
         lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - left.duration().count()));
         // What came back is what was done, to the bit. What did not is done again, differently.
         hashes.erase(hashes.upper_bound(left.ticks()), hashes.end());
-        std::uint64_t tick = 0;
-        const auto outcome = recording::replay(left, [&](const ServoEvent& event, const recording::Replayer& servo) {
-            if (!recording::isStep(event))
-                return;
-            const auto known = hashes.find(++tick);
-            if (known == hashes.end())
-                return;
-            QCOMPARE(terrain::stateHash(servo.tooth().tooth()), known->second);
-            ++compared;
-        });
-        QVERIFY(outcome);
+        const Compared states = compared(left, hashes);
+        QVERIFY(states.isPlayable);
+        QCOMPARE(states.different, 0);
+        alike += states.alike;
         QCOMPARE(left.lesson(), std::string("lesson"));
     }
     std::sort(lostMs.begin(), lostMs.end());
     QVERIFY(found > kills / 2);
     QVERIFY(resumed > kills / 4);
-    QVERIFY(compared > kills / 2);
+    QVERIFY(alike > kills / 2);
     const double longest = lostMs.back();
     qInfo("%d kills, %d attempts found, %d resumed, %d states compared; lost: half %.1f ms, 99 of 100 %.1f ms, most "
           "%.1f ms",
-          kills, found, resumed, compared, lostMs[lostMs.size() / 2], lostMs[lostMs.size() * 99 / 100], longest);
+          kills, found, resumed, alike, lostMs[lostMs.size() / 2], lostMs[lostMs.size() * 99 / 100], longest);
     if (wanted > 0)
         QVERIFY2(longest * 1000.0 <= static_cast<double>(kMayBeLostUs), qPrintable(QString::number(longest)));
 }
@@ -282,6 +340,8 @@ int main(int argc, char* argv[])
 {
     if (argc == 4 && std::strcmp(argv[1], "--victim") == 0)
         work(argv[2], std::strtoull(argv[3], nullptr, 10));
+    if (argc == 5 && std::strcmp(argv[1], "--found") == 0)
+        return sayWhatIsLeft(argv[2], argv[3], argv[4]);
     QCoreApplication application(argc, argv);
     if (qEnvironmentVariableIntValue("CUSP_KILLS") > 0)
         qputenv("QTEST_FUNCTION_TIMEOUT", "3600000");  // Qt Test would end it after five minutes
