@@ -12,6 +12,7 @@
 #include "app/cli/bench/Circumstances.h"
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
+#include "app/cli/bench/Wander.h"
 #include "core/base/Rng.h"
 #include "core/recording/Player.h"
 #include "core/teeth/ToothBuilder.h"
@@ -20,20 +21,6 @@
 
 namespace app::cli::bench {
 namespace {
-
-/// Strokes that wander over the whole crown: slow figure of eight in a slowly turning direction.
-core::session::PointerInput wander(double seconds, double radiusMm)
-{
-    core::session::PointerInput want;
-    const double stroke = radiusMm * std::sin(2.0 * std::numbers::pi * 0.8 * seconds);
-    const double drift = 0.5 * radiusMm * std::sin(2.0 * std::numbers::pi * 0.031 * seconds);
-    const double turn = 2.0 * std::numbers::pi * 0.013 * seconds;
-    want.targetMm = {stroke * std::cos(turn) - drift * std::sin(turn),
-                     stroke * std::sin(turn) + drift * std::cos(turn)};
-    want.pushing = true;
-    want.pushForceN = 1.0;
-    return want;
-}
 
 /// A hand that goes round a crown below its widest line, a little inside: the bur is beneath the overhang all the way.
 class HandBeneathTheCrown final : public haptics::HapticDevice

@@ -58,6 +58,9 @@ struct Context
 
 /// A recording of continuous drilling played to its end, and looked at here and there.
 [[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
+/// A servo in its thread at 1 kHz, by turns alone and with the live measures of a lesson beside it, and what those
+/// take.
+[[nodiscard]] core::Result<Figures> liveSuite(const Context& context);
 /// Undo history: memory of a thousand moments, jumps between them, and what they do to the servo.
 [[nodiscard]] core::Result<Figures> historySuite(const Context& context);
 
