@@ -233,7 +233,7 @@ QString toText(const lessons::ScoreSheet& sheet)
             criterion.critical
                 ? QStringLiteral("critical")
                 : QStringLiteral("span %1, %2 points").arg(criterion.span).arg(points(criterion.weightTenths));
-        text += QStringLiteral("  %1 %2 (target %3, tolerance %4, %5): -%6\n")
+        text += QStringLiteral("  %1 %2 (target %3, tolerance %4, %5): lost %6\n")
                     .arg(QString::fromStdString(criterion.id), -14)
                     .arg(measured)
                     .arg(criterion.target)
