@@ -8,7 +8,6 @@ function(precompile group)
     cmake_parse_arguments(arg "" "" "LIBS;HEADERS" ${ARGN})
     file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/${group}.cpp CONTENT "")
     add_library(${group} OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/${group}.cpp)
-    set_target_properties(${group} PROPERTIES AUTOMOC OFF)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         # It looks at macros that each test defines for itself, which GCC does not allow.
         list(REMOVE_ITEM arg_HEADERS QtTest/QTest)
