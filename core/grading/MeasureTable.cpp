@@ -110,10 +110,24 @@ std::optional<Placed> extremeWall(const Measured& m, double sign)
     return most;
 }
 
+/// Whether so much of the ideal is cut that its walls and floor can be judged. Those of some holes in it are none.
+bool isFormed(const Measured& m)
+{
+    return m.deviation && m.deviation->undercutMm3 <= (1.0 - kFormedShare) * m.deviation->idealMm3;
+}
+
+/// The floor of a cut that has one.
+std::optional<FloorForm> formedFloor(const Measured& m)
+{
+    return isFormed(m) ? m.deviation->floor : std::nullopt;
+}
+
 /// The wall whose angle differs most from the ideal's on the same side, and by how much.
 std::optional<Placed> wallError(const Measured& m)
 {
     std::optional<Placed> most;
+    if (!isFormed(m))
+        return most;
     for (const Side side : kSides) {
         const auto here = wall(m, side);
         if (!here)
@@ -123,6 +137,12 @@ std::optional<Placed> wallError(const Measured& m)
             most = Placed{std::abs(here->value - ideal->value), here->node};
     }
     return most;
+}
+
+Node worstStep(const Measured& m)
+{
+    const auto floor = formedFloor(m);
+    return floor ? Node(worstOf(floor->stepMm)) : std::nullopt;
 }
 
 /// When the last of the points was touched; nothing before all are.
@@ -382,34 +402,33 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
     {"wall_angle_most_deg", "deg", "Angle of the wall that leans out most, whichever side it is on.", kForms,
      [](const Measured& m) -> Value { return valueOf(extremeWall(m, 1.0)); },
      [](const Measured& m) -> Node { return nodeOf(extremeWall(m, 1.0)); }},
-    {"wall_angle_error_deg", "deg", "Largest difference between a wall's angle and that of the ideal on the same side.",
+    {"wall_angle_error_deg", "deg",
+     "Largest difference between a wall's angle and that of the ideal on the same side, once half of the ideal is cut.",
      kForms, [](const Measured& m) -> Value { return valueOf(wallError(m)); },
      [](const Measured& m) -> Node { return nodeOf(wallError(m)); }},
     {"wall_roughness_mm", "mm", "Root mean square distance of the walls from smooth stretches of 0.7 mm.", kMetrics,
      [](const Measured& m) -> Value { return m.deviation ? m.deviation->form.wallRoughnessMm : std::nullopt; }, nullptr},
 
-    {"floor_flatness_mm", "mm", "Root mean square distance of the floor from the ideal one, tilted and lifted to fit.",
+    {"floor_flatness_mm", "mm",
+     "Root mean square distance of the floor from the ideal one, tilted and lifted to fit, once half of the ideal is cut.",
      kMetrics,
      [](const Measured& m) -> Value {
-         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.flatnessMm; });
+         const auto floor = formedFloor(m);
+         return floor ? Value(floor->flatnessMm) : std::nullopt;
      },
-     [](const Measured& m) -> Node {
-         return ofPart<Node>(m, &Deviation::floor, [](const FloorForm& f) { return worstOf(f.stepMm); });
-     }},
-    {"floor_slope_deg", "deg", "Slope of the floor against the ideal one.", kForms,
+     worstStep},
+    {"floor_slope_deg", "deg", "Slope of the floor against the ideal one, once half of the ideal is cut.", kForms,
      [](const Measured& m) -> Value {
-         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.slopeDeg; });
+         const auto floor = formedFloor(m);
+         return floor ? Value(floor->slopeDeg) : std::nullopt;
      },
-     [](const Measured& m) -> Node {
-         return ofPart<Node>(m, &Deviation::floor, [](const FloorForm& f) { return worstOf(f.stepMm); });
-     }},
-    {"floor_step_mm", "mm", "Largest step in the floor within 0.2 mm.", kForms,
+     worstStep},
+    {"floor_step_mm", "mm", "Largest step in the floor within 0.2 mm, once half of the ideal is cut.", kForms,
      [](const Measured& m) -> Value {
-         return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.stepMm.value; });
+         const auto floor = formedFloor(m);
+         return floor ? Value(floor->stepMm.value) : std::nullopt;
      },
-     [](const Measured& m) -> Node {
-         return ofPart<Node>(m, &Deviation::floor, [](const FloorForm& f) { return worstOf(f.stepMm); });
-     }},
+     worstStep},
     {"floor_into_dentin_mm", "mm", "Mean depth of the floor below the enamel-dentin junction; negative in enamel.", kForms,
      [](const Measured& m) -> Value {
          return ofPart<Value>(m, &Deviation::floor, [](const FloorForm& f) { return f.intoDentinMm; });

@@ -24,6 +24,10 @@ struct Measured
     std::optional<Practised> practised;  ///< nothing without an exercise and a recording
 };
 
+/// So much of the ideal's volume has to be gone before walls and floor are measured against it: of some holes drilled
+/// into it they would be as upright and flat as can be.
+inline constexpr double kFormedShare = 0.5;
+
 /// A measure by the name that a rubric knows it by.
 struct MeasureInfo
 {

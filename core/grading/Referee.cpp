@@ -99,7 +99,8 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     else if (m_pressed.count() == 0)
         standing(Breach::TooMuchForce) = false;
 
-    m_inAir = state.drillOn && !state.touching ? m_inAir + dt : std::chrono::microseconds{0};
+    m_hasCut = m_hasCut || !changed.isEmpty();
+    m_inAir = m_hasCut && state.drillOn && !state.touching ? m_inAir + dt : std::chrono::microseconds{0};
     const double airS = std::chrono::duration<double>(m_inAir).count();
     if (m_rules.airLimitS && airS > *m_rules.airLimitS)
         find(Breach::BurInAir, airS, *m_rules.airLimitS);

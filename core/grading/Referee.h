@@ -25,7 +25,7 @@ enum class Breach : std::uint8_t {
     RidgeCut,      ///< nearer to the mesial or distal surface than the limit
     WrongPlace,    ///< cut farther beside what was to be cut than the limit
     TooMuchForce,  ///< more than the limit for 0.2 s
-    BurInAir,      ///< the drill ran without touching anything for longer than the limit
+    BurInAir,      ///< after the first cut, the drill ran without touching anything for longer than the limit
     WrongBur,      ///< cut with a bur that is not allowed
     NeighbourHit   ///< the bur, turning, touched a tooth beside
 };
@@ -102,6 +102,7 @@ private:
     std::chrono::microseconds m_inAir{0};
     std::uint64_t m_holesAskedAt = 0;
     bool m_mayBeHole = false;
+    bool m_hasCut = false;
 };
 
 }  // namespace core::grading

@@ -82,6 +82,7 @@ private slots:
     void anUnknownIdIsNone();
     void whatIsNotThereIsNotMeasured();
     void valuesAreThoseOfTheStructs();
+    void wallsAndFloorOfAHoleAreNotThoseOfTheIdeal();
     void nodesAreWhereThingsAreWorst();
     void wallsAreNamedWhereTheSidesAreKnown();
     void randomCutsGiveFiniteNumbers();
@@ -181,6 +182,24 @@ void TestMeasureTable::valuesAreThoseOfTheStructs()
     QCOMPARE(valueOf("force_p95_n", measured), std::optional(1.4));
     QVERIFY(!valueOf("time_to_first_cut_s", measured).has_value());
     QVERIFY(!valueOf("isthmus_width_mm", measured).has_value());
+}
+
+void TestMeasureTable::wallsAndFloorOfAHoleAreNotThoseOfTheIdeal()
+{
+    const auto built = teeth::buildTooth(teeth::parseSource("36"), {});
+    QVERIFY(built.has_value());
+    const auto idsOfForm = {"wall_angle_error_deg", "floor_flatness_mm", "floor_slope_deg", "floor_step_mm"};
+    const Measured hole = all(boxed(built->anatomy, {0.5, 0.8}, -4.0F));
+    QVERIFY(*valueOf("target_removed_percent", hole) > 20.0 && *valueOf("target_removed_percent", hole) < 45.0);
+    QVERIFY(hole.deviation->floor.has_value());
+    for (const char* id : idsOfForm) {
+        QVERIFY2(!valueOf(id, hole), id);
+        QVERIFY2(!nodeOf(id, hole), id);
+    }
+    const Measured most = all(boxed(built->anatomy, {1.0, 0.8}, -4.0F));
+    QVERIFY(*valueOf("target_removed_percent", most) > 55.0 && *valueOf("target_removed_percent", most) < 80.0);
+    for (const char* id : idsOfForm)
+        QVERIFY2(valueOf(id, most), id);
 }
 
 void TestMeasureTable::nodesAreWhereThingsAreWorst()
