@@ -11,6 +11,7 @@
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Sanitized.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 
@@ -99,7 +100,7 @@ void TestContact::cutsAsColumnByColumn()
             thin.bottom[k] = thin.top[k] - 0.2F;
     const double cell = anatomy->grid.cellMm;
     const int side = anatomy->grid.side;
-    for (int n = 0; n < 400; ++n) {
+    for (int n = 0; n < (support::kSanitized ? 50 : 400); ++n) {
         contact::LiveTooth tooth(thin);
         tooth.selectBur(static_cast<std::size_t>(n) % drilling::burs().size());
         const drilling::BurMask& mask = tooth.mask();

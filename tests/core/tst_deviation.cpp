@@ -16,6 +16,7 @@
 #include "core/grading/Deviation.h"
 #include "core/grading/IdealCavity.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Sanitized.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -278,6 +279,8 @@ void TestDeviation::volumesOfSolids()
 
 void TestDeviation::anUprightBoxAlongTheLatticeIsRightOnTheAverage()
 {
+    if (support::kSanitized)
+        QSKIP("four hundred cuts like those of volumesOfSolids");
     // Whole rows of columns count or do not: each way it is up to a cell off.
     const double cell = kExtentMm / 150;
     double mean = 0.0;
@@ -697,6 +700,8 @@ void TestDeviation::enamelWhoseRodsWereCutIsUnsupported()
 
 void TestDeviation::rodsOfATooth()
 {
+    if (support::kSanitized)
+        QSKIP("the search it is compared with would take most of the time of all tests");
     // A slot through a molar with an oblique ridge, against a search of all feet for every 0.05 mm of enamel.
     teeth::BuildOptions options;
     options.gridSide = 64;

@@ -10,6 +10,7 @@
 
 #include "core/teeth/ToothBuilder.h"
 #include "core/teeth/ToothGenerator.h"
+#include "tests/support/Sanitized.h"
 #include "tests/support/Solids.h"
 #include "tests/support/ToothMaps.h"
 
@@ -97,7 +98,8 @@ void TestToothBuilder::lesionIsTheSameOnEveryGrid_data()
     QTest::addColumn<QString>("source");
     for (const int quadrant : {20, 30})
         for (int place = 1; place <= 8; ++place)
-            QTest::addRow("%d", quadrant + place) << QString::number(quadrant + place);
+            if (support::isTried(quadrant + place))
+                QTest::addRow("%d", quadrant + place) << QString::number(quadrant + place);
     const std::string scan = support::sharedData("teeth/dundee_36.obj");
     if (!scan.empty())
         QTest::newRow("a scan of 36") << QString::fromStdString(scan);
@@ -134,6 +136,8 @@ void TestToothBuilder::lesionIsTheSameOnEveryGrid()
     const Lesion expected = lesionOn(150);
     const bool isScan = source.endsWith(QStringLiteral(".obj"));
     for (const int side : {64, 80, 100, 200, 256, 300, 600}) {
+        if (support::kSanitized && side > 100)
+            continue;
         const Lesion lesion = lesionOn(side);
         const QString found = QStringLiteral("at %1: %2 mm3 instead of %3, centre off by %4 %5")
                                   .arg(side)

@@ -39,7 +39,7 @@ struct NamedMaps
     ToothMaps maps;
 };
 
-/// The analytic molar, a generated tooth of each kind and those scans that are there.
+/// The analytic molar, a generated tooth of each kind and those scans that are there; one of each under sanitizers.
 [[nodiscard]] std::vector<NamedMaps> everyTooth(int side);
 
 }  // namespace support
