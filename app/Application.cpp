@@ -391,12 +391,15 @@ void Application::watchAttempt()
         m_window->showPractised(*findings.practised);
     if (findings.infractions.size() <= m_infractionsTold)
         return;
+    const auto untold = findings.infractions.begin() + static_cast<std::ptrdiff_t>(m_infractionsTold);
     m_infractionsTold = findings.infractions.size();
     if (m_assignment.lesson->exam)
         return;
-    const core::grading::Infraction& newest = findings.infractions.back();
-    const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), newest.tick).has_value();
-    m_window->tellInfraction(newest, canTakeBack);
+    // Of several at once the gravest: an opened pulp, and not that it is deep there.
+    const auto gravest = std::min_element(untold, findings.infractions.end(),
+                                          [](const auto& a, const auto& b) { return a.breach < b.breach; });
+    const bool canTakeBack = core::history::lastBefore(m_session.historySoFar(), gravest->tick).has_value();
+    m_window->tellInfraction(*gravest, canTakeBack);
 }
 
 /// Within the outline of what is to be cut, or nowhere.

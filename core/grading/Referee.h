@@ -17,7 +17,7 @@
 
 namespace core::grading {
 
-/// What must not happen in an attempt.
+/// What must not happen in an attempt, the gravest first.
 enum class Breach : std::uint8_t {
     PulpExposed,   ///< a column was cut down to pulp
     Perforated,    ///< a hole goes through the tooth
