@@ -116,6 +116,8 @@ private slots:
     void handIsLedHomeOnRequest();
     void fixtureHoldsTheHandAndNothingElse();
     void everyHandIsHeldSteadily();
+    void aLateLoopHoldsTheHandSteadilyToo_data();
+    void aLateLoopHoldsTheHandSteadilyToo();
     void forceNeverPassesTheClamp();
     void forceChangesNoFasterThanAllowed();
     void groupsAreMomentsOfTheTooth();
@@ -679,6 +681,63 @@ void TestServoLoop::everyHandIsHeldSteadily()
         QVERIFY2(high < 2.3, qPrintable(QString::number(high)));
         QVERIFY2(figures.stiffnessNPerM < 500.0 || force.x < -0.5, qPrintable(QString::number(force.x)));
     }
+}
+
+/// The spring of contact is softer where the loop is late, and the fixture is a spring as well: as stiff as ever, it
+/// shakes a light hand to and fro by 7 mm at 4 ms, once it has been knocked.
+void TestServoLoop::aLateLoopHoldsTheHandSteadilyToo_data()
+{
+    QTest::addColumn<int>("hand");
+    QTest::addColumn<double>("delayMs");
+    for (int hand = 0; hand < static_cast<int>(haptics::kHands.size()); ++hand)
+        for (const double delayMs : {1.0, 2.0, 4.0, 8.0})
+            QTest::addRow("%s, %g ms", haptics::kHands.at(static_cast<std::size_t>(hand)).name.data(), delayMs)
+                << hand << delayMs;
+}
+
+void TestServoLoop::aLateLoopHoldsTheHandSteadilyToo()
+{
+    QFETCH(int, hand);
+    QFETCH(double, delayMs);
+    haptics::HandFigures figures = haptics::kHands.at(static_cast<std::size_t>(hand));
+    figures.tremorMm = 0.0;
+    figures.driftMm = 0.0;
+    haptics::FalconFigures late;
+    late.delayS = 0.001 * delayMs;
+    late.delayJitterS = 0.0;
+    late.coulombN = 0.1;  // the least that a Falcon may have
+    haptics::SimulatedFalcon falcon(late, figures, 0.001, 1, {0.0, 0.0, -0.6});
+    const auto anatomy = block();
+    // Cut far wider than asked: nothing but the fixture holds the hand.
+    std::vector<float> top = anatomy->top;
+    for (float& height : top)
+        height -= 2.0F;
+    const auto links = std::make_unique<ServoLinks>();
+    rt::TripleBuffer<ServoState> state;
+    haptics::ServoLoop servo(falcon, makeServoTick({}).value(), *links, state, 1ms);
+    auto* tooth = new contact::LiveTooth(terrain::restored(anatomy, std::move(top)));
+    QVERIFY(links->commands.tryPush(SwapTooth{tooth, 1, 1, true, 0}));
+    QVERIFY(links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
+    bool wasHeld = false;
+    double low = 1.0e9;
+    double high = -1.0e9;
+    constexpr int kTicks = 4000;
+    for (int n = 0; n < kTicks; ++n) {
+        falcon.follow({std::min(2.2, 0.1 * n), 0.0, -0.6});
+        if (n == 1500)
+            falcon.push({120.0, 0.0, 0.0});
+        servo.tick(1ms);
+        wasHeld = wasHeld || (state.latest().health & kHeldInside) != 0;
+        QVERIFY(!state.latest().touching);
+        if (n > 3000) {
+            low = std::min(low, falcon.tipMm().x);
+            high = std::max(high, falcon.tipMm().x);
+        }
+        for (ServoEvent event; links->events.tryPop(event);) {
+        }
+    }
+    QVERIFY2(high - low < 0.1, qPrintable(QString("%1 mm").arg(high - low)));
+    QVERIFY(wasHeld);
 }
 
 void TestServoLoop::forceNeverPassesTheClamp()
