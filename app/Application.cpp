@@ -420,7 +420,7 @@ void Application::takeBack(std::uint64_t tick)
 void Application::grade()
 {
     const auto tooth = m_session.toothSoFar();
-    if (!tooth || !m_session.recordingSoFar()) {
+    if (!tooth || m_session.recordedGeneration() != m_ownGeneration) {
         m_window->showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
     }
