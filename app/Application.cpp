@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
+#include <QRandomGenerator>
 #include <QStandardPaths>
 #include <QThreadPool>
 #include <QUrl>
@@ -262,7 +263,7 @@ void Application::openLesson(const lessons::Lesson& lesson)
     const int load = ++m_loading;
     m_window->showBusy(tr("Preparing the lesson …"));
     inBackground(
-        this, [lesson] { return lessons::assign(lesson); },
+        this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
         [this, load](const core::Result<lessons::Assigned>& assigned) {
             if (load != m_loading)
                 return;

@@ -28,7 +28,7 @@ core::teeth::BuildOptions buildOptions(const Lesson& lesson)
     return options;
 }
 
-core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
+core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t drawn)
 {
     core::teeth::BuildOptions options = buildOptions(lesson);
     if (const auto* made = std::get_if<MadeTooth>(&lesson.tooth)) {
@@ -39,7 +39,7 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
         const auto design = designOf(*block);
         if (!design)
             return tl::unexpected(design.error());
-        options.seed = block->seed;
+        options.seed = block->seed.value_or(drawn);
         return core::teeth::buildTooth({*design}, options);
     }
     const auto& scan = std::get<Scan>(lesson.tooth);
@@ -99,7 +99,7 @@ core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const cor
     if (lesson.task == Task::HoldForce)
         return *lesson.hold;
     if (lesson.task == Task::TellLayers)
-        return core::grading::PadsToName{core::teeth::padMaterials(std::get<Block>(lesson.tooth).seed)};
+        return core::grading::PadsToName{core::teeth::padMaterials(anatomy.seed)};
     for (std::size_t k = 0; k < lesson.touch->pointsMm.size(); ++k)
         if (const glm::dvec2 place = lesson.touch->pointsMm[k]; !standsAt(anatomy, place))
             return core::unexpected(core::ErrorCode::OutOfRange,
@@ -167,9 +167,9 @@ core::grading::IdealTop Assignment::shownIdeal() const
     return ideal ? ideal->top : core::grading::idealCavity(*anatomy);
 }
 
-core::Result<Assigned> assign(const Lesson& lesson)
+core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
 {
-    auto built = build(lesson);
+    auto built = build(lesson, drawn);
     if (!built)
         return tl::unexpected(built.error());
     auto assignment = workOut(lesson, built->anatomy);

@@ -9,6 +9,7 @@
 
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
+#include "core/recording/Recording.h"
 #include "core/session/Examiner.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Lesson.h"
@@ -46,7 +47,9 @@ struct Assigned
 [[nodiscard]] core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual);
 
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
-[[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson);
+/// @param drawn  the seed of a block whose lesson names none, another for each attempt. It goes with the tooth into the
+///               recording, so that every replay asks the same
+[[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
 /// A tooth without a lesson: marked as removal of decay.
 [[nodiscard]] core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy);

@@ -4,6 +4,10 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <array>
+#include <set>
+
+#include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 
@@ -19,6 +23,14 @@ std::vector<Lesson> withIdeal()
             (entry.read.lesson->task == Task::CutIdeal || entry.read.lesson->task == Task::TraceShape))
             found.push_back(*entry.read.lesson);
     return found;
+}
+
+Lesson shipped(const std::string& id)
+{
+    for (const CatalogEntry& entry : readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            return *entry.read.lesson;
+    qFatal("no such lesson: %s", id.c_str());
 }
 
 core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float>& top)
@@ -39,6 +51,7 @@ private slots:
     void tooDeepCostsDepthAlone();
     void aRecordingIsMarkedForItsLesson();
     void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
+    void layersComeInAnotherOrderAndEveryReplayKnowsIt();
     void aPointBesideTheToothIsNamed();
     void theSchemaKnowsTheKeysThatAreRead();
 };
@@ -170,6 +183,37 @@ void TestAssignment::everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone()
     // They come before all others.
     QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
     QCOMPARE(readCatalog({}).front().read.lesson->id, std::string("orientation-1-touch"));
+}
+
+void TestAssignment::layersComeInAnotherOrderAndEveryReplayKnowsIt()
+{
+    using namespace core::grading;
+    Lesson lesson = shipped("orientation-3-layers");
+    QVERIFY(!std::get<Block>(lesson.tooth).seed);
+    std::set<std::array<core::terrain::Material, kPads>> orders;
+    for (std::uint64_t drawn = 0; drawn < 30; ++drawn) {
+        const Assignment asked = assign(lesson, drawn).value().assignment;
+        const auto& pads = std::get<PadsToName>(*asked.exercise);
+        orders.insert(pads.madeOf);
+        // The recording holds all that is needed to ask the same, and to mark it.
+        core::recording::Recording recording({}, asked.anatomy, lesson.json);
+        for (std::size_t pad = 0; pad < kPads; ++pad)
+            recording.append({core::session::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
+                              answerNote(pad, pads.madeOf[pad == 2 ? 0 : pad])});
+        recording.append({core::session::ServoEvent::Kind::NoDevice, 1000, glm::vec3(0.0F), 0});
+        const auto read = core::recording::Recording::fromBytes(recording.toBytes());
+        QVERIFY(read.has_value());
+        QVERIFY(assignmentOf(read->anatomy(), read->lesson()).value().exercise == asked.exercise);
+        const auto marked = markAgain(*read);
+        QVERIFY2(marked, marked ? "" : marked.error().detail.c_str());
+        QCOMPARE(std::get<Named>(*marked->conduct.practised).right, 2);
+    }
+    QCOMPARE(orders.size(), std::size_t{6});
+    // A teacher who names a seed has the order of that seed.
+    std::get<Block>(lesson.tooth).seed = 5;
+    for (const std::uint64_t drawn : {0, 1, 2})
+        QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
+                core::teeth::padMaterials(5));
 }
 
 void TestAssignment::aPointBesideTheToothIsNamed()
