@@ -35,6 +35,7 @@ private slots:
     void tolerancesGoIntoTheRubric();
 
     void aPackHoldsAllThatItsLessonsNeed();
+    void anExpertsRecordingGoesAlong();
     void aPackInTheFolderIsOffered();
     void unpackingOverwritesNothing();
     void refusesNamesThatLeadElsewhere_data();
@@ -246,6 +247,21 @@ void TestLessonPack::aPackHoldsAllThatItsLessonsNeed()
     const ReadLesson there = readLesson(elsewhere.filePath("mine/own.lesson.json"));
     QVERIFY2(there.lesson, qPrintable(sentences(there)));
     QCOMPARE(there.lesson->hash, readLesson(file).lesson->hash);
+}
+
+void TestLessonPack::anExpertsRecordingGoesAlong()
+{
+    QJsonObject object = lesson();
+    writeCaptured("own.cuspideal");
+    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
+    write("expert.cusprec", QByteArray("an attempt"));
+    const auto bytes = packLessons({write("own.lesson.json", object)});
+    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QTemporaryDir elsewhere;
+    QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
+    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
+    QVERIFY2(there.lesson, qPrintable(sentences(there)));
+    QCOMPARE(QString::fromStdString(there.lesson->expert->file), elsewhere.filePath("expert.cusprec"));
 }
 
 void TestLessonPack::aPackInTheFolderIsOffered()
