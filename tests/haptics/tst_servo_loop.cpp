@@ -116,6 +116,7 @@ private slots:
     void handIsLedHomeOnRequest();
     void fixtureHoldsTheHandAndNothingElse();
     void everyHandIsHeldSteadily();
+    void whatIsHandedOverCostsTheTickNoAllocation();
     void aLateLoopHoldsTheHandSteadilyToo_data();
     void aLateLoopHoldsTheHandSteadilyToo();
     void forceNeverPassesTheClamp();
@@ -681,6 +682,55 @@ void TestServoLoop::everyHandIsHeldSteadily()
         QVERIFY2(high < 2.3, qPrintable(QString::number(high)));
         QVERIFY2(figures.stiffnessNPerM < 500.0 || force.x < -0.5, qPrintable(QString::number(force.x)));
     }
+}
+
+/// Another servo with its tooth, another handpiece, another fixture: what they replace goes back to be freed elsewhere.
+void TestServoLoop::whatIsHandedOverCostsTheTickNoAllocation()
+{
+#ifdef CUSP_SANITIZED
+    QSKIP("sanitizers bring their own allocator and locks");
+#endif
+    ServoSettings settings;
+    settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
+    Bare bare(settings);
+    const auto anatomy = block();
+    bare.give(anatomy, 1);
+    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    support::RestlessHand hand(5);
+    long allocations = 0;
+    long locks = 0;
+    int servos = 0;
+    int fixtures = 0;
+    for (int n = 0; n < 800; ++n) {
+        if (n % 40 == 0)
+            QVERIFY(bare.links->commands.tryPush(SetFixture{n % 80 == 0 ? grooveFixture(*anatomy) : nullptr}));
+        if (n % 40 == 10)
+            QVERIFY(bare.links->commands.tryPush(SetHandpiece{static_cast<std::uint8_t>(n / 40 % 2)}));
+        if (n % 40 == 20) {
+            auto* tooth = new contact::LiveTooth(terrain::Tooth(anatomy));
+            QVERIFY(bare.links->commands.tryPush(SwapTooth{tooth, 1, static_cast<std::uint64_t>(n), true, 0, false,
+                                                           makeServoTick(settings).value().release()}));
+        }
+        bare.device.tipMm = hand.next();
+        const long allocationsBefore = support::allocationsOnThisThread();
+        const long locksBefore = support::locksOnThisThread();
+        bare.servo.tick(1ms);
+        allocations += support::allocationsOnThisThread() - allocationsBefore;
+        locks += support::locksOnThisThread() - locksBefore;
+        for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
+            delete old;
+        for (ServoTick* old = nullptr; bare.links->retiredServos.tryPop(old); ++servos)
+            delete old;
+        for (const core::guidance::Fixture* old = nullptr; bare.links->retiredFixtures.tryPop(old); ++fixtures)
+            delete old;
+        for (TilePatch patch; bare.links->patches.tryPop(patch);) {
+        }
+        bare.drainEvents();
+    }
+    QCOMPARE(servos, 20);
+    QCOMPARE(fixtures, 10);
+    QCOMPARE(allocations, 0L);
+    QCOMPARE(locks, 0L);
 }
 
 /// The spring of contact is softer where the loop is late, and the fixture is a spring as well: as stiff as ever, it
