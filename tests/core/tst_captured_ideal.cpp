@@ -135,9 +135,12 @@ void TestCapturedIdeal::decayInTheToothDoesNotMatter()
 void TestCapturedIdeal::refusesOddTolerances()
 {
     const terrain::Tooth tooth = classOne(molar());
-    for (const Tolerances& odd : {Tolerances{-0.1, 0.2, 5, 0.1}, Tolerances{0.1, 6.0, 5, 0.1},
-                                  Tolerances{0.1, 0.2, 90, 0.1}, Tolerances{0.1, 0.2, 5, std::nan("")}})
+    for (const Tolerances& odd :
+         {Tolerances{-0.1, 0.2, 5, 0.1}, Tolerances{0.1, 6.0, 5, 0.1}, Tolerances{0.1, 0.2, 90, 0.1},
+          Tolerances{0.1, 0.2, 5, std::nan("")}, Tolerances{0.1, 0.2, 5, INFINITY}, Tolerances{0.1, 1.0e300, 5, 0.1}})
         QVERIFY(!captured(tooth, odd));
+    const auto far = captured(tooth, {0.1, -1.0e300, 5, 0.1});
+    QVERIFY2(far.error().detail.ends_with("from 0 to 5 mm, not -1e+300"), far.error().detail.c_str());
     QVERIFY(!capture({}, {}, {}));
     QVERIFY(!captured(terrain::Tooth(tooth.anatomy)));  // nothing was cut
 }
