@@ -200,6 +200,36 @@ core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::Tooth
     return workOut(*read.lesson, std::move(anatomy));
 }
 
+core::Result<core::recording::Recording> readExpert(const Assignment& assignment)
+{
+    if (!assignment.lesson || !assignment.lesson->expert)
+        return core::unexpected(core::ErrorCode::FileMissing, "the lesson names no expert's recording");
+    const std::filesystem::path path(assignment.lesson->expert->file);
+    const std::string where = path.filename().string() + ": ";
+    if (!path.is_absolute())
+        return core::unexpected(core::ErrorCode::FileMissing,
+                                where + "this attempt was taken up again, and only the lesson's own folder has the "
+                                        "file; open the lesson anew to see it");
+    auto recording = core::recording::readRecording(path);
+    if (!recording)
+        return recording;
+    const core::terrain::ToothAnatomy& his = *recording->anatomy();
+    const core::terrain::ToothAnatomy& ours = *assignment.anatomy;
+    const bool mayDiffer = assignment.lesson->task == Task::TellLayers;
+    if (!core::terrain::isSameTooth(his, ours) &&
+        !(mayDiffer && core::preparation::surfaceHash(his) == core::preparation::surfaceHash(ours))) {
+        const auto words = [](const core::terrain::ToothAnatomy& tooth) {
+            return "'" + tooth.name + "' (seed " + std::to_string(tooth.seed) + ", grid " +
+                   std::to_string(tooth.grid.side) + ")";
+        };
+        return core::unexpected(core::ErrorCode::OtherTooth,
+                                where + "the attempt is at the tooth " + words(his) + ", the lesson's is " +
+                                    words(ours) +
+                                    ", or its decay is another; record an attempt at this lesson and name that");
+    }
+    return recording;
+}
+
 core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual)
 {
     if (lesson != nullptr) {

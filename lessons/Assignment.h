@@ -59,6 +59,12 @@ struct Assigned
 [[nodiscard]] core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy,
                                                     const std::string& lessonJson);
 
+/// The expert's recording that the assignment's lesson names. An error names the file: where it cannot be read, and
+/// where it is of another tooth than lies on the table (of layers to be told apart, the order may differ; OtherTooth).
+/// A lesson that a recording took along knows the file's name and not its folder: that is an error as well. Any thread
+/// that may wait.
+[[nodiscard]] core::Result<core::recording::Recording> readExpert(const Assignment& assignment);
+
 /// An attempt, measured and marked.
 struct Mark
 {

@@ -2,9 +2,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <array>
+#include <filesystem>
 #include <set>
 
 #include "core/teeth/Block.h"
@@ -52,6 +54,7 @@ private slots:
     void aRecordingIsMarkedForItsLesson();
     void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
     void layersComeInAnotherOrderAndEveryReplayKnowsIt();
+    void anExpertsAttemptMustBeOfTheLessonsTooth();
     void aPointBesideTheToothIsNamed();
     void theSchemaKnowsTheKeysThatAreRead();
 };
@@ -214,6 +217,46 @@ void TestAssignment::layersComeInAnotherOrderAndEveryReplayKnowsIt()
     for (const std::uint64_t drawn : {0, 1, 2})
         QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
                 core::teeth::padMaterials(5));
+}
+
+void TestAssignment::anExpertsAttemptMustBeOfTheLessonsTooth()
+{
+    QTemporaryDir folder;
+    const auto write = [&](const Assignment& at, const char* name) {
+        const std::filesystem::path path = folder.filePath(name).toStdString();
+        QVERIFY(core::recording::writeRecording(path, core::recording::Recording({}, at.anatomy, at.lesson->json)));
+    };
+    const Lesson lesson = shipped("decay-36-moderate");
+    Assignment own = assign(lesson).value().assignment;
+    own.lesson->expert = Expert{folder.filePath("expert.cusprec").toStdString(), {}};
+    const auto complaint = [&] {
+        const auto expert = readExpert(own);
+        return expert ? QString() : QString::fromStdString(expert.error().detail);
+    };
+    QVERIFY2(complaint().contains("There is no recording at") && complaint().contains("expert.cusprec"),
+             qPrintable(complaint()));
+    write(own, "expert.cusprec");
+    QCOMPARE(complaint(), QString());
+    // Another tooth, another variation of it, another decay in it, another grid.
+    Lesson varied = lesson;
+    std::get<MadeTooth>(varied.tooth).seed += 1;
+    Lesson coarse = lesson;
+    coarse.gridSide = 100;
+    for (const Lesson& other : {shipped("decay-37-moderate"), varied, shipped("decay-36-deep"), coarse}) {
+        write(assign(other).value().assignment, "expert.cusprec");
+        QVERIFY2(complaint().startsWith("expert.cusprec: the attempt is at the tooth '"), qPrintable(complaint()));
+        QCOMPARE(readExpert(own).error().code, core::ErrorCode::OtherTooth);
+    }
+    // Layers come in any order: each is a way to feel them.
+    Assignment layers = assign(shipped("orientation-3-layers"), 1).value().assignment;
+    write(assign(shipped("orientation-3-layers"), 2).value().assignment, "expert.cusprec");
+    layers.lesson->expert = own.lesson->expert;
+    QVERIFY(readExpert(layers).has_value());
+    // Taken up from a journal, the lesson knows the name alone.
+    own.lesson->expert->file = "expert.cusprec";
+    QVERIFY2(complaint().contains("open the lesson anew"), qPrintable(complaint()));
+    own.lesson->expert.reset();
+    QVERIFY(!readExpert(own));
 }
 
 void TestAssignment::aPointBesideTheToothIsNamed()
