@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
+#include <QRandomGenerator>
 #include <QStandardPaths>
 #include <QThreadPool>
 #include <QUrl>
@@ -262,7 +263,7 @@ void Application::openLesson(const lessons::Lesson& lesson)
     const int load = ++m_loading;
     m_window->showBusy(tr("Preparing the lesson …"));
     inBackground(
-        this, [lesson] { return lessons::assign(lesson); },
+        this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
         [this, load](const core::Result<lessons::Assigned>& assigned) {
             if (load != m_loading)
                 return;
@@ -423,7 +424,7 @@ void Application::takeBack(std::uint64_t tick)
 void Application::grade()
 {
     const auto tooth = m_session.toothSoFar();
-    if (!tooth || !m_session.recordingSoFar()) {
+    if (!tooth || m_session.recordedGeneration() != m_ownGeneration) {
         m_window->showMessage(tr("The tooth is not ready yet. Try again in a moment."));
         return;
     }
@@ -595,28 +596,35 @@ void Application::openExpert()
     if (!m_assignment.lesson || !m_assignment.lesson->expert)
         return;
     const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
-    readRecording(path, [this, path](const core::recording::Recording& recording) {
-        if (!m_replay)
-            play(recording);
-        else if (const auto put = m_replay->putBeside(recording, tr("The expert")); !put)
-            refuse(put.error(), Failed::OpeningRecording, path);
-    });
+    readRecording(
+        path,
+        [this, path](const core::recording::Recording& recording) {
+            if (!m_replay)
+                play(recording);
+            else if (const auto put = m_replay->putBeside(recording, tr("The expert")); !put)
+                refuse(put.error(), Failed::OpeningRecording, path);
+        },
+        [assignment = m_assignment] { return lessons::readExpert(assignment); });
 }
 
-void Application::readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use)
+void Application::readRecording(const QString& path, const UseRecording& use)
+{
+    readRecording(path, use,
+                  [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); });
+}
+
+void Application::readRecording(const QString& path, const UseRecording& use, const ReadRecording& read)
 {
     const int load = ++m_loading;
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
-    inBackground(
-        this, [path] { return core::recording::readRecording(std::filesystem::path(path.toStdU16String())); },
-        [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
-            if (load != m_loading)
-                return;
-            if (recording)
-                use(*recording);
-            else
-                refuse(recording.error(), Failed::OpeningRecording, path);
-        });
+    inBackground(this, read, [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
+        if (load != m_loading)
+            return;
+        if (recording)
+            use(*recording);
+        else
+            refuse(recording.error(), Failed::OpeningRecording, path);
+    });
 }
 
 /// From now on the attempt reaches the disk while it goes on; and what was not finished last time is offered. What a

@@ -74,7 +74,11 @@ private:
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void openBeside(const QString& path);
     void openExpert();
-    void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
+    using UseRecording = std::function<void(const core::recording::Recording&)>;
+    using ReadRecording = std::function<core::Result<core::recording::Recording>()>;
+    void readRecording(const QString& path, const UseRecording& use);
+    /// @param read  from another thread
+    void readRecording(const QString& path, const UseRecording& use, const ReadRecording& read);
     void saveRecording(const QString& path);
     void saveReference(const QString& path);
     void openRecording(const QString& path);

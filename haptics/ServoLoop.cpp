@@ -142,7 +142,9 @@ void ServoLoop::guide(double seconds) noexcept
         return;
     }
     m_fixtureShare = std::min(1.0, m_fixtureShare + seconds / kFixtureComesS);
-    m_guideN = m_fixtureShare * m_fixture->forceN(state.deviceMm, state.burIndex);
+    // It is a spring like the one of contact, and a late loop holds it no better.
+    const double share = m_fixtureShare * 0.01 * static_cast<double>(m_springPercent);
+    m_guideN = share * m_fixture->forceN(state.deviceMm, state.burIndex);
 }
 
 void ServoLoop::apply(const BringHome&) noexcept

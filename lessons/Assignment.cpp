@@ -28,7 +28,7 @@ core::teeth::BuildOptions buildOptions(const Lesson& lesson)
     return options;
 }
 
-core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
+core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t drawn)
 {
     core::teeth::BuildOptions options = buildOptions(lesson);
     if (const auto* made = std::get_if<MadeTooth>(&lesson.tooth)) {
@@ -39,7 +39,7 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson)
         const auto design = designOf(*block);
         if (!design)
             return tl::unexpected(design.error());
-        options.seed = block->seed;
+        options.seed = block->seed.value_or(drawn);
         return core::teeth::buildTooth({*design}, options);
     }
     const auto& scan = std::get<Scan>(lesson.tooth);
@@ -99,7 +99,7 @@ core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const cor
     if (lesson.task == Task::HoldForce)
         return *lesson.hold;
     if (lesson.task == Task::TellLayers)
-        return core::grading::PadsToName{core::teeth::padMaterials(std::get<Block>(lesson.tooth).seed)};
+        return core::grading::PadsToName{core::teeth::padMaterials(anatomy.seed)};
     for (std::size_t k = 0; k < lesson.touch->pointsMm.size(); ++k)
         if (const glm::dvec2 place = lesson.touch->pointsMm[k]; !standsAt(anatomy, place))
             return core::unexpected(core::ErrorCode::OutOfRange,
@@ -167,9 +167,9 @@ core::grading::IdealTop Assignment::shownIdeal() const
     return ideal ? ideal->top : core::grading::idealCavity(*anatomy);
 }
 
-core::Result<Assigned> assign(const Lesson& lesson)
+core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
 {
-    auto built = build(lesson);
+    auto built = build(lesson, drawn);
     if (!built)
         return tl::unexpected(built.error());
     auto assignment = workOut(lesson, built->anatomy);
@@ -198,6 +198,36 @@ core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::Tooth
     if (!read.lesson)
         return core::unexpected(core::ErrorCode::BadStructure, read.faults.front().sentence().toStdString());
     return workOut(*read.lesson, std::move(anatomy));
+}
+
+core::Result<core::recording::Recording> readExpert(const Assignment& assignment)
+{
+    if (!assignment.lesson || !assignment.lesson->expert)
+        return core::unexpected(core::ErrorCode::FileMissing, "the lesson names no expert's recording");
+    const std::filesystem::path path(assignment.lesson->expert->file);
+    const std::string where = path.filename().string() + ": ";
+    if (!path.is_absolute())
+        return core::unexpected(core::ErrorCode::FileMissing,
+                                where + "this attempt was taken up again, and only the lesson's own folder has the "
+                                        "file; open the lesson anew to see it");
+    auto recording = core::recording::readRecording(path);
+    if (!recording)
+        return recording;
+    const core::terrain::ToothAnatomy& his = *recording->anatomy();
+    const core::terrain::ToothAnatomy& ours = *assignment.anatomy;
+    const bool mayDiffer = assignment.lesson->task == Task::TellLayers;
+    if (!core::terrain::isSameTooth(his, ours) &&
+        !(mayDiffer && core::preparation::surfaceHash(his) == core::preparation::surfaceHash(ours))) {
+        const auto words = [](const core::terrain::ToothAnatomy& tooth) {
+            return "'" + tooth.name + "' (seed " + std::to_string(tooth.seed) + ", grid " +
+                   std::to_string(tooth.grid.side) + ")";
+        };
+        return core::unexpected(core::ErrorCode::OtherTooth,
+                                where + "the attempt is at the tooth " + words(his) + ", the lesson's is " +
+                                    words(ours) +
+                                    ", or its decay is another; record an attempt at this lesson and name that");
+    }
+    return recording;
 }
 
 core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual)

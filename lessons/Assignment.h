@@ -9,6 +9,7 @@
 
 #include "core/base/Result.h"
 #include "core/grading/MeasureTable.h"
+#include "core/recording/Recording.h"
 #include "core/session/Examiner.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Lesson.h"
@@ -46,7 +47,9 @@ struct Assigned
 [[nodiscard]] core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual);
 
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
-[[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson);
+/// @param drawn  the seed of a block whose lesson names none, another for each attempt. It goes with the tooth into the
+///               recording, so that every replay asks the same
+[[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
 /// A tooth without a lesson: marked as removal of decay.
 [[nodiscard]] core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy);
@@ -55,6 +58,12 @@ struct Assigned
 /// @param lessonJson  what the recording keeps; empty: practised freely
 [[nodiscard]] core::Result<Assignment> assignmentOf(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy,
                                                     const std::string& lessonJson);
+
+/// The expert's recording that the assignment's lesson names. An error names the file: where it cannot be read, and
+/// where it is of another tooth than lies on the table (of layers to be told apart, the order may differ; OtherTooth).
+/// A lesson that a recording took along knows the file's name and not its folder: that is an error as well. Any thread
+/// that may wait.
+[[nodiscard]] core::Result<core::recording::Recording> readExpert(const Assignment& assignment);
 
 /// An attempt, measured and marked.
 struct Mark

@@ -45,7 +45,7 @@ struct Block
 {
     std::string shape;
     std::map<std::string, double> sizes;  ///< by id (core::teeth::blockFields), what differs from the usual block
-    std::uint64_t seed = 0;
+    std::optional<std::uint64_t> seed;    ///< of the order of its layers; nothing: drawn anew for each attempt
     bool operator==(const Block&) const = default;
 };
 /// The scan of a tooth, a file beside the lesson.

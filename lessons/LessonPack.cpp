@@ -23,8 +23,9 @@ namespace {
 
 /// Base64 takes a third more, and names and hashes need room.
 constexpr qint64 kLargestJsonBytes = kLargestPackBytes / 3 * 4 + qint64{1024} * 1024;
-const QStringList kSuffixes{QStringLiteral("json"), QStringLiteral("cuspideal"), QStringLiteral("stl"),
-                            QStringLiteral("obj"),  QStringLiteral("ply"),       QStringLiteral("mtl")};
+const QStringList kSuffixes{QStringLiteral("json"),   QStringLiteral("cuspideal"), QStringLiteral("stl"),
+                            QStringLiteral("obj"),    QStringLiteral("ply"),       QStringLiteral("mtl"),
+                            QStringLiteral("cusprec")};
 
 tl::unexpected<core::Error> refused(core::ErrorCode code, const QString& sentence)
 {

@@ -10,7 +10,7 @@
 #include "core/base/Result.h"
 
 /// Lessons in one file (*.cusplessons), with all that they need and is not shipped: what they are based on, rubrics,
-/// scans, captured ideals. The file is one Zstandard frame with a JSON object in it,
+/// scans, captured ideals, experts' recordings. The file is one Zstandard frame with a JSON object in it,
 ///
 ///     {"format": 1, "cusp": "lessons", "files": [{"name": "...", "sha256": "...", "base64": "..."}]}
 ///

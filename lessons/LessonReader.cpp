@@ -406,7 +406,9 @@ private:
 
     static Block takeBlock(JsonKeys& keys)
     {
-        Block block{keys.neededText("block", 40), {}, seedOf(keys)};
+        Block block{keys.neededText("block", 40), {}, {}};
+        if (keys.has("seed"))
+            block.seed = seedOf(keys);
         if (auto sizes = keys.object("sizes"))
             block.sizes = sizes->allNumbers(-1000.0, 1000.0);
         if (const auto design = designOf(block); !design)
@@ -684,7 +686,7 @@ private:
             m_keys.fault("hold", QStringLiteral("is missing; it says which force is to be held: {\"force_n\": 1}"));
         if (lesson.task == Task::TellLayers && (!isBlock || std::get<Block>(lesson.tooth).shape != "layers"))
             m_keys.fault("tooth", QStringLiteral("layers are told apart in a block of them: write {\"block\": "
-                                                 "\"layers\", \"seed\": 3}"));
+                                                 "\"layers\"}"));
         if (lesson.task == Task::TellLayers && lesson.aids != Aids::none())
             m_keys.fault("aids", QStringLiteral("layers are told apart without any; leave the key out"));
     }

@@ -85,7 +85,9 @@ QJsonObject toothOf(const NewLesson& wishes)
         tooth.insert(QStringLiteral("fdi"), wishes.fdi.value_or(kUsualTooth));
     else
         tooth.insert(QStringLiteral("block"), wishes.block);
-    tooth.insert(QStringLiteral("seed"), wishes.seed.value_or(0));
+    // Without one the layers of a block come in another order each time.
+    if (wishes.seed || wishes.block.isEmpty())
+        tooth.insert(QStringLiteral("seed"), wishes.seed.value_or(0));
     return tooth;
 }
 

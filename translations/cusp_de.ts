@@ -270,6 +270,10 @@
         <translation>Ein Wert liegt außerhalb dessen, womit Cusp arbeiten kann.</translation>
     </message>
     <message>
+        <source>It was made on another tooth, or with another decay, than this lesson&apos;s. Ask who made the lesson.</source>
+        <translation>Sie entstand an einem anderen Zahn als dem dieser Lektion oder an einem mit anderer Karies. Fragen Sie, wer die Lektion erstellt hat.</translation>
+    </message>
+    <message>
         <source>Export it again, or choose another scan.</source>
         <translation>Exportieren Sie sie noch einmal oder wählen Sie einen anderen Scan.</translation>
     </message>

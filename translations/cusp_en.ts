@@ -391,6 +391,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>It was made on another tooth, or with another decay, than this lesson&apos;s. Ask who made the lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>

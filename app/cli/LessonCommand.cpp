@@ -141,6 +141,11 @@ int checkLessons(const QStringList& arguments)
             if (const auto assigned = lessons::assign(*read.lesson); !assigned) {
                 read.faults.push_back({file, {}, QString::fromStdString(assigned.error().detail), true});
                 read.lesson.reset();
+            } else if (read.lesson->expert) {
+                // The lesson can be given all the same.
+                if (const auto expert = lessons::readExpert(assigned->assignment); !expert)
+                    read.faults.push_back({file, QStringLiteral("expert.recording"),
+                                           QString::fromStdString(expert.error().detail), false});
             }
         }
         isSound = isSound && read.lesson;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <span>
 #include <string>
@@ -24,9 +26,13 @@ struct NumberField
     bool whole = false;
 };
 
-/// A number as a person writes it: up to three decimals, no zeros behind them.
+/// A number as a person writes it: up to three decimals, no zeros behind them; from 1e12 on as a double is written.
 [[nodiscard]] inline std::string plainNumber(double value)
 {
+    if (!(std::abs(value) < 1.0e12)) {  // its thousandths fit no integer
+        std::array<char, 32> written{};
+        return {written.data(), std::to_chars(written.data(), written.data() + written.size(), value).ptr};
+    }
     const auto thousandths = static_cast<long long>(std::llround(std::abs(value) * 1000.0));
     std::string text = value < 0.0 && thousandths != 0 ? "-" : "";
     text += std::to_string(thousandths / 1000);

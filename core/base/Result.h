@@ -23,6 +23,7 @@ enum class ErrorCode {
     NoTriangles,     ///< a mesh without one usable face
     UnknownName,     ///< a bur, method, tooth or preset that does not exist
     OutOfRange,      ///< a value outside what is allowed
+    OtherTooth,      ///< sound, but made on another tooth than the one at hand
 };
 
 struct Error

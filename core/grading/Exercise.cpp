@@ -77,22 +77,21 @@ void ExerciseMeter::take(const session::ServoState& state, std::chrono::microsec
 {
     m_time += std::max(dt, 0us);
     const double newtons = std::sqrt(glm::dot(state.forceN, state.forceN));
-    const bool isSound = std::isfinite(newtons + state.anchorMm.x + state.anchorMm.y);
-    if ((state.health & session::kDeviceLost) != 0 || !isSound)
-        return;
-    if (const auto* touch = std::get_if<PointsToTouch>(&m_exercise))
-        take(*touch, state, newtons);
+    const bool touches = state.touching && !state.drillOn && (state.health & session::kDeviceLost) == 0 &&
+                         std::isfinite(newtons + state.anchorMm.x + state.anchorMm.y);
+    if (const auto* touch = std::get_if<PointsToTouch>(&m_exercise); touch != nullptr && touches)
+        take(*touch, state.anchorMm, newtons);
     else if (const auto* hold = std::get_if<ForceToHold>(&m_exercise))
-        take(*hold, state.touching && !state.drillOn, newtons, std::max(dt, 0us));
+        take(*hold, touches, newtons, std::max(dt, 0us));
 }
 
-void ExerciseMeter::take(const PointsToTouch& asked, const session::ServoState& state, double newtons)
+void ExerciseMeter::take(const PointsToTouch& asked, const glm::dvec3& tipMm, double newtons)
 {
-    if (!state.touching || state.drillOn || newtons < kTouchN)
+    if (newtons < kTouchN)
         return;
     auto& touched = std::get<Touched>(m_practised);
     for (std::size_t k = 0; k < asked.pointsMm.size(); ++k) {
-        const glm::dvec2 way = glm::dvec2(state.anchorMm) - asked.pointsMm[k];
+        const glm::dvec2 way = glm::dvec2(tipMm) - asked.pointsMm[k];
         if (!touched.atS[k] && glm::dot(way, way) <= asked.reachMm * asked.reachMm)
             touched.atS[k] = seconds(m_time);
     }

@@ -105,7 +105,7 @@ class ExerciseMeter
 public:
     explicit ExerciseMeter(Exercise exercise);
 
-    /// The state after a tick of `dt`. Ticks without a device are time and nothing else.
+    /// The state after a tick of `dt`. Without a device nothing is touched or held.
     void take(const session::ServoState& state, std::chrono::microseconds dt);
     /// A note on the recording; one that is no answer is nothing here.
     void noted(std::uint64_t note);
@@ -113,7 +113,7 @@ public:
     [[nodiscard]] const Practised& practised() const { return m_practised; }
 
 private:
-    void take(const PointsToTouch& asked, const session::ServoState& state, double newtons);
+    void take(const PointsToTouch& asked, const glm::dvec3& tipMm, double newtons);
     void take(const ForceToHold& asked, bool presses, double newtons, std::chrono::microseconds dt);
 
     Exercise m_exercise;

@@ -536,7 +536,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.undos; }); }, nullptr},
     {"infractions", "", "Breaches of the lesson's rules.", kMetrics,
      [](const Measured& m) -> Value { return m.infractions; }, nullptr},
-    {"aids_used", "", "Aids to seeing that were used at any time: section, depth gauge, X-ray, colours, mirror, ideal.",
+    {"aids_used", "", "Aids that were used at any time: section, depth gauge, X-ray, heat map, mirror, ideal, colour of the bur, fixture.",
      kMetrics, [](const Measured& m) -> Value { return m.aidsUsed; }, nullptr},
 
     {"points_touched_percent", "percent", "Share of the points asked for that the bur touched with the drill off.",

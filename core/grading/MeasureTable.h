@@ -20,7 +20,7 @@ struct Measured
     std::optional<Deviation> deviation;  ///< nothing without an ideal preparation
     std::optional<Process> process;      ///< nothing without a recording
     std::optional<int> infractions;      ///< against the lesson's rules; nothing without a recording
-    std::optional<int> aidsUsed;         ///< how many of the aids to seeing; nothing without a recording
+    std::optional<int> aidsUsed;         ///< how many of session::Aid; nothing without a recording
     std::optional<Practised> practised;  ///< nothing without an exercise and a recording
 };
 

@@ -90,6 +90,11 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     m_now.tick = state.tick;
     m_now.seconds = std::chrono::duration<double>(m_time).count();
     m_now.placeMm = state.anchorMm;
+    // Without a device there is no bur, neither in the air nor anywhere: it is time and nothing else.
+    if ((state.health & session::kDeviceLost) != 0) {
+        m_pressed = {};
+        return {};
+    }
 
     const double forceN = std::sqrt(glm::dot(state.forceN, state.forceN));
     m_pressed = m_rules.forceLimitN && state.touching && forceN > *m_rules.forceLimitN ? m_pressed + dt

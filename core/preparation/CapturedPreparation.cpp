@@ -15,13 +15,6 @@ constexpr float kCutMm = 0.02F;    ///< less is a brush
 constexpr double kAcrossMm = 0.3;  ///< slopes are taken over this
 constexpr float kSteepest = 1.0F;  ///< of a floor, mm per mm
 
-/// Whether two teeth are the same before anyone cut them.
-bool isSameTooth(const terrain::Tooth& a, const terrain::Tooth& b)
-{
-    return a.anatomy == b.anatomy || (a.anatomy->grid == b.anatomy->grid && a.anatomy->top == b.anatomy->top &&
-                                      a.anatomy->bottom == b.anatomy->bottom && a.anatomy->layers == b.anatomy->layers);
-}
-
 /// Floor or wall, by how steep it is around a column.
 void tellFloorFromWall(const terrain::Grid& grid, const std::vector<float>& top, std::vector<Part>& parts)
 {
@@ -62,7 +55,7 @@ Result<grading::Preparation> averagePreparation(std::span<const terrain::Tooth* 
                                                    "least one");
     const terrain::Tooth& first = *attempts.front();
     for (const terrain::Tooth* attempt : attempts)
-        if (!isSameTooth(first, *attempt))
+        if (!terrain::isSameTooth(*first.anatomy, *attempt->anatomy))
             return unexpected(ErrorCode::BadStructure, "the attempts are of different teeth ('" + first.anatomy->name +
                                                            "' and '" + attempt->anatomy->name +
                                                            "', grid, seed or decay); choose those of one");

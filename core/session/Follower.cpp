@@ -55,7 +55,7 @@ std::optional<Concluded> Follower::conclude()
     if (!recording)
         return std::nullopt;
     // Another tooth than the one followed: there is one only since a moment ago.
-    if (const std::uint64_t generation = m_session.recordedSince(0, 0).generation; generation != m_generation)
+    if (const std::uint64_t generation = m_session.recordedGeneration(); generation != m_generation)
         startOver(*recording, generation);
     while (m_generation != 0 && m_events < recording->events()) {
         std::vector<ServoEvent> events = recording->eventsSince(m_events);

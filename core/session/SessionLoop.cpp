@@ -350,6 +350,12 @@ std::optional<history::TiledHeights> SessionLoop::restored(std::uint64_t tick) c
     return std::nullopt;
 }
 
+std::uint64_t SessionLoop::recordedGeneration() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_recording ? m_recordedGeneration : 0;
+}
+
 RecordedPart SessionLoop::recordedSince(std::uint64_t generation, std::uint64_t first) const
 {
     const std::lock_guard lock(m_mutex);

@@ -45,6 +45,8 @@ public:
     /// The attempt so far, with what the tooth was at the mirror's tick. Any thread; empty before the first tooth, and
     /// where no recording is kept.
     [[nodiscard]] std::optional<recording::Recording> recordingSoFar() const;
+    /// Which tooth's attempt is being recorded; 0 where none is. Any thread; constant time.
+    [[nodiscard]] std::uint64_t recordedGeneration() const;
     /// What has been recorded of a tooth from event number `first` on. Any thread.
     [[nodiscard]] RecordedPart recordedSince(std::uint64_t generation, std::uint64_t first) const;
     /// The top map that was put back by one of the last steps through the history, by the tick after which the tooth

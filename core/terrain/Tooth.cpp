@@ -31,6 +31,11 @@ std::uint64_t mix(std::uint64_t hash, std::uint32_t word)
 
 }  // namespace
 
+bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b)
+{
+    return &a == &b || (a.grid == b.grid && a.top == b.top && a.bottom == b.bottom && a.layers == b.layers);
+}
+
 Tooth restored(std::shared_ptr<const ToothAnatomy> anatomy, std::vector<float> top)
 {
     Tooth tooth(std::move(anatomy));

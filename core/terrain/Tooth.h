@@ -55,6 +55,9 @@ struct ToothAnatomy
     std::vector<float> areaMm2;
 };
 
+/// Whether two teeth are the same before anyone cuts them: grid, surfaces and tissues, whatever they are called.
+[[nodiscard]] bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b);
+
 /// A tooth as cut so far: two height maps over an anatomy. A perforated column is empty in both maps.
 struct Tooth
 {

@@ -277,13 +277,13 @@ void TestApplication::theFirstMinutesFromBeginningToEnd()
     QCOMPARE(graded(), QString("100.0"));
     actions().back->trigger();
 
-    const lessons::Lesson layers = openLesson("orientation-3-layers");
+    openLesson("orientation-3-layers");
     QTRY_VERIFY(actions().drill->isChecked());
     QVERIFY(!child<ui::shell::TabularLabel>("materialFigure")->isVisible());
     pressAt({core::teeth::kPadX[0], 0.0});
     QTest::qWait(1000);
     letGo();
-    const auto made = core::teeth::padMaterials(std::get<lessons::Block>(layers.tooth).seed);
+    const auto made = core::teeth::padMaterials(m_application->window().view().tooth()->anatomy->seed);
     const auto choose = [&](std::size_t pad, core::terrain::Material said) {
         QTest::mouseClick(
             child<QPushButton>(qPrintable(QStringLiteral("pad%1%2").arg(pad).arg(static_cast<int>(said)))),

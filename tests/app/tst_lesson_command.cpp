@@ -24,6 +24,7 @@ private slots:
 
     void whatIsBegunCanBeGiven_data();
     void whatIsBegunCanBeGiven();
+    void anExpertAtAnotherToothIsNoted();
     void aCapturedIdealGoesIntoALesson();
     void captureRefusesWithASentence();
     void overwritesNothing();
@@ -62,6 +63,28 @@ void TestLessonCommand::whatIsBegunCanBeGiven()
     const QJsonObject lesson = checked.json()["lessons"].toArray()[0].toObject();
     QCOMPARE(lesson["id"].toString(), QString("mine"));
     QVERIFY2(lesson["faults"].toArray().isEmpty(), checked.out.constData());
+}
+
+void TestLessonCommand::anExpertAtAnotherToothIsNoted()
+{
+    QVERIFY(QFile::copy(golden(), file("expert.cusprec")));
+    QFile lesson(file("mine.lesson.json"));
+    QVERIFY(lesson.open(QIODevice::WriteOnly));
+    lesson.write(R"({"format": 1, "based_on": "ideal-1-class1-1-36.lesson.json", "id": "mine",
+                     "expert": {"recording": "expert.cusprec"}})");
+    lesson.close();
+    const Ending checked = runCusp({"lesson", "check", lesson.fileName(), "--json"});
+    QVERIFY2(checked.exitCode == 0, checked.error.constData());
+    const QJsonArray faults = checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray();
+    QCOMPARE(faults.size(), 1);
+    const QJsonObject fault = faults[0].toObject();
+    QCOMPARE(fault["key"].toString(), QString("expert.recording"));
+    QVERIFY2(fault["what"].toString().startsWith("expert.cusprec: the attempt is at the tooth"),
+             qPrintable(fault["what"].toString()));
+    QVERIFY(!fault["grave"].toBool());
+    const Ending told = runCusp({"lesson", "check", lesson.fileName()});
+    QVERIFY2(told.out.contains("mine.lesson.json, expert.recording: expert.cusprec"), told.out.constData());
+    QVERIFY(told.out.contains("is sound"));
 }
 
 void TestLessonCommand::aCapturedIdealGoesIntoALesson()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -12,6 +13,7 @@
 #include "core/preparation/ToleranceBand.h"
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/fuzz/ExerciseIdeal.h"
 
 using namespace core;
 using namespace core::preparation;
@@ -60,6 +62,7 @@ private slots:
     void noiseIsRefused();
     void everySentenceNamesTheFile();
     void theOlderFileSurvives();
+    void corpusOfTheFuzzerIsHarmless();
     void theBandOfATrenchIsAsWideAsItsTolerance();
     void theBandHoldsTheIdeal();
 };
@@ -135,9 +138,12 @@ void TestCapturedIdeal::decayInTheToothDoesNotMatter()
 void TestCapturedIdeal::refusesOddTolerances()
 {
     const terrain::Tooth tooth = classOne(molar());
-    for (const Tolerances& odd : {Tolerances{-0.1, 0.2, 5, 0.1}, Tolerances{0.1, 6.0, 5, 0.1},
-                                  Tolerances{0.1, 0.2, 90, 0.1}, Tolerances{0.1, 0.2, 5, std::nan("")}})
+    for (const Tolerances& odd :
+         {Tolerances{-0.1, 0.2, 5, 0.1}, Tolerances{0.1, 6.0, 5, 0.1}, Tolerances{0.1, 0.2, 90, 0.1},
+          Tolerances{0.1, 0.2, 5, std::nan("")}, Tolerances{0.1, 0.2, 5, INFINITY}, Tolerances{0.1, 1.0e300, 5, 0.1}})
         QVERIFY(!captured(tooth, odd));
+    const auto far = captured(tooth, {0.1, -1.0e300, 5, 0.1});
+    QVERIFY2(far.error().detail.ends_with("from 0 to 5 mm, not -1e+300"), far.error().detail.c_str());
     QVERIFY(!capture({}, {}, {}));
     QVERIFY(!captured(terrain::Tooth(tooth.anatomy)));  // nothing was cut
 }
@@ -268,6 +274,32 @@ void TestCapturedIdeal::theBandHoldsTheIdeal()
             QVERIFY(band.shallowestMm[k] >= (*ideal->top)[k]);
             QVERIFY(band.shallowestMm[k] <= anatomy->top[k]);
         }
+    }
+}
+
+/// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with what is packed taken apart.
+void TestCapturedIdeal::corpusOfTheFuzzerIsHarmless()
+{
+    const QDir corpus(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/ideal"));
+    if (!qEnvironmentVariableIsEmpty("CUSP_REWRITE_CORPUS")) {
+        QVERIFY(corpus.mkpath("."));
+        const std::string bytes = toBytes(captured(classOne(molar(0, 64))).value());
+        for (const auto& [name, content] :
+             {std::pair("saved", bytes), std::pair("unpacked", fuzz::unpackedIdeal(bytes))}) {
+            QFile file(corpus.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            QCOMPARE(file.write(content.data(), qint64(content.size())), qint64(content.size()));
+        }
+    }
+    const QStringList names = corpus.entryList(QDir::Files);
+    QVERIFY(!names.isEmpty());
+    for (const QString& name : names) {
+        QFile file(corpus.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const std::string bytes = file.readAll().toStdString();
+        fuzz::exerciseIdeal(bytes);
+        fuzz::exerciseIdeal(fuzz::idealWithChecksum(bytes));
+        fuzz::exerciseIdeal(fuzz::packedIdeal(bytes));
     }
 }
 

@@ -71,6 +71,7 @@ private slots:
     void aReachEndsWhereItIsSaid();
     void aForceIsHeldToTheTick();
     void aTrembleDoesNotEndTheStretchAndALapseDoes();
+    void aLostDeviceEndsTheStretch();
     void theMeanErrorIsThatOfTheContact();
     void aTurningBurHoldsNothing();
     void whatComesAfterItWasHeldChangesNothing();
@@ -175,6 +176,22 @@ void TestExercise::aTrembleDoesNotEndTheStretchAndALapseDoes()
     QCOMPARE(held(meter).heldS, 3.5);
     QCOMPARE(held(meter).pressedS, 3.7);
     QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0 * (3.5 / 3.7)));
+}
+
+void TestExercise::aLostDeviceEndsTheStretch()
+{
+    session::ServoState lost = inAir();
+    lost.health = session::kDeviceLost;
+    ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
+    give(meter, pressing(1.0), 6000);
+    give(meter, lost, 200);
+    QCOMPARE(held(meter).nowS, 6.0);
+    give(meter, lost, 1);
+    QCOMPARE(held(meter).nowS, 0.0);
+    give(meter, pressing(1.0), 6000);
+    QVERIFY(!isDone(meter.practised()));
+    QCOMPARE(held(meter).longestS, 6.0);
+    QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
 }
 
 void TestExercise::theMeanErrorIsThatOfTheContact()

@@ -36,10 +36,13 @@ std::shared_ptr<const terrain::ToothAnatomy> smallBlock()
     return support::makeBlock(block);
 }
 
-/// A short attempt: a few ticks of cutting, another bur, a lost reading, an undo, a lesson, an aid, a note.
+/// A short attempt: a few ticks of cutting, another bur and handpiece, a lost reading, an undo, a lesson, an aid, a
+/// note.
 Recording shortAttempt()
 {
-    support::Rig rig;
+    session::ServoSettings settings;
+    settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
+    support::Rig rig(settings);
     rig.open(smallBlock(), 1, "lesson 1");
     rig.send(session::SetDrill{true});
     rig.send(session::SetAids{session::kSectionAid});
@@ -50,6 +53,7 @@ Recording shortAttempt()
     rig.device.present = true;
     rig.lift();
     rig.send(session::SetBur{3});
+    rig.send(session::SetHandpiece{1});
     rig.lean(1.0, 0.5, 2.0, 60);
     rig.lift();
     rig.send(session::Undo{});

@@ -33,6 +33,7 @@ private slots:
     void tellsWhatIsCutBesideTheIdeal();
     void forceCountsAfterTwoTenthsOfASecond();
     void aBurInTheAirIsToldOncePerStretch();
+    void withoutADeviceNothingIsBroken();
     void aWrongBurMayBeHeldButNotCut();
     void theToothBesideIsSpared();
     void tellsAHoleThrough();
@@ -209,6 +210,30 @@ void TestReferee::aBurInTheAirIsToldOncePerStretch()
     QCOMPARE(wait(referee, 1).size(), std::size_t{1});
     m_state.drillOn = false;
     QVERIFY(wait(referee, 9000).empty());
+}
+
+void TestReferee::withoutADeviceNothingIsBroken()
+{
+    Rules rules;
+    rules.airLimitS = 2.0;
+    rules.forceLimitN = 3.0;
+    Referee referee(rules, m_anatomy, nullptr);
+    m_state.drillOn = true;
+    QVERIFY(wait(referee, 1500).empty());
+    m_state.health = session::kDeviceLost;
+    QVERIFY(wait(referee, 60'000).empty());
+    m_state.health = 0;
+    QVERIFY(wait(referee, 500).empty());
+    QCOMPARE(wait(referee, 1).size(), std::size_t{1});
+    // A force before the gap and one after it are two.
+    m_state.touching = true;
+    m_state.forceN = {0.0, 0.0, 3.5};
+    QVERIFY(wait(referee, 150).empty());
+    m_state.health = session::kDeviceLost;
+    QVERIFY(wait(referee, 100).empty());
+    m_state.health = 0;
+    QVERIFY(wait(referee, 200).empty());
+    QCOMPARE(wait(referee, 1).front().breach, Breach::TooMuchForce);
 }
 
 void TestReferee::aWrongBurMayBeHeldButNotCut()

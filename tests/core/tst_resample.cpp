@@ -13,31 +13,6 @@ using core::terrain::Sampling;
 
 namespace {
 
-/// A hemisphere's hollow in a block, which no lattice cuts evenly.
-std::shared_ptr<const core::terrain::ToothAnatomy> block(int side, double cellMm)
-{
-    support::Block made;
-    made.side = side;
-    made.cellMm = cellMm;
-    made.dejMm = -1.0;
-    made.topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); };
-    return support::makeBlock(made);
-}
-
-core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double deepMm)
-{
-    std::vector<float> top = anatomy->top;
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i) {
-            const std::size_t k = anatomy->grid.index(i, j);
-            const glm::dvec2 at = anatomy->grid.nodeMm(i, j) - glm::dvec2(0.31, -0.17);
-            const double r2 = 2.25 - at.x * at.x - at.y * at.y;
-            if (r2 > 0.0 && core::grading::wasSolid(*anatomy, k))
-                top[k] = std::min(top[k], static_cast<float>(-deepMm / 1.5 * std::sqrt(r2)));
-        }
-    return core::terrain::restored(anatomy, std::move(top));
-}
-
 double sum(const core::terrain::PerMaterial& volumes)
 {
     return volumes[0] + volumes[1] + volumes[2] + volumes[3];
@@ -56,8 +31,8 @@ private slots:
 
 void TestResample::theSameToothOnOtherGrids()
 {
-    const auto anatomy = block(101, 0.1);
-    const core::terrain::Tooth tooth = hollowed(anatomy, 1.5);
+    const auto anatomy = support::wavyDisc(101, 0.1);
+    const core::terrain::Tooth tooth = support::hollowed(anatomy, 1.5);
     for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
         const auto other = core::terrain::resampled(*anatomy, sampling);
         QCOMPARE(other->grid.side, sampling == Sampling::Half ? 51 : 201);
@@ -95,8 +70,8 @@ void TestResample::theSameToothOnOtherGrids()
 
 void TestResample::aHoleStaysAHole()
 {
-    const auto anatomy = block(101, 0.1);
-    const core::terrain::Tooth tooth = hollowed(anatomy, 100.0);
+    const auto anatomy = support::wavyDisc(101, 0.1);
+    const core::terrain::Tooth tooth = support::hollowed(anatomy, 100.0);
     const double area = core::grading::measure(tooth).perforatedMm2;
     QVERIFY(area > 1.0);
     for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {

@@ -2,8 +2,14 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 
@@ -19,6 +25,14 @@ std::vector<Lesson> withIdeal()
             (entry.read.lesson->task == Task::CutIdeal || entry.read.lesson->task == Task::TraceShape))
             found.push_back(*entry.read.lesson);
     return found;
+}
+
+Lesson shipped(const std::string& id)
+{
+    for (const CatalogEntry& entry : readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            return *entry.read.lesson;
+    qFatal("no such lesson: %s", id.c_str());
 }
 
 core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float>& top)
@@ -39,6 +53,8 @@ private slots:
     void tooDeepCostsDepthAlone();
     void aRecordingIsMarkedForItsLesson();
     void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
+    void layersComeInAnotherOrderAndEveryReplayKnowsIt();
+    void anExpertsAttemptMustBeOfTheLessonsTooth();
     void aPointBesideTheToothIsNamed();
     void theSchemaKnowsTheKeysThatAreRead();
 };
@@ -170,6 +186,77 @@ void TestAssignment::everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone()
     // They come before all others.
     QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
     QCOMPARE(readCatalog({}).front().read.lesson->id, std::string("orientation-1-touch"));
+}
+
+void TestAssignment::layersComeInAnotherOrderAndEveryReplayKnowsIt()
+{
+    using namespace core::grading;
+    Lesson lesson = shipped("orientation-3-layers");
+    QVERIFY(!std::get<Block>(lesson.tooth).seed);
+    std::set<std::array<core::terrain::Material, kPads>> orders;
+    for (std::uint64_t drawn = 0; drawn < 30; ++drawn) {
+        const Assignment asked = assign(lesson, drawn).value().assignment;
+        const auto& pads = std::get<PadsToName>(*asked.exercise);
+        orders.insert(pads.madeOf);
+        // The recording holds all that is needed to ask the same, and to mark it.
+        core::recording::Recording recording({}, asked.anatomy, lesson.json);
+        for (std::size_t pad = 0; pad < kPads; ++pad)
+            recording.append({core::session::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
+                              answerNote(pad, pads.madeOf[pad == 2 ? 0 : pad])});
+        recording.append({core::session::ServoEvent::Kind::NoDevice, 1000, glm::vec3(0.0F), 0});
+        const auto read = core::recording::Recording::fromBytes(recording.toBytes());
+        QVERIFY(read.has_value());
+        QVERIFY(assignmentOf(read->anatomy(), read->lesson()).value().exercise == asked.exercise);
+        const auto marked = markAgain(*read);
+        QVERIFY2(marked, marked ? "" : marked.error().detail.c_str());
+        QCOMPARE(std::get<Named>(*marked->conduct.practised).right, 2);
+    }
+    QCOMPARE(orders.size(), std::size_t{6});
+    // A teacher who names a seed has the order of that seed.
+    std::get<Block>(lesson.tooth).seed = 5;
+    for (const std::uint64_t drawn : {0, 1, 2})
+        QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
+                core::teeth::padMaterials(5));
+}
+
+void TestAssignment::anExpertsAttemptMustBeOfTheLessonsTooth()
+{
+    QTemporaryDir folder;
+    const auto write = [&](const Assignment& at, const char* name) {
+        const std::filesystem::path path = folder.filePath(name).toStdString();
+        QVERIFY(core::recording::writeRecording(path, core::recording::Recording({}, at.anatomy, at.lesson->json)));
+    };
+    const Lesson lesson = shipped("decay-36-moderate");
+    Assignment own = assign(lesson).value().assignment;
+    own.lesson->expert = Expert{folder.filePath("expert.cusprec").toStdString(), {}};
+    const auto complaint = [&] {
+        const auto expert = readExpert(own);
+        return expert ? QString() : QString::fromStdString(expert.error().detail);
+    };
+    QVERIFY2(complaint().contains("There is no recording at") && complaint().contains("expert.cusprec"),
+             qPrintable(complaint()));
+    write(own, "expert.cusprec");
+    QCOMPARE(complaint(), QString());
+    // Another tooth, another variation of it, another decay in it, another grid.
+    Lesson varied = lesson;
+    std::get<MadeTooth>(varied.tooth).seed += 1;
+    Lesson coarse = lesson;
+    coarse.gridSide = 100;
+    for (const Lesson& other : {shipped("decay-37-moderate"), varied, shipped("decay-36-deep"), coarse}) {
+        write(assign(other).value().assignment, "expert.cusprec");
+        QVERIFY2(complaint().startsWith("expert.cusprec: the attempt is at the tooth '"), qPrintable(complaint()));
+        QCOMPARE(readExpert(own).error().code, core::ErrorCode::OtherTooth);
+    }
+    // Layers come in any order: each is a way to feel them.
+    Assignment layers = assign(shipped("orientation-3-layers"), 1).value().assignment;
+    write(assign(shipped("orientation-3-layers"), 2).value().assignment, "expert.cusprec");
+    layers.lesson->expert = own.lesson->expert;
+    QVERIFY(readExpert(layers).has_value());
+    // Taken up from a journal, the lesson knows the name alone.
+    own.lesson->expert->file = "expert.cusprec";
+    QVERIFY2(complaint().contains("open the lesson anew"), qPrintable(complaint()));
+    own.lesson->expert.reset();
+    QVERIFY(!readExpert(own));
 }
 
 void TestAssignment::aPointBesideTheToothIsNamed()

@@ -4,41 +4,11 @@
 
 #include <cmath>
 
-#include "core/grading/Columns.h"
 #include "lessons/GridNoise.h"
 #include "lessons/LessonCatalog.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace lessons;
-
-namespace {
-
-/// A hemisphere's hollow in a block, which no lattice cuts evenly.
-std::shared_ptr<const core::terrain::ToothAnatomy> block(int side, double cellMm)
-{
-    support::Block made;
-    made.side = side;
-    made.cellMm = cellMm;
-    made.dejMm = -1.0;
-    made.topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); };
-    return support::makeBlock(made);
-}
-
-core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double deepMm)
-{
-    std::vector<float> top = anatomy->top;
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i) {
-            const std::size_t k = anatomy->grid.index(i, j);
-            const glm::dvec2 at = anatomy->grid.nodeMm(i, j) - glm::dvec2(0.31, -0.17);
-            const double r2 = 2.25 - at.x * at.x - at.y * at.y;
-            if (r2 > 0.0 && core::grading::wasSolid(*anatomy, k))
-                top[k] = std::min(top[k], static_cast<float>(-deepMm / 1.5 * std::sqrt(r2)));
-        }
-    return core::terrain::restored(anatomy, std::move(top));
-}
-
-}  // namespace
 
 class TestGridNoise : public QObject
 {
@@ -54,7 +24,7 @@ private slots:
 
 void TestGridNoise::smoothWorkHardlyDependsOnTheGrid()
 {
-    const auto anatomy = block(150, 0.07);
+    const auto anatomy = support::wavyDisc(150, 0.07);
     Assignment assignment = practiceOn(anatomy).value();
     assignment.rubric.criteria.resize(2);
     assignment.rubric.criteria[0].measure = "removed_mm3";
@@ -64,7 +34,7 @@ void TestGridNoise::smoothWorkHardlyDependsOnTheGrid()
     assignment.rubric.criteria[1].tolerance = 0.0;
     assignment.rubric.criteria[1].allowance.reset();
     assignment.rubric.criteria[1].span = 4.0;
-    const GridNoise noise = gridNoise(assignment, hollowed(anatomy, 1.2)).value();
+    const GridNoise noise = gridNoise(assignment, support::hollowed(anatomy, 1.2)).value();
     QVERIFY(noise.own.totalTenths > 100 && noise.own.totalTenths < 900);
     QVERIFY(noise.twice.has_value());
     QVERIFY(std::abs(noise.half.totalTenths - noise.own.totalTenths) <= 8);
@@ -74,7 +44,7 @@ void TestGridNoise::smoothWorkHardlyDependsOnTheGrid()
 /// A scratch one cell wide lies on a coarse node or between two: its volume doubles or is gone.
 void TestGridNoise::aCutUnderOneCellDoes()
 {
-    const auto anatomy = block(150, 0.07);
+    const auto anatomy = support::wavyDisc(150, 0.07);
     Assignment assignment = practiceOn(anatomy).value();
     assignment.rubric.criteria.resize(1);
     assignment.rubric.criteria[0].measure = "removed_mm3";
@@ -97,14 +67,14 @@ void TestGridNoise::aCutUnderOneCellDoes()
 
 void TestGridNoise::itSaysWhenThePassMarkLiesBetween()
 {
-    const auto anatomy = block(150, 0.07);
+    const auto anatomy = support::wavyDisc(150, 0.07);
     Assignment assignment = practiceOn(anatomy).value();
     assignment.rubric.criteria.resize(1);
     assignment.rubric.criteria[0].measure = "removed_mm3";
     assignment.rubric.criteria[0].tolerance = 0.0;
     assignment.rubric.criteria[0].span = 10.0;
     assignment.rubric.criteria[0].weightTenths = 1000;
-    std::vector<float> top = hollowed(anatomy, 1.2).top;
+    std::vector<float> top = support::hollowed(anatomy, 1.2).top;
     for (int i = 40; i < 110; ++i)
         top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
     const core::terrain::Tooth tooth = core::terrain::restored(anatomy, top);
@@ -137,9 +107,9 @@ void TestGridNoise::idealWorkStaysGoodAtEveryGrid()
 
 void TestGridNoise::theLargestGridHasNoDouble()
 {
-    const auto anatomy = block(600, 0.0175);
+    const auto anatomy = support::wavyDisc(600, 0.0175);
     const Assignment assignment = practiceOn(anatomy).value();
-    QVERIFY(!gridNoise(assignment, hollowed(anatomy, 1.0))->twice.has_value());
+    QVERIFY(!gridNoise(assignment, support::hollowed(anatomy, 1.0))->twice.has_value());
 }
 
 QTEST_GUILESS_MAIN(TestGridNoise)

@@ -15,6 +15,7 @@
 #include "lessons/Capture.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
+#include "tests/fuzz/ExerciseLesson.h"
 
 using namespace lessons;
 
@@ -35,6 +36,8 @@ private slots:
     void tolerancesGoIntoTheRubric();
 
     void aPackHoldsAllThatItsLessonsNeed();
+    void anExpertsRecordingGoesAlong();
+    void corpusOfTheFuzzerIsHarmless();
     void aPackInTheFolderIsOffered();
     void unpackingOverwritesNothing();
     void refusesNamesThatLeadElsewhere_data();
@@ -246,6 +249,57 @@ void TestLessonPack::aPackHoldsAllThatItsLessonsNeed()
     const ReadLesson there = readLesson(elsewhere.filePath("mine/own.lesson.json"));
     QVERIFY2(there.lesson, qPrintable(sentences(there)));
     QCOMPARE(there.lesson->hash, readLesson(file).lesson->hash);
+}
+
+void TestLessonPack::anExpertsRecordingGoesAlong()
+{
+    QJsonObject object = lesson();
+    writeCaptured("own.cuspideal");
+    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
+    write("expert.cusprec", QByteArray("an attempt"));
+    const auto bytes = packLessons({write("own.lesson.json", object)});
+    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QTemporaryDir elsewhere;
+    QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
+    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
+    QVERIFY2(there.lesson, qPrintable(sentences(there)));
+    QCOMPARE(QString::fromStdString(there.lesson->expert->file), elsewhere.filePath("expert.cusprec"));
+}
+
+/// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.
+void TestLessonPack::corpusOfTheFuzzerIsHarmless()
+{
+    const QDir packs(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/pack"));
+    const QDir texts(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/lesson"));
+    const auto contentOf = [](const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    if (!qEnvironmentVariableIsEmpty("CUSP_REWRITE_CORPUS")) {
+        QVERIFY(packs.mkpath(".") && texts.mkpath("."));
+        const auto seed = [](const QDir& folder, const QString& name, const std::string& content) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            QCOMPARE(file.write(content.data(), qint64(content.size())), qint64(content.size()));
+        };
+        for (const char* name : {"0-orientation-1-touch", "0-orientation-2-hold", "0-orientation-3-layers",
+                                 "decay-36-1-small", "block-3-cross", "ideal-1-class1-1-36"})
+            seed(texts, name, readLesson(QStringLiteral(":/lessons/%1.lesson.json").arg(name)).lesson->json);
+        write("small.lesson.json", QJsonObject{{"format", 1}, {"based_on", "ideal-1-class1-1-36.lesson.json"}});
+        const QByteArray small = packLessons({m_folder->filePath("small.lesson.json")}).value();
+        seed(packs, "small", small.toStdString());
+        seed(packs, "unpacked", core::recording::unpack(small.toStdString(), kLargestPackBytes).value());
+    }
+    const QStringList texted = texts.entryList(QDir::Files);
+    const QStringList packed = packs.entryList(QDir::Files);
+    QVERIFY(!texted.isEmpty() && !packed.isEmpty());
+    for (const QString& name : texted)
+        fuzz::exerciseLesson(contentOf(texts.filePath(name)).toStdString());
+    for (const QString& name : packed) {
+        const std::string bytes = contentOf(packs.filePath(name)).toStdString();
+        fuzz::exercisePack(bytes);
+        fuzz::exercisePack(core::recording::pack(bytes));
+    }
 }
 
 void TestLessonPack::aPackInTheFolderIsOffered()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/SyntheticTooth.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace support {
 
@@ -34,6 +36,30 @@ std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block)
         }
     }
     return tooth;
+}
+
+std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm)
+{
+    Block block;
+    block.side = side;
+    block.cellMm = cellMm;
+    block.dejMm = -1.0;
+    block.topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); };
+    return makeBlock(block);
+}
+
+core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double deepMm)
+{
+    std::vector<float> top = anatomy->top;
+    for (int j = 0; j < anatomy->grid.side; ++j)
+        for (int i = 0; i < anatomy->grid.side; ++i) {
+            const std::size_t k = anatomy->grid.index(i, j);
+            const glm::dvec2 at = anatomy->grid.nodeMm(i, j) - glm::dvec2(0.31, -0.17);
+            const double r2 = 2.25 - at.x * at.x - at.y * at.y;
+            if (r2 > 0.0 && top[k] > anatomy->bottom[k])
+                top[k] = std::min(top[k], static_cast<float>(-deepMm / 1.5 * std::sqrt(r2)));
+        }
+    return core::terrain::restored(anatomy, std::move(top));
 }
 
 std::shared_ptr<core::terrain::ToothAnatomy> slab(float dejMm)

@@ -24,6 +24,13 @@ struct Block
 /// Block centred on the origin of the tooth frame.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
 
+/// A disc of 4 mm radius under a top that waves along x by 0.3 mm, enamel above -1: no lattice cuts its rim evenly.
+[[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm);
+
+/// The same with a hollow in it, half an ellipsoid 1.5 mm in radius and so deep, beside every node and every axis.
+[[nodiscard]] core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
+                                            double deepMm);
+
 /// 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, enamel above a height and dentin below: for a test to
 /// put pulp and decay into.
 [[nodiscard]] std::shared_ptr<core::terrain::ToothAnatomy> slab(float dejMm);

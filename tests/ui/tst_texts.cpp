@@ -47,8 +47,8 @@ constexpr std::array kAllCodes{ErrorCode::FileMissing,  ErrorCode::FileUnreadabl
                                ErrorCode::FileEmpty,    ErrorCode::FileTruncated,  ErrorCode::FileTooLarge,
                                ErrorCode::WrongKind,    ErrorCode::NewerVersion,   ErrorCode::BadNumber,
                                ErrorCode::BadStructure, ErrorCode::NoTriangles,    ErrorCode::UnknownName,
-                               ErrorCode::OutOfRange};
-static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::OutOfRange) + 1, "a new code needs a sentence");
+                               ErrorCode::OutOfRange,   ErrorCode::OtherTooth};
+static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::OtherTooth) + 1, "a new code needs a sentence");
 
 struct Entry
 {

@@ -137,6 +137,9 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "Cusp does not know what is asked for by this name.");
     case core::ErrorCode::OutOfRange:
         return QCoreApplication::translate("Error", "A value lies outside what Cusp can work with.");
+    case core::ErrorCode::OtherTooth:
+        return QCoreApplication::translate("Error", "It was made on another tooth, or with another decay, than this "
+                                                    "lesson's. Ask who made the lesson.");
     }
     return {};
 }

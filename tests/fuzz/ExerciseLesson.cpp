@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/ExerciseLesson.h"
+
+#include <cstdlib>
+
+#include "lessons/LessonPack.h"
+#include "lessons/LessonReader.h"
+
+namespace fuzz {
+namespace {
+
+void promise(bool kept)
+{
+    if (!kept)
+        std::abort();
+}
+
+}  // namespace
+
+void exerciseLesson(std::string_view bytes)
+{
+    const QString name = QStringLiteral("fuzzed.lesson.json");
+    const lessons::ReadLesson read =
+        lessons::readLessonText(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())), name);
+    for (const lessons::Fault& fault : read.faults)
+        promise(!fault.what.isEmpty() && !fault.sentence().isEmpty());
+    if (!read.lesson) {
+        promise(!read.faults.empty());
+        return;
+    }
+    promise(lessons::check(read.lesson->rubric).has_value());
+    // What a recording takes along is the same lesson.
+    const lessons::ReadLesson again = lessons::readLessonText(QByteArray::fromStdString(read.lesson->json), name);
+    promise(again.lesson && *again.lesson == *read.lesson);
+}
+
+void exercisePack(std::string_view bytes)
+{
+    const auto files = lessons::unpackLessons(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())));
+    if (!files) {
+        promise(files.error().detail.ends_with('.'));
+        return;
+    }
+    promise(!files->empty() && files->size() <= static_cast<std::size_t>(lessons::kMostPackedFiles));
+    qint64 sum = 0;
+    for (const lessons::PackedFile& file : *files) {
+        promise(lessons::isNameBeside(file.name));
+        sum += file.content.size();
+        if (file.name.endsWith(QStringLiteral(".lesson.json")))
+            exerciseLesson({file.content.constData(), static_cast<std::size_t>(file.content.size())});
+    }
+    promise(sum <= lessons::kLargestPackBytes);
+}
+
+}  // namespace fuzz
