@@ -122,7 +122,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
     });
     connect(m_window.get(), &MainWindow::forecastGiven, this,
-            [this](int expectedTenths, const QString&) { finish(expectedTenths); });
+            [this](const ui::study::Expectation& expected) { finish(expected); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
             [this](const QString& path) { openTooth({std::filesystem::path(path.toStdU16String())}); });
     connect(m_window.get(), &MainWindow::scanUnitChosen, this, [this](const QString& unit) {
@@ -434,7 +434,7 @@ void Application::grade()
         practised = now.practised;
     if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
         m_graded->practised == practised) {
-        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expectedTenths, m_graded->work);
+        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
         compareWithClass();
         m_explainer.tellAgain();
         return;
@@ -454,7 +454,7 @@ void Application::grade()
 }
 
 /// Marks the work as it is now, keeps the grade and shows it.
-void Application::finish(std::optional<int> expectedTenths)
+void Application::finish(const std::optional<ui::study::Expectation>& expected)
 {
     const auto done = m_follower.conclude();
     if (!done)
@@ -478,7 +478,8 @@ void Application::finish(std::optional<int> expectedTenths)
         record.scoreTenths = sheet.totalTenths;
         record.passed = sheet.passed();
         record.rubricHash = sheet.rubricHash;
-        record.expectedTenths = expectedTenths;
+        if (expected)
+            record.expectedTenths = expected->tenths;
         if (m_assignment.lesson) {
             record.lessonId = m_assignment.lesson->id;
             record.lessonHash = m_assignment.lesson->hash;
@@ -495,17 +496,17 @@ void Application::finish(std::optional<int> expectedTenths)
         else
             m_window->showError(last.error(), Failed::KeepingGrades);
     }
-    m_graded = {
-        m_ownGeneration,
-        hash,
-        sheet,
-        history,
-        expectedTenths,
-        {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured},
-        done->recording,
-        isKept,
-        found.practised};
-    m_window->showScore(sheet, history, expectedTenths, m_graded->work);
+    m_graded = {m_ownGeneration,
+                hash,
+                sheet,
+                history,
+                expected,
+                {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured,
+                 found.infractions, found.aids},
+                done->recording,
+                isKept,
+                found.practised};
+    m_window->showScore(sheet, history, expected, m_graded->work);
     compareWithClass();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }

@@ -69,7 +69,7 @@ private:
     void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
-    void finish(std::optional<int> expectedTenths);
+    void finish(const std::optional<ui::study::Expectation>& expected);
     void compareWithClass();
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void openBeside(const QString& path);
@@ -124,7 +124,7 @@ private:
         std::uint64_t hash = 0;
         lessons::ScoreSheet sheet;
         QList<database::AttemptRecord> history;
-        std::optional<int> expectedTenths;
+        std::optional<ui::study::Expectation> expected;
         ui::study::ScoredWork work;
         core::recording::Recording recording;
         bool isKept = false;                                ///< or nowhere to keep it

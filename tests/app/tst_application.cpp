@@ -8,6 +8,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QRadioButton>
+#include <QSlider>
 #include <QTest>
 #include <glm/geometric.hpp>
 
@@ -231,6 +233,10 @@ QString TestApplication::graded() const
     if (!button->isVisible())
         return QStringLiteral("is not offered");
     QTest::mouseClick(button, Qt::LeftButton);
+    if (child<QPushButton>("showScore")->isEnabled())
+        return QStringLiteral("shows the score before anything is expected");
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::mouseClick(child<QRadioButton>(), Qt::LeftButton);
     QTest::mouseClick(child<QPushButton>("showScore"), Qt::LeftButton);
     return child<ui::study::ScorePage>()->isVisible() ? child<ui::shell::TabularLabel>("total")->text() : message();
 }

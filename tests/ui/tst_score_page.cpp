@@ -106,6 +106,7 @@ private slots:
     void aMomentLeadsThere();
     void manyMomentsAreFoldedAway();
     void neighboursAreReadAsOne();
+    void breachesLeadToTheirMoments();
     void itSaysWhenTheGridDecides();
     void otherRubricsAreShownApart();
     void aClassOfFewIsNotShown();
@@ -147,7 +148,8 @@ void TestScorePage::show(const Faulty& made)
     database::AttemptRecord old = now;
     old.scoreTenths = 612;
     old.rubricHash = "another";
-    m_page->setScore(QStringLiteral("Class I, tooth 36"), made.sheet, {now, now, now, old}, 900, made.work);
+    m_page->setScore(QStringLiteral("Class I, tooth 36"), made.sheet, {now, now, now, old},
+                     ui::study::Expectation{900, "depth"}, made.work);
     m_page->setMoments(parts(made.sheet));
     m_page->setClass({1, {}});
     m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
@@ -259,6 +261,41 @@ void TestScorePage::neighboursAreReadAsOne()
                                         {Kind::Way, 2, 14000, 14.0, 0}}));
 }
 
+void TestScorePage::breachesLeadToTheirMoments()
+{
+    using core::grading::Breach;
+    Faulty made = faulty("decay-36-moderate");
+    show(made);
+    auto* facts = m_page->findChild<QLabel*>("conduct");
+    QVERIFY(!facts->isVisible());  // nobody saw how it came about
+    made.work.measured.process = core::grading::Process{.totalS = 133.0, .cuttingS = 62.0, .undos = 3};
+    show(made);
+    QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("no breach"));
+    QVERIFY2(facts->text().contains("2:13") && facts->text().contains("1:02") && facts->text().contains("3 steps") &&
+                 facts->text().contains("No aid"),
+             qPrintable(facts->text()));
+    made.work.aids = core::session::kSectionAid;
+    for (int n = 0; n < 7; ++n)
+        made.work.infractions.push_back(
+            {n == 5 ? Breach::PulpExposed : Breach::BurInAir, 1000ULL * n, 20.0 * n, {}, 0, 20});
+    show(made);
+    QVERIFY(facts->text().contains("section"));
+    QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("7"));
+    const auto chips = [&] { return facts->parentWidget()->findChildren<QPushButton*>(); };
+    QCOMPARE(chips().size(), 4);
+    QPushButton* pulp = nullptr;
+    for (QPushButton* chip : chips())
+        if (chip->text().contains("pulp"))
+            pulp = chip;
+    QVERIFY(pulp != nullptr);
+    QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+    QTest::mouseClick(pulp, Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().front().toDouble(), 100.0);
+    QTest::mouseClick(chips().back(), Qt::LeftButton);
+    QTRY_COMPARE(chips().size(), 7);
+}
+
 void TestScorePage::itSaysWhenTheGridDecides()
 {
     const auto* words = m_page->findChild<QLabel*>("noise");
@@ -326,7 +363,12 @@ void TestScorePage::theFirstViewNeedsNoScrolling()
     init();
     m_window->resize(size);
     m_page->resize(size);
-    show(faulty(lesson.toStdString()));
+    Faulty made = faulty(lesson.toStdString());
+    made.work.measured.process = core::grading::Process{.totalS = 133.0, .cuttingS = 62.0, .undos = 3};
+    made.work.aids = core::session::kSectionAid | core::session::kIdealAid | core::session::kRadiographAid;
+    for (int n = 0; n < 9; ++n)
+        made.work.infractions.push_back({core::grading::Breach::BurInAir, 1000ULL * n, 20.0 * n, {}, 0, 20});
+    show(made);
     const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
     QTRY_VERIFY2(!pane->hasMoreBelow(),
                  qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));

@@ -101,27 +101,6 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     }
 }
 
-QString aidWords(std::uint64_t aids)
-{
-    using namespace core::session;
-    QStringList used;
-    const auto add = [&](Aid aid, const QString& words) {
-        if ((aids & aid) != 0)
-            used << words;
-    };
-    add(kSectionAid, QCoreApplication::translate("TimeLine", "section"));
-    add(kDepthGaugeAid, QCoreApplication::translate("TimeLine", "depth gauge"));
-    add(kRadiographAid, QCoreApplication::translate("TimeLine", "X-ray"));
-    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "colours of depth"));
-    add(kMirrorAid, QCoreApplication::translate("TimeLine", "mirror"));
-    add(kIdealAid, QCoreApplication::translate("TimeLine", "ideal"));
-    add(kBurColourAid, QCoreApplication::translate("TimeLine", "colour of the bur"));
-    add(kFixtureAid, QCoreApplication::translate("TimeLine", "held within the outline"));
-    return used.isEmpty()
-               ? QCoreApplication::translate("TimeLine", "No aid in use")
-               : QCoreApplication::translate("TimeLine", "Aids in use: %1").arg(used.join(QStringLiteral(", ")));
-}
-
 QString burWords(std::uint64_t index)
 {
     const auto burs = core::drilling::burs();
@@ -149,7 +128,7 @@ QString markWords(const Mark& mark)
     case Mark::Kind::Handpiece:
         return QCoreApplication::translate("TimeLine", "Another handpiece");
     case Mark::Kind::Aids:
-        return aidWords(mark.value);
+        return text::aidWords(mark.value);
     case Mark::Kind::Note:
         return QCoreApplication::translate("TimeLine", "Note %1").arg(mark.value);
     case Mark::Kind::Home:

@@ -960,14 +960,15 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                           std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
+                           const std::optional<study::Expectation>& expected,
+                           const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
     if (m_exerciseCard->isVisibleTo(m_room)) {
         m_exerciseCard->conclude();
         markExercise();
     }
-    m_scorePage->setScore(workTitle(), sheet, history, expectedTenths, scored);
+    m_scorePage->setScore(workTitle(), sheet, history, expected, scored);
     goTo(m_scorePage);
 }
 

@@ -97,10 +97,11 @@ public slots:
     /// @param tooth  its name as on a recording
     void offerUnfinished(const QString& tooth, const QDateTime& begun);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
-    /// @param expectedTenths  what the student had said in forecast()
+    /// @param expected  what the student had said when asked
     /// @param scored  what was marked, for the pictures of it
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
-                   std::optional<int> expectedTenths = {}, const std::optional<study::ScoredWork>& scored = {});
+                   const std::optional<study::Expectation>& expected = {},
+                   const std::optional<study::ScoredWork>& scored = {});
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// How the exercise of the student's lesson has gone so far.
@@ -154,7 +155,7 @@ signals:
     /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
     void momentWanted(double seconds);
     /// @param worst  the criterion expected to cost most, by id; empty: none
-    void forecastGiven(int expectedTenths, const QString& worst);
+    void forecastGiven(const ui::study::Expectation& expected);
     void scanChosen(const QString& path);
     /// The scan on the table is to be read again in this unit: "mm", "cm" or "m".
     void scanUnitChosen(const QString& unit);

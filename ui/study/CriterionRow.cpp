@@ -68,6 +68,9 @@ QString momentWords(const Moment& moment, const ::lessons::Criterion& criterion)
         if (!criterion.measured)
             //: %1: points of a score. What could not be measured earns nothing
             return CriterionRow::tr("%1 not measured").arg(lost);
+        if (criterion.measure.starts_with("time_"))
+            //: %1: points of a score, for something that was done later than asked
+            return CriterionRow::tr("%1 too late").arg(lost);
         return isOfWhatIsLeft(criterion.measure) ? CriterionRow::tr("%1 never removed").arg(lost)
                                                  //: Of a criterion that was not fulfilled at any time
                                                  : CriterionRow::tr("%1 never earned").arg(lost);

@@ -22,7 +22,7 @@ using namespace ui::shell;
 
 constexpr int kCardWidthPx = 620;
 constexpr int kTenthsAStep = 10;
-constexpr int kBeginAt = 70;
+constexpr int kBeginAt = 50;
 
 }  // namespace
 
@@ -62,7 +62,15 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     row->addWidget(m_slider, 1);
     row->addWidget(m_value);
     column->addLayout(row);
-    connect(m_slider, &QSlider::valueChanged, this, [this](int points) { m_value->setText(QString::number(points)); });
+    // The first step says where it stands: who expects just that many points says so by a click.
+    const auto said = [this] {
+        m_hasPoints = true;
+        m_value->setText(QString::number(m_slider->sliderPosition()));
+        showMissing();
+    };
+    connect(m_slider, &QSlider::sliderPressed, this, said);
+    connect(m_slider, &QSlider::actionTriggered, this, said);
+    connect(m_slider, &QSlider::valueChanged, this, said);
 
     auto* worst = new QLabel(tr("What cost you most?"), block);
     worst->setFont(typeface(kTitle, QFont::DemiBold));
@@ -70,6 +78,10 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     m_criteriaSlot = new QVBoxLayout;
     column->addLayout(m_criteriaSlot);
 
+    m_missing = new QLabel(block);
+    m_missing->setForegroundRole(QPalette::PlaceholderText);
+    m_missing->setWordWrap(true);
+    m_missing->setObjectName(QStringLiteral("missing"));
     m_show = new QPushButton(tr("Show the score"), block);
     m_show->setProperty("kind", "filled");
     m_show->setAccessibleName(m_show->text());
@@ -77,12 +89,12 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     m_show->setAutoDefault(true);
     m_show->setObjectName(QStringLiteral("showScore"));
     column->addSpacing(kSpace2);
+    column->addWidget(m_missing);
     column->addWidget(m_show, 0, Qt::AlignLeft);
     column->addStretch(2);
     connect(m_show, &QPushButton::clicked, this, [this] {
-        const QAbstractButton* said = m_worst != nullptr ? m_worst->checkedButton() : nullptr;
-        emit answered(m_slider->value() * kTenthsAStep,
-                      said != nullptr ? said->property("criterion").toString() : QString());
+        emit answered({m_slider->value() * kTenthsAStep,
+                       m_worst->checkedButton()->property("criterion").toString().toStdString()});
     });
     body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
 }
@@ -90,10 +102,12 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
 void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
 {
     //: %1 is a lesson, %2 the mark that is needed
-    m_mark->setText(tr("%1. You pass from %2 of 100 points. Who judges the own work first learns more from the score.")
-                        .arg(work, text::points(rubric.passMarkTenths)));
+    m_mark->setText(
+        tr("%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.")
+            .arg(work, text::points(rubric.passMarkTenths)));
     m_slider->setValue(kBeginAt);
-    m_value->setText(QString::number(kBeginAt));
+    m_value->setText(QStringLiteral("–"));
+    m_hasPoints = false;
     delete m_criteria;
     m_criteria = new QWidget(this);
     auto* column = new QVBoxLayout(m_criteria);
@@ -113,8 +127,19 @@ void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
         line.measure = rule.measure;
         offer(text::criterionName(line), QString::fromStdString(rule.id));
     }
-    offer(tr("Nothing: I expect all points"), {})->setChecked(true);
+    offer(tr("Nothing in particular"), {});
+    connect(m_worst, &QButtonGroup::buttonClicked, this, &Forecast::showMissing);
     m_criteriaSlot->addWidget(m_criteria);
+    showMissing();
+}
+
+void Forecast::showMissing()
+{
+    const bool hasWorst = m_worst != nullptr && m_worst->checkedButton() != nullptr;
+    m_show->setEnabled(m_hasPoints && hasWorst);
+    m_missing->setText(!m_hasPoints ? tr("Set the points that you expect.")
+                       : !hasWorst  ? tr("Choose what cost you most.")
+                                    : QString());
 }
 
 /// Enter goes on from wherever one is.

@@ -3,6 +3,7 @@
 
 #include "lessons/Rubric.h"
 #include "ui/shell/Page.h"
+#include "ui/study/Expectation.h"
 
 class QButtonGroup;
 class QLabel;
@@ -16,8 +17,8 @@ class TabularLabel;
 
 namespace ui::study {
 
-/// What the student expects, asked before the score is shown: who judges himself learns more than who is told
-/// (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam).
+/// What the student expects, asked before the score is shown, and nothing is said for him: who judges himself learns
+/// more than who is told (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam).
 class Forecast final : public shell::Page
 {
     Q_OBJECT
@@ -28,21 +29,24 @@ public:
     void ask(const QString& work, const ::lessons::Rubric& rubric);
 
 signals:
-    /// @param worst  id of the criterion that is expected to cost most; empty: none
-    void answered(int expectedTenths, const QString& worst);
+    void answered(const ui::study::Expectation& expected);
 
 protected:
     void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void showMissing();
+
     QLabel* m_mark = nullptr;
     QSlider* m_slider = nullptr;
     shell::TabularLabel* m_value = nullptr;
     QVBoxLayout* m_criteriaSlot = nullptr;
     QWidget* m_criteria = nullptr;
     QButtonGroup* m_worst = nullptr;
+    QLabel* m_missing = nullptr;
     QPushButton* m_show = nullptr;
+    bool m_hasPoints = false;  ///< the student has moved the slider
 };
 
 }  // namespace ui::study

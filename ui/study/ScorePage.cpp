@@ -22,6 +22,7 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/ConductNotes.h"
 #include "ui/study/CriterionRow.h"
 #include "ui/study/HeatMap.h"
 #include "ui/study/WorstSection.h"
@@ -70,6 +71,24 @@ QString expectation(int expectedTenths, int totalTenths)
     return (gap > 0 ? ScorePage::tr("You expected %1 points: %2 too many.")
                     : ScorePage::tr("You expected %1 points: %2 too few."))
         .arg(expected, text::points(std::abs(gap)));
+}
+
+/// What was expected to cost most, and what did.
+QString expectedWorst(const std::string& expected, const ::lessons::ScoreSheet& sheet)
+{
+    const auto worst = std::max_element(sheet.criteria.begin(), sheet.criteria.end(),
+                                        [](const auto& a, const auto& b) { return a.lostTenths < b.lostTenths; });
+    const auto said = std::find_if(sheet.criteria.begin(), sheet.criteria.end(),
+                                   [&](const ::lessons::Criterion& criterion) { return criterion.id == expected; });
+    if (worst == sheet.criteria.end() || worst->lostTenths == 0)
+        return said == sheet.criteria.end() ? QString() : ScorePage::tr("Nothing cost you a point.");
+    const QString name = text::criterionName(*worst);
+    if (said == sheet.criteria.end())
+        return ScorePage::tr("Most points went to: %1.").arg(name);
+    if (said->lostTenths == worst->lostTenths)
+        return ScorePage::tr("What cost most you knew: %1.").arg(text::criterionName(*said));
+    return ScorePage::tr("You thought that most points went to \"%1\"; they went to \"%2\".")
+        .arg(text::criterionName(*said), name);
 }
 
 /// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
@@ -266,6 +285,9 @@ QWidget* ScorePage::makePlace()
     row->addWidget(m_heat, 1);
     row->addWidget(m_section, 1);
     column->addLayout(row, 1);
+    m_conduct = new ConductNotes(frame);
+    connect(m_conduct, &ConductNotes::momentWanted, this, &ScorePage::momentWanted);
+    column->addWidget(m_conduct);
     return frame;
 }
 
@@ -295,14 +317,16 @@ QWidget* ScorePage::makeHistory()
 }
 
 void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
-                         const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
+                         const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                          const std::optional<ScoredWork>& scored)
 {
     //: %1 is a lesson, "Tooth 36" or a file name
     setTitle(tr("Grade: %1").arg(work));
-    m_expected->setVisible(expectedTenths.has_value());
-    if (expectedTenths)
-        m_expected->setText(expectation(*expectedTenths, sheet.totalTenths));
+    m_expected->setVisible(expected.has_value());
+    if (expected)
+        m_expected->setText(
+            (expectation(expected->tenths, sheet.totalTenths) + u' ' + expectedWorst(expected->worst, sheet))
+                .trimmed());
     m_noise->hide();
     m_rubric->setText(rubricWords(sheet));
     const Tones tone = tones(palette());
@@ -322,6 +346,9 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
         m_heat->setWork(*m_scored);
         m_section->setWork(*m_scored);
     }
+    m_conduct->setVisible(m_scored && m_scored->measured.process);
+    if (m_scored && m_scored->measured.process)
+        m_conduct->setConduct(*m_scored->measured.process, m_scored->infractions, m_scored->aids);
     arrange();
     setMomentsProgress({});
     fillCriteria(sheet);

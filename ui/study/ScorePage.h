@@ -12,6 +12,7 @@
 #include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/shell/Page.h"
+#include "ui/study/Expectation.h"
 #include "ui/study/ScoredWork.h"
 
 class QBoxLayout;
@@ -28,6 +29,7 @@ class TabularLabel;
 
 namespace ui::study {
 
+class ConductNotes;
 class CriterionRow;
 class HeatMap;
 class WorstSection;
@@ -43,10 +45,10 @@ public:
 
     /// @param work     the lesson, or the tooth
     /// @param history  newest first, this attempt included; empty: grades are not kept
-    /// @param expectedTenths  what the student had expected, where that was asked
+    /// @param expected  what the student had expected, where that was asked
     /// @param scored   what was marked; nothing: no pictures
     void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
-                  const QList<database::AttemptRecord>& history, std::optional<int> expectedTenths,
+                  const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                   const std::optional<ScoredWork>& scored);
     /// Where the score stands among those of a class.
     void setClass(const ::lessons::ClassStanding& standing);
@@ -96,6 +98,7 @@ private:
     QList<CriterionRow*> m_rows;
     QWidget* m_looking = nullptr;
     QProgressBar* m_progress = nullptr;
+    ConductNotes* m_conduct = nullptr;
     QLabel* m_sum = nullptr;
     QLabel* m_place = nullptr;
     HeatMap* m_heat = nullptr;

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
+#include "core/grading/Referee.h"
 #include "core/terrain/Tooth.h"
 
 namespace ui::study {
@@ -17,6 +19,8 @@ struct ScoredWork
     std::shared_ptr<const core::terrain::Tooth> tooth;
     core::grading::IdealTop ideal;  ///< what was asked for; null: that nothing be cut
     core::grading::Measured measured;
+    std::vector<core::grading::Infraction> infractions{};
+    std::uint8_t aids = 0;  ///< bits of core::session::Aid that were in use
 };
 
 /// How far a column ends above the ideal, mm: negative where it was cut too deep. 0 outside the tooth.

@@ -552,4 +552,25 @@ QString duration(double seconds)
     return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
+QString aidWords(std::uint64_t aids)
+{
+    using namespace core::session;
+    QStringList used;
+    const auto add = [&](Aid aid, const QString& words) {
+        if ((aids & aid) != 0)
+            used << words;
+    };
+    add(kSectionAid, QCoreApplication::translate("TimeLine", "section"));
+    add(kDepthGaugeAid, QCoreApplication::translate("TimeLine", "depth gauge"));
+    add(kRadiographAid, QCoreApplication::translate("TimeLine", "X-ray"));
+    add(kHeatMapAid, QCoreApplication::translate("TimeLine", "colours of depth"));
+    add(kMirrorAid, QCoreApplication::translate("TimeLine", "mirror"));
+    add(kIdealAid, QCoreApplication::translate("TimeLine", "ideal"));
+    add(kBurColourAid, QCoreApplication::translate("TimeLine", "colour of the bur"));
+    add(kFixtureAid, QCoreApplication::translate("TimeLine", "held within the outline"));
+    return used.isEmpty()
+               ? QCoreApplication::translate("TimeLine", "No aid in use")
+               : QCoreApplication::translate("TimeLine", "Aids in use: %1").arg(used.join(QStringLiteral(", ")));
+}
+
 }  // namespace ui::text

@@ -88,4 +88,8 @@ enum class Failed {
 /// Minutes and seconds: "1:07".
 [[nodiscard]] QString duration(double seconds);
 
+/// Which aids were in use, or that none was.
+/// @param aids  bits of core::session::Aid
+[[nodiscard]] QString aidWords(std::uint64_t aids);
+
 }  // namespace ui::text

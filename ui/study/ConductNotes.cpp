@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/ConductNotes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/Theme.h"
+#include "ui/study/InfractionCard.h"
+#include "ui/text/Texts.h"
+
+namespace ui::study {
+namespace {
+
+using namespace ui::shell;
+
+constexpr std::size_t kShownBreaches = 4;
+constexpr int kChipsARow = 2;
+
+QString factsOf(const core::grading::Process& process, std::uint8_t aids)
+{
+    QStringList facts;
+    //: Two times in minutes and seconds
+    facts << ConductNotes::tr("%1 in all, %2 of it cutting")
+                 .arg(text::duration(process.totalS), text::duration(process.cuttingS));
+    if (process.force)
+        facts << ConductNotes::tr("force %1 N on the mean, %2 N at most")
+                     .arg(text::number(process.force->meanN, 1), text::number(process.force->largestN, 1));
+    if (process.undos > 0)
+        facts << ConductNotes::tr("%n step(s) taken back", nullptr, process.undos);
+    facts << text::aidWords(aids);
+    return facts.join(QStringLiteral(" · "));
+}
+
+}  // namespace
+
+ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    column->setSpacing(kSpace1);
+    m_title = new QLabel(this);
+    m_title->setFont(typeface(kSmall, QFont::DemiBold));
+    m_title->setObjectName(QStringLiteral("breaches"));
+    column->addWidget(m_title);
+    m_facts = new QLabel(this);
+    m_facts->setFont(typeface(kSmall));
+    m_facts->setForegroundRole(QPalette::PlaceholderText);
+    m_facts->setWordWrap(true);
+    m_facts->setMinimumHeight(1);
+    m_facts->setObjectName(QStringLiteral("conduct"));
+    column->addWidget(m_facts);
+}
+
+void ConductNotes::setConduct(const core::grading::Process& process,
+                              const std::vector<core::grading::Infraction>& infractions, std::uint8_t aids)
+{
+    m_title->setText(infractions.empty() ? tr("On the way: no breach of the lesson's rules")
+                                         : tr("On the way: %n breach(es) of the lesson's rules", nullptr,
+                                              static_cast<int>(infractions.size())));
+    m_facts->setText(factsOf(process, aids));
+    fillBreaches(infractions, false);
+}
+
+/// The gravest, in the order of time; all of them where that is asked for.
+void ConductNotes::fillBreaches(const std::vector<core::grading::Infraction>& infractions, bool all)
+{
+    delete m_breaches;
+    m_breaches = nullptr;
+    if (infractions.empty())
+        return;
+    std::vector<core::grading::Infraction> shown = infractions;
+    if (!all && shown.size() > kShownBreaches) {
+        std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.breach < b.breach; });
+        shown.resize(kShownBreaches - 1);
+        std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
+    }
+    m_breaches = new QWidget(this);
+    auto* grid = new QGridLayout(m_breaches);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(kSpace1);
+    grid->setColumnStretch(kChipsARow, 1);
+    int place = 0;
+    const auto add = [&](const QString& words, const QString& tip) {
+        auto* chip = new QPushButton(words, m_breaches);
+        chip->setProperty("kind", "chip");
+        chip->setFont(typeface(kSmall, QFont::Medium));
+        chip->setToolTip(tip);
+        chip->setStatusTip(tip);
+        chip->setAccessibleName(words);
+        chip->setAccessibleDescription(tip);
+        chip->setAutoDefault(true);
+        grid->addWidget(chip, place / kChipsARow, place % kChipsARow, Qt::AlignLeft);
+        ++place;
+        return chip;
+    };
+    for (const core::grading::Infraction& infraction : shown) {
+        QPushButton* chip =
+            add(tr("%1 at %2").arg(breachName(infraction), text::duration(std::floor(infraction.seconds))),
+                tr("See it happen: play the attempt from here"));
+        connect(chip, &QPushButton::clicked, this, [this, at = infraction.seconds] { emit momentWanted(at); });
+    }
+    if (shown.size() < infractions.size()) {
+        QPushButton* more = add(tr("%n more", "breaches", static_cast<int>(infractions.size() - shown.size())),
+                                tr("Show every breach"));
+        connect(
+            more, &QPushButton::clicked, this, [this, infractions] { fillBreaches(infractions, true); },
+            Qt::QueuedConnection);
+    }
+    static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_breaches);
+}
+
+}  // namespace ui::study

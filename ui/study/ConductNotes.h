@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "core/grading/Process.h"
+#include "core/grading/Referee.h"
+
+class QLabel;
+
+namespace ui::study {
+
+/// What happened on the way to a score, whatever it cost: the breaches, each leading to its moment, and time, force,
+/// aids and steps taken back in a sentence.
+class ConductNotes final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ConductNotes(QWidget* parent);
+
+    /// @param aids  bits of core::session::Aid that were in use
+    void setConduct(const core::grading::Process& process, const std::vector<core::grading::Infraction>& infractions,
+                    std::uint8_t aids);
+
+signals:
+    /// The attempt is to be seen from this moment on.
+    void momentWanted(double seconds);
+
+private:
+    void fillBreaches(const std::vector<core::grading::Infraction>& infractions, bool all);
+
+    QLabel* m_title = nullptr;
+    QWidget* m_breaches = nullptr;
+    QLabel* m_facts = nullptr;
+};
+
+}  // namespace ui::study
