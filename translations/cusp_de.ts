@@ -33,23 +33,23 @@
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
-        <translation>Mit einem Bohrer geschnitten, den diese Aufgabe nicht erlaubt</translation>
+        <translation>Mit einem Bohrer geschnitten, den diese Lektion nicht erlaubt</translation>
     </message>
     <message>
         <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
-        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sieh auf den Schnitt und lass einen halben Millimeter Dentin stehen.</translation>
+        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sehen Sie auf den Schnitt und lassen Sie einen halben Millimeter Dentin stehen.</translation>
     </message>
     <message>
         <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
-        <translation>Ein durchbohrter Zahn ist meist verloren. Achte im Schnitt auf die Tiefe.</translation>
+        <translation>Ein durchbohrter Zahn ist meist verloren. Achten Sie im Schnitt auf die Tiefe.</translation>
     </message>
     <message>
         <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
-        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief du bist.</translation>
+        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief Sie sind.</translation>
     </message>
     <message>
         <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
-        <translation>Eine dünne Randleiste bricht unter Last. Halte mit der Außenkante des Bohrers früher an.</translation>
+        <translation>Eine dünne Randleiste bricht unter Last. Halten Sie mit der Außenkante des Bohrers früher an.</translation>
     </message>
     <message>
         <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
@@ -57,15 +57,15 @@
     </message>
     <message>
         <source>About 1 N cuts best; more heats the pulp, stalls the turbine and slips. Let the bur do the work.</source>
-        <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lass den Bohrer arbeiten.</translation>
+        <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lassen Sie den Bohrer arbeiten.</translation>
     </message>
     <message>
         <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halte ihn an, wenn du nicht schneidest.</translation>
+        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halten Sie ihn an, wenn Sie nicht schneiden.</translation>
     </message>
     <message>
         <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>Eine andere Form hinterlässt eine andere Kavität. Nimm einen Bohrer, den die Aufgabe nennt.</translation>
+        <translation>Eine andere Form hinterlässt eine andere Kavität. Nehmen Sie einen Bohrer, den die Lektion nennt.</translation>
     </message>
     <message>
         <source>The tooth beside was touched by the turning bur</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
-        <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Im Umriss bleiben; N zeigt die Nachbarzähne.</translation>
+        <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Bleiben Sie im Umriss; N zeigt die Nachbarzähne.</translation>
     </message>
 </context>
 <context>
@@ -352,7 +352,7 @@
     </message>
     <message>
         <source>Ask who made the lesson, or choose another one.</source>
-        <translation>Frage, wer die Aufgabe gemacht hat, oder wähle eine andere.</translation>
+        <translation>Fragen Sie, wer die Lektion gemacht hat, oder wählen Sie eine andere.</translation>
     </message>
     <message>
         <source>This Cusp did not write the file, or an older one did.</source>
@@ -361,7 +361,7 @@
     <message>
         <source>The lesson cannot be given; what was on the table still is. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Aufgabe kann nicht gestellt werden; was auf dem Tisch lag, liegt noch da. %1</translation>
+        <translation>Die Lektion lässt sich nicht beginnen; was auf dem Tisch lag, liegt noch da. %1</translation>
     </message>
     <message>
         <source>The work cannot be marked; it is as it was. %1</source>
@@ -1079,7 +1079,7 @@
     </message>
     <message>
         <source>Preparing the lesson …</source>
-        <translation>Die Aufgabe wird vorbereitet …</translation>
+        <translation>Die Lektion wird vorbereitet …</translation>
     </message>
     <message>
         <source>Taking up the attempt …</source>
@@ -1095,7 +1095,7 @@
     </message>
     <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
-        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder wähle sie im Editor einer Lektion an diesem Zahn.</translation>
+        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
     </message>
     <message>
         <source>This exercise has not been begun yet, so there is nothing to grade.</source>
@@ -1644,7 +1644,7 @@
     </message>
     <message>
         <source>This lesson does not allow it.</source>
-        <translation>Diese Übung erlaubt das nicht.</translation>
+        <translation>Diese Lektion erlaubt das nicht.</translation>
     </message>
     <message>
         <source>Neighbouring teeth</source>
@@ -1664,7 +1664,7 @@
     </message>
     <message>
         <source>Lessons</source>
-        <translation>Aufgaben</translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>Choose what to practise</source>
@@ -1765,7 +1765,7 @@
     </message>
     <message>
         <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>Behält, was du präpariert hast, als Ideal für Lektionen</translation>
+        <translation>Behält, was Sie präpariert haben, als Ideal für Lektionen</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
@@ -2168,7 +2168,7 @@
     </message>
     <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>Die Zeit für diese Aufgabe ist um. Arbeite weiter, solange du magst, oder drücke G.</translation>
+        <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie mögen, oder drücken Sie G.</translation>
     </message>
     <message>
         <source>An attempt at %1 of %2 was not finished.</source>
@@ -2185,11 +2185,11 @@
     </message>
     <message>
         <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>Diese Datei kann nicht als Lektion gestellt werden, also gibt es nichts zu bearbeiten. Behebe erst, was genannt ist.</translation>
+        <translation>Aus dieser Datei wird keine Lektion, also gibt es nichts zu bearbeiten. Beheben Sie erst, was genannt ist.</translation>
     </message>
     <message>
         <source>This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack).</source>
-        <translation>Diese Lektion liegt in einem Paket. Packe es in deinen Ordner aus, um sie zu ändern (cusp lesson unpack).</translation>
+        <translation>Diese Lektion liegt in einem Paket. Packen Sie es in Ihren Ordner aus, um sie zu ändern (cusp lesson unpack).</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>
@@ -2534,7 +2534,7 @@
     <message>
         <source>%1 at %2, stroke %3</source>
         <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
-        <translation>%1 bei %2, Zug %3</translation>
+        <translation>%1 bei %2, Strich %3</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -2564,7 +2564,7 @@
     </message>
     <message>
         <source>No stroke caused this: see how the attempt ended</source>
-        <translation>Kein Zug hat das verursacht: sehen, wie der Versuch endete</translation>
+        <translation>Kein Strich hat das verursacht: sehen, wie der Versuch endete</translation>
     </message>
     <message>
         <source>See it happen: play the attempt from here</source>
@@ -2642,23 +2642,23 @@
     </message>
     <message>
         <source>Graded. F2 leads to the next lesson.</source>
-        <translation>Bewertet. F2 führt zur nächsten Aufgabe.</translation>
+        <translation>Bewertet. F2 führt zur nächsten Lektion.</translation>
     </message>
     <message>
         <source>Well done. See how it is marked.</source>
-        <translation>Gut gemacht. Sieh, wie es bewertet wird.</translation>
+        <translation>Gut gemacht. Sehen Sie, wie es bewertet wird.</translation>
     </message>
     <message>
         <source>Sure? Then see how it is marked.</source>
-        <translation>Sicher? Dann sieh, wie es bewertet wird.</translation>
+        <translation>Sicher? Dann sehen Sie, wie es bewertet wird.</translation>
     </message>
     <message>
         <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>Der Bohrer läuft: Halte ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
+        <translation>Der Bohrer läuft: Halten Sie ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
     </message>
     <message>
         <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation>Lass den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
+        <translation>Lassen Sie den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
@@ -2675,18 +2675,18 @@
     </message>
     <message>
         <source>Press on each for a second, and compare.</source>
-        <translation>Drücke auf jedes eine Sekunde lang und vergleiche.</translation>
+        <translation>Drücken Sie auf jedes eine Sekunde lang und vergleichen Sie.</translation>
     </message>
 </context>
 <context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
-        <translation>Bevor du die Note siehst</translation>
+        <translation>Bevor Sie die Note sehen</translation>
     </message>
     <message>
         <source>How many points do you expect?</source>
-        <translation>Wie viele Punkte erwartest du?</translation>
+        <translation>Wie viele Punkte erwarten Sie?</translation>
     </message>
     <message>
         <source>What cost you most?</source>
@@ -2783,11 +2783,11 @@
     </message>
     <message>
         <source>Take recordings as the reference …</source>
-        <translation>Aufnahmen als Referenz nehmen …</translation>
+        <translation>Aufzeichnungen als Referenz nehmen …</translation>
     </message>
     <message>
         <source>Choose one attempt, or several whose mean is to be cut</source>
-        <translation>Wähle einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
+        <translation>Wählen Sie einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
     </message>
     <message>
         <source>Marking</source>
@@ -2835,15 +2835,15 @@
     </message>
     <message>
         <source>Recordings …</source>
-        <translation>Aufnahmen …</translation>
+        <translation>Aufzeichnungen …</translation>
     </message>
     <message>
         <source>Choose the folder with recordings of attempts</source>
-        <translation>Den Ordner mit Aufnahmen von Versuchen wählen</translation>
+        <translation>Den Ordner mit Aufzeichnungen von Versuchen wählen</translation>
     </message>
     <message>
         <source>Choose the folder with recordings</source>
-        <translation>Ordner mit Aufnahmen wählen</translation>
+        <translation>Ordner mit Aufzeichnungen wählen</translation>
     </message>
     <message>
         <source>Whose tolerance is changed</source>
@@ -2851,7 +2851,7 @@
     </message>
     <message>
         <source>Recordings that are replayed</source>
-        <translation>Aufnahmen, die abgespielt werden</translation>
+        <translation>Aufzeichnungen, die abgespielt werden</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2867,7 +2867,7 @@
     </message>
     <message>
         <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
-        <translation>Wähle einen Ordner mit Aufnahmen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
+        <translation>Wählen Sie einen Ordner mit Aufzeichnungen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
     </message>
     <message>
         <source>Save</source>
@@ -2879,7 +2879,7 @@
     </message>
     <message>
         <source>Write the lesson into your folder (Ctrl+S)</source>
-        <translation>Die Lektion in deinen Ordner schreiben (Strg+S)</translation>
+        <translation>Die Lektion in Ihren Ordner schreiben (Strg+S)</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -2899,7 +2899,7 @@
     </message>
     <message>
         <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
-        <translation>Eine mitgelieferte Lektion: Gespeichert wird daraus deine eigene, die auf ihr aufbaut.</translation>
+        <translation>Eine mitgelieferte Lektion: Gespeichert wird daraus Ihre eigene, die auf ihr aufbaut.</translation>
     </message>
     <message>
         <source>This lesson of yours is changed where it stands.</source>
@@ -3006,17 +3006,17 @@
     </message>
     <message>
         <source>Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
-        <translation>An diesem Ideal nicht messbar, also hilft keine Toleranz: %1. Bewerte nach anderen Kriterien.</translation>
+        <translation>An diesem Ideal nicht messbar, also hilft keine Toleranz: %1. Bewerten Sie nach anderen Kriterien.</translation>
     </message>
     <message>
         <source>Recordings (%1)</source>
-        <translation>Aufnahmen (%1)</translation>
+        <translation>Aufzeichnungen (%1)</translation>
     </message>
     <message numerus="yes">
         <source>Replaying %n recording(s) …</source>
         <translation>
-            <numerusform>%n Aufnahme wird abgespielt …</numerusform>
-            <numerusform>%n Aufnahmen werden abgespielt …</numerusform>
+            <numerusform>%n Aufzeichnung wird abgespielt …</numerusform>
+            <numerusform>%n Aufzeichnungen werden abgespielt …</numerusform>
         </translation>
     </message>
     <message>
@@ -3025,7 +3025,7 @@
     </message>
     <message>
         <source>The reference is %1 beside your lessons.</source>
-        <translation>Die Referenz ist %1 neben deinen Lektionen.</translation>
+        <translation>Die Referenz ist %1 neben Ihren Lektionen.</translation>
     </message>
     <message>
         <source>No attempt in this folder was made at this tooth.</source>
@@ -3048,8 +3048,8 @@
     <message numerus="yes">
         <source>%n recording(s) could not be read.</source>
         <translation>
-            <numerusform>%n Aufnahme war nicht lesbar.</numerusform>
-            <numerusform>%n Aufnahmen waren nicht lesbar.</numerusform>
+            <numerusform>%n Aufzeichnung war nicht lesbar.</numerusform>
+            <numerusform>%n Aufzeichnungen waren nicht lesbar.</numerusform>
         </translation>
     </message>
     <message>
@@ -3058,11 +3058,11 @@
     </message>
     <message>
         <source>Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances that are named, or press Fit.</source>
-        <translation>Nicht gespeichert: Wer genau dieses Ideal präpariert, verlöre Punkte. Weite die genannten Toleranzen oder drücke „Anpassen“.</translation>
+        <translation>Nicht gespeichert: Wer genau dieses Ideal präpariert, verlöre Punkte. Weiten Sie die genannten Toleranzen oder drücken Sie „Anpassen“.</translation>
     </message>
     <message>
         <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
-        <translation>Nicht gespeichert: Es gibt schon eine Datei %1. Öffne stattdessen diese Lektion.</translation>
+        <translation>Nicht gespeichert: Es gibt schon eine Datei %1. Öffnen Sie stattdessen diese Lektion.</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
@@ -3105,7 +3105,7 @@
     <name>ui::study::LessonsPage</name>
     <message>
         <source>Lessons</source>
-        <translation>Aufgaben</translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>Search: a word, or the number of a tooth</source>
@@ -3113,7 +3113,7 @@
     </message>
     <message>
         <source>Search the lessons</source>
-        <translation>Aufgaben durchsuchen</translation>
+        <translation>Lektionen durchsuchen</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -3125,23 +3125,23 @@
     </message>
     <message>
         <source>Start this lesson</source>
-        <translation>Diese Aufgabe beginnen</translation>
+        <translation>Diese Lektion beginnen</translation>
     </message>
     <message>
         <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>Den Zahn dieser Aufgabe auf den Tisch legen (Eingabe)</translation>
+        <translation>Den Zahn dieser Lektion auf den Tisch legen (Eingabe)</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
-        <translation>Eigene Aufgaben …</translation>
+        <translation>Eigene Lektionen …</translation>
     </message>
     <message>
         <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>Den Ordner öffnen, aus dem die Aufgaben der Lehrenden gelesen werden</translation>
+        <translation>Den Ordner öffnen, aus dem die Lektionen der Lehrenden gelesen werden</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
-        <translation>Den Ordner der eigenen Aufgaben öffnen</translation>
+        <translation>Den Ordner der eigenen Lektionen öffnen</translation>
     </message>
     <message>
         <source>exam</source>
@@ -3149,19 +3149,19 @@
     </message>
     <message>
         <source>Cannot be given</source>
-        <translation>Nicht zu stellen</translation>
+        <translation>Nicht zu gebrauchen</translation>
     </message>
     <message>
         <source>No lesson fits the search</source>
-        <translation>Keine Aufgabe passt zur Suche</translation>
+        <translation>Keine Lektion passt zur Suche</translation>
     </message>
     <message>
         <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>Diese Datei kann nicht als Aufgabe gestellt werden. Die anderen gehen.</translation>
+        <translation>Aus dieser Datei wird keine Lektion. Die anderen gehen.</translation>
     </message>
     <message>
         <source>Search for another word, or clear the field.</source>
-        <translation>Suche nach einem anderen Wort oder leere das Feld.</translation>
+        <translation>Suchen Sie nach einem anderen Wort oder leeren Sie das Feld.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -3177,7 +3177,7 @@
     </message>
     <message>
         <source>Practice: you are told what goes wrong</source>
-        <translation>Übung: Du erfährst, was schiefgeht</translation>
+        <translation>Übung: Sie erfahren, was schiefgeht</translation>
     </message>
     <message>
         <source>Time</source>
@@ -3206,7 +3206,7 @@
     </message>
     <message>
         <source>Your best</source>
-        <translation>Dein Bestes</translation>
+        <translation>Ihr Bestes</translation>
     </message>
     <message>
         <source>not tried yet</source>
@@ -3232,15 +3232,15 @@
     <name>ui::study::ScorePage</name>
     <message>
         <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
+        <translation>Erwartet hatten Sie %1 Punkte: genau so ist es.</translation>
     </message>
     <message>
         <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
+        <translation>Erwartet hatten Sie %1 Punkte: %2 zu viel.</translation>
     </message>
     <message>
         <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
+        <translation>Erwartet hatten Sie %1 Punkte: %2 zu wenig.</translation>
     </message>
     <message>
         <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
@@ -3269,7 +3269,7 @@
     </message>
     <message>
         <source>Your attempts</source>
-        <translation>Deine Versuche</translation>
+        <translation>Ihre Versuche</translation>
     </message>
     <message>
         <source>Grade: %1</source>
@@ -3333,8 +3333,8 @@
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
         <extracomment>%1 is a number of per cent</extracomment>
         <translation>
-            <numerusform>Von %n Person deiner Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
-            <numerusform>Von den besten Ergebnissen von %n Personen deiner Gruppe liegen %1 % darunter.</numerusform>
+            <numerusform>Von %n Person Ihrer Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
+            <numerusform>Von den besten Ergebnissen von %n Personen Ihrer Gruppe liegen %1 % darunter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3415,7 +3415,7 @@
     </message>
     <message>
         <source>Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does</source>
-        <translation>Ziehe die Linie des Schnitts; Pfeiltasten verschieben sie, mit Umschalt drehen sie, ebenso ein Doppelklick</translation>
+        <translation>Ziehen Sie die Linie des Schnitts; Pfeiltasten verschieben sie, mit Umschalt drehen sie, ebenso ein Doppelklick</translation>
     </message>
     <message>
         <source>Nothing to show yet: what is wrong is said at the left.</source>
