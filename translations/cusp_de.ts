@@ -2,6 +2,45 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>Block</name>
+    <message>
+        <source>Practice block: line</source>
+        <translation>Übungsblock: Linie</translation>
+    </message>
+    <message>
+        <source>Practice block: circle</source>
+        <translation>Übungsblock: Kreis</translation>
+    </message>
+    <message>
+        <source>Practice block: cross</source>
+        <translation>Übungsblock: Kreuz</translation>
+    </message>
+    <message>
+        <source>Practice block: square</source>
+        <translation>Übungsblock: Quadrat</translation>
+    </message>
+    <message>
+        <source>Practice block: dovetail</source>
+        <translation>Übungsblock: Schwalbenschwanz</translation>
+    </message>
+    <message>
+        <source>Practice block: staircase</source>
+        <translation>Übungsblock: Treppe</translation>
+    </message>
+    <message>
+        <source>Practice block: letter I</source>
+        <translation>Übungsblock: Buchstabe I</translation>
+    </message>
+    <message>
+        <source>Practice block: letter T</source>
+        <translation>Übungsblock: Buchstabe T</translation>
+    </message>
+    <message>
+        <source>Practice block: three layers</source>
+        <translation>Übungsblock: drei Schichten</translation>
+    </message>
+</context>
+<context>
     <name>Breach</name>
     <message>
         <source>The pulp is open</source>
@@ -689,6 +728,22 @@
         <source>The first minutes</source>
         <translation>Die ersten Minuten</translation>
     </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation>Umriss %1 mm nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation>Boden %1 mm höher oder tiefer</translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation>Wände %1°, das sind %2 mm auf 1,5 mm Tiefe</translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation>Boden eben auf %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -953,8 +1008,13 @@
         <translation>innerhalb des Umrisses gehalten</translation>
     </message>
     <message>
-        <source>Another handpiece</source>
-        <translation>Anderes Handstück</translation>
+        <source>%1 pad: said to be %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1: %2 gesagt</translation>
+    </message>
+    <message>
+        <source>Handpiece: %1</source>
+        <translation>Handstück: %1</translation>
     </message>
 </context>
 <context>
@@ -2171,11 +2231,6 @@
         <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie mögen, oder drücken Sie G.</translation>
     </message>
     <message>
-        <source>An attempt at %1 of %2 was not finished.</source>
-        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
-        <translation>Ein Versuch an %1 von %2 wurde nicht beendet.</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>Fortsetzen</translation>
     </message>
@@ -2206,6 +2261,34 @@
     <message>
         <source>The handpiece is not there any more, so your hand is free.</source>
         <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
+    <message>
+        <source>The exercise begins anew.</source>
+        <translation>Die Übung beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
+        <translation>Sie sind in einer Prüfung, und der Editor zeigt das Ideal einer Lektion. Beenden Sie erst die Prüfung: Drücken Sie G für die Note oder nehmen Sie eine andere Lektion.</translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1: Ein Versuch von %2 wurde nicht beendet.</translation>
+    </message>
+    <message>
+        <source>Your lessons would be lost</source>
+        <translation>Ihre Lektionen gingen verloren</translation>
+    </message>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>Was Sie in %n Lektion geändert haben, ginge verloren.</numerusform>
+            <numerusform>Was Sie in %n Lektionen geändert haben, ginge verloren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
     </message>
 </context>
 <context>
@@ -2745,6 +2828,55 @@
     </message>
 </context>
 <context>
+    <name>ui::study::IdealForm</name>
+    <message>
+        <source>What the ideal is</source>
+        <translation>Was das Ideal ist</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>Aufzeichnungen als Referenz nehmen …</translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation>Wählen Sie einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation>Das Ideal ist die Karies selbst: Es gibt nichts einzustellen</translation>
+    </message>
+    <message>
+        <source>An exercise: nothing is to be cut</source>
+        <translation>Eine Übung: Es gibt nichts zu präparieren</translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>Ideale Präparation</translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>Nach Regel</translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <translation>Abgenommen: %1</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::InfractionCard</name>
     <message>
         <source>Take it back</source>
@@ -2774,36 +2906,8 @@
         <translation>Titel der Lektion</translation>
     </message>
     <message>
-        <source>Ideal preparation</source>
-        <translation>Ideale Präparation</translation>
-    </message>
-    <message>
-        <source>What the ideal is</source>
-        <translation>Was das Ideal ist</translation>
-    </message>
-    <message>
         <source>Take recordings as the reference …</source>
         <translation>Aufzeichnungen als Referenz nehmen …</translation>
-    </message>
-    <message>
-        <source>Choose one attempt, or several whose mean is to be cut</source>
-        <translation>Wählen Sie einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
-    </message>
-    <message>
-        <source>Marking</source>
-        <translation>Bewertung</translation>
-    </message>
-    <message>
-        <source>Passed from</source>
-        <translation>Bestanden ab</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Pass mark</source>
-        <translation>Bestehensgrenze</translation>
     </message>
     <message>
         <source>On the tooth</source>
@@ -2832,42 +2936,6 @@
     <message>
         <source>The lesson as its file says it</source>
         <translation>Die Lektion, wie sie in ihrer Datei steht</translation>
-    </message>
-    <message>
-        <source>Recordings …</source>
-        <translation>Aufzeichnungen …</translation>
-    </message>
-    <message>
-        <source>Choose the folder with recordings of attempts</source>
-        <translation>Den Ordner mit Aufzeichnungen von Versuchen wählen</translation>
-    </message>
-    <message>
-        <source>Choose the folder with recordings</source>
-        <translation>Ordner mit Aufzeichnungen wählen</translation>
-    </message>
-    <message>
-        <source>Whose tolerance is changed</source>
-        <translation>Wessen Toleranz geändert wird</translation>
-    </message>
-    <message>
-        <source>Recordings that are replayed</source>
-        <translation>Aufzeichnungen, die abgespielt werden</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Stop replaying</source>
-        <translation>Abspielen anhalten</translation>
-    </message>
-    <message>
-        <source>Go on with those that are done</source>
-        <translation>Mit denen weiterarbeiten, die fertig sind</translation>
-    </message>
-    <message>
-        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
-        <translation>Wählen Sie einen Ordner mit Aufzeichnungen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
     </message>
     <message>
         <source>Save</source>
@@ -2910,87 +2978,12 @@
         <translation>Noch nicht gespeichert.</translation>
     </message>
     <message>
-        <source>no</source>
-        <translation>nein</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>%1 to %2 %3</source>
-        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
-        <translation>%1 bis %2 %3</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>All tolerances</source>
-        <translation>Alle Toleranzen</translation>
-    </message>
-    <message>
-        <source>Tolerance of: %1</source>
-        <extracomment>%1: a criterion</extracomment>
-        <translation>Toleranz von: %1</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>entscheidet</translation>
-    </message>
-    <message>
-        <source>Weight of: %1</source>
-        <translation>Gewicht von: %1</translation>
-    </message>
-    <message>
-        <source>The ideal is the decay itself: nothing is to be set</source>
-        <translation>Das Ideal ist die Karies selbst: Es gibt nichts einzustellen</translation>
-    </message>
-    <message>
-        <source>By rule</source>
-        <translation>Nach Regel</translation>
-    </message>
-    <message>
-        <source>Captured: %1</source>
-        <extracomment>%1: the name of a file</extracomment>
-        <translation>Abgenommen: %1</translation>
-    </message>
-    <message>
-        <source>outline %1 mm to either side</source>
-        <translation>Umriss %1 mm nach beiden Seiten</translation>
-    </message>
-    <message>
-        <source>floor %1 mm up or down</source>
-        <translation>Boden %1 mm höher oder tiefer</translation>
-    </message>
-    <message>
-        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
-        <translation>Wände %1°, das sind %2 mm auf 1,5 mm Tiefe</translation>
-    </message>
-    <message>
-        <source>floor even to %1 mm</source>
-        <translation>Boden eben auf %1 mm</translation>
-    </message>
-    <message>
         <source>This rubric has no criterion that can be drawn on the tooth.</source>
         <translation>Diese Bewertung hat kein Kriterium, das sich am Zahn zeichnen lässt.</translation>
     </message>
     <message>
         <source>Costs nothing: %1.</source>
         <translation>Kostet nichts: %1.</translation>
-    </message>
-    <message>
-        <source>All weights: %1 points</source>
-        <translation>Alle Gewichte: %1 Punkte</translation>
-    </message>
-    <message>
-        <source>All weights: %1 points; they must make 100</source>
-        <translation>Alle Gewichte: %1 Punkte; es müssen 100 sein</translation>
     </message>
     <message>
         <source>The ideal is checked as soon as nothing is wrong.</source>
@@ -3028,31 +3021,6 @@
         <translation>Die Referenz ist %1 neben Ihren Lektionen.</translation>
     </message>
     <message>
-        <source>No attempt in this folder was made at this tooth.</source>
-        <translation>Kein Versuch in diesem Ordner wurde an diesem Zahn gemacht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them from the history.</source>
-        <translation>
-            <numerusform>%n davon aus dem Verlauf.</numerusform>
-            <numerusform>%n davon aus dem Verlauf.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n attempt(s) at other teeth are left out.</source>
-        <translation>
-            <numerusform>%n Versuch an einem anderen Zahn bleibt weg.</numerusform>
-            <numerusform>%n Versuche an anderen Zähnen bleiben weg.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n recording(s) could not be read.</source>
-        <translation>
-            <numerusform>%n Aufzeichnung war nicht lesbar.</numerusform>
-            <numerusform>%n Aufzeichnungen waren nicht lesbar.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Not saved: %1</source>
         <translation>Nicht gespeichert: %1</translation>
     </message>
@@ -3067,6 +3035,10 @@
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>An exercise has no ideal that could be checked.</source>
+        <translation>Eine Übung hat kein Ideal, das zu prüfen wäre.</translation>
     </message>
 </context>
 <context>
@@ -3226,6 +3198,68 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>changed, not saved</source>
+        <extracomment>Of a lesson in a list: in the editor</extracomment>
+        <translation>geändert, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>best %1, passed</source>
+        <extracomment>For a screen reader: the best score of a lesson</extracomment>
+        <translation>Bestes %1, bestanden</translation>
+    </message>
+    <message>
+        <source>best %1, not passed</source>
+        <translation>Bestes %1, nicht bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::RubricForm</name>
+    <message>
+        <source>Marking</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestanden ab</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation>Toleranz von: %1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>entscheidet</translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation>Gewicht von: %1</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation>Alle Gewichte: %1 Punkte</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
+        <translation>Alle Gewichte: %1 Punkte; es müssen 100 sein</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3439,78 @@
     <message>
         <source>As set</source>
         <translation>Wie eingestellt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepPage</name>
+    <message>
+        <source>Recordings …</source>
+        <translation>Aufzeichnungen …</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation>Den Ordner mit Aufzeichnungen von Versuchen wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation>Ordner mit Aufzeichnungen wählen</translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation>Wessen Toleranz geändert wird</translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation>Aufzeichnungen, die abgespielt werden</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation>Abspielen anhalten</translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation>Mit denen weiterarbeiten, die fertig sind</translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation>Wählen Sie einen Ordner mit Aufzeichnungen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation>Alle Toleranzen</translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation>Kein Versuch in diesem Ordner wurde an diesem Zahn gemacht.</translation>
+    </message>
+    <message>
+        <source>The attempts of the history were made for another ideal than this draft&apos;s. Choose a folder with recordings.</source>
+        <translation>Die Versuche des Verlaufs galten einem anderen Ideal als dem dieses Entwurfs. Wählen Sie einen Ordner mit Aufzeichnungen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>%n davon aus dem Verlauf.</numerusform>
+            <numerusform>%n davon aus dem Verlauf.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>%n Versuch an einem anderen Zahn bleibt weg.</numerusform>
+            <numerusform>%n Versuche an anderen Zähnen bleiben weg.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n Aufzeichnung war nicht lesbar.</numerusform>
+            <numerusform>%n Aufzeichnungen waren nicht lesbar.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -8,8 +8,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QPushButton>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -35,6 +37,11 @@ private slots:
     void changesInARowAreOneStepBack();
     void aShippedLessonIsSavedAsTheTeachersOwn();
     void saveRefusesNothingSilently();
+    void stepsBackShowNumbersOfARubricThatIsNone();
+    void theTitleIsTakenBackAsWell();
+    void nothingOfTheLessonBeforeIsLeft();
+    void draftsAreKeptAndSavedTogether();
+    void anExerciseHasNoIdealToCheck();
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
     void sweepMarksEachAttemptUnderEachTolerance();
@@ -216,6 +223,7 @@ void TestLessonEditor::aShippedLessonIsSavedAsTheTeachersOwn()
     QCOMPARE(read.lesson->version, 1);
     // Opened again it is changed where it stands, under a higher version.
     m_editor->edit(read, m_folder->path());
+    QTRY_VERIFY2(check().contains("100"), qPrintable(check()));
     QTRY_COMPARE(spin("depth_mm")->value(), 1.75);
     spin("depth_mm")->setValue(1.6);
     m_editor->save();
@@ -247,6 +255,112 @@ void TestLessonEditor::saveRefusesNothingSilently()
     m_editor->save();
     QTRY_VERIFY2(saidBelow().contains("there is a file class1-36-own.lesson.json already"), qPrintable(saidBelow()));
     QVERIFY(saved("class1-36-own.lesson.json").isEmpty());
+}
+
+/// While the weights do not add up there is no rubric, and yet each input shows what its draft says.
+void TestLessonEditor::stepsBackShowNumbersOfARubricThatIsNone()
+{
+    open("class1-36");
+    QList<QDoubleSpinBox*> weights;
+    for (auto* input : m_editor->findChildren<QDoubleSpinBox*>())
+        if (input->accessibleName().startsWith("Weight"))
+            weights << input;
+    const double first = weights[0]->value();
+    const double second = weights[1]->value();
+    weights[0]->setValue(first + 5.0);
+    spin("depth_mm")->setValue(1.7);
+    weights[1]->setValue(second - 5.0);
+    QTRY_VERIFY(check().contains("100"));
+    m_editor->undo();
+    QTRY_COMPARE(weights[1]->value(), second);
+    QTRY_VERIFY(anyFault("they must make 100"));
+    m_editor->undo();
+    QTRY_COMPARE(spin("depth_mm")->value(), 1.5);
+    QVERIFY(anyFault("they must make 100"));
+    m_editor->undo();
+    QTRY_COMPARE(weights[0]->value(), first);
+    QTRY_VERIFY(!anyFault("they must make 100"));
+}
+
+void TestLessonEditor::theTitleIsTakenBackAsWell()
+{
+    open("class1-36");
+    auto* title = m_editor->findChild<QLineEdit*>("draftTitle");
+    const QString before = title->text();
+    title->setFocus();
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    m_editor->undo();
+    QCOMPARE(title->text(), before);
+    m_editor->redo();
+    QCOMPARE(title->text(), QString("Mine"));
+}
+
+/// A lesson whose tooth cannot be made: what is wrong is said, and nothing of another lesson's can be changed in it.
+void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
+{
+    open("class1-36");
+    QFile recording(m_folder->filePath("a.cusprec"));
+    const auto assignment = ::lessons::assign(*shipped("class1-36").lesson)->assignment;
+    QVERIFY(core::recording::writeRecording(recording.fileName().toStdString(),
+                                            core::recording::Recording({}, assignment.anatomy)));
+    m_editor->readFolder(m_folder->path());
+    const auto* words = m_editor->findChild<QLabel*>("sweepWords");
+    QTRY_VERIFY2(words->text().contains("0 of 1 pass"), qPrintable(words->text()));
+    QFile noise(m_folder->filePath("gone.stl"));
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("no mesh") == 7);
+    noise.close();
+    ::lessons::ReadLesson scan = shipped("class1-36");
+    QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(scan.lesson->json)).object();
+    object.insert("id", "scan");
+    object.insert("tooth", QJsonObject{{"scan", "gone.stl"}, {"fdi", 36}});
+    scan = ::lessons::readDraft(object, m_folder->filePath("scan.lesson.json"));
+    QVERIFY2(scan.lesson, qPrintable(scan.faults.empty() ? QString() : scan.faults[0].sentence()));
+    m_editor->edit(scan, m_folder->path());
+    QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
+    QVERIFY2(!words->text().contains("pass;"), qPrintable(words->text()));
+    QTRY_VERIFY2(check().contains("as soon as nothing is wrong"), qPrintable(check()));
+    QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
+    QVERIFY2(anyFault(""), "what is wrong is said");
+    QCOMPARE(spin("tolerance.outline")->value(), 0.3);
+}
+
+void TestLessonEditor::draftsAreKeptAndSavedTogether()
+{
+    open("class1-36");
+    QVERIFY(m_editor->unsaved().isEmpty());
+    spin("depth_mm")->setValue(1.75);
+    const QString first = shipped("class1-36").file;
+    QCOMPARE(m_editor->unsavedFiles(), QSet<QString>{first});
+    open("class1-37");
+    spin("tolerance.outline")->setValue(0.35);
+    QCOMPARE(m_editor->unsaved().size(), 2);
+    // Back at the first, it is as it was left.
+    open("class1-36");
+    QTRY_COMPARE(spin("depth_mm")->value(), 1.75);
+    // One that cannot be saved comes to the page, with its reason.
+    open("class1-37");
+    auto* weight = [&] {
+        for (auto* input : m_editor->findChildren<QDoubleSpinBox*>())
+            if (input->accessibleName().startsWith("Weight"))
+                return input;
+        return static_cast<QDoubleSpinBox*>(nullptr);
+    }();
+    weight->setValue(weight->value() + 5.0);
+    open("class1-36");
+    QVERIFY(!m_editor->saveAll());
+    QVERIFY2(saidBelow().contains("Not saved") && saidBelow().contains("class1-37"), qPrintable(saidBelow()));
+    QCOMPARE(saved("class1-36-own.lesson.json")["ideal"].toObject()["sizes"].toObject()["depth_mm"].toDouble(), 1.75);
+    m_editor->undo();
+    QVERIFY(m_editor->saveAll());
+    QVERIFY(m_editor->unsaved().isEmpty() && m_editor->unsavedFiles().isEmpty());
+    QVERIFY(!saved("class1-37-own.lesson.json").isEmpty());
+}
+
+void TestLessonEditor::anExerciseHasNoIdealToCheck()
+{
+    m_editor->edit(shipped("orientation-2-hold"), m_folder->path());
+    QTRY_VERIFY2(check().contains("An exercise has no ideal"), qPrintable(check()));
 }
 
 void TestLessonEditor::aCapturedIdealIsChosenAndUndone()
