@@ -672,7 +672,7 @@ void Application::offerUnfinished()
                 m_window->showError(*search.failure, Failed::ResumingAttempt);
             m_unfinished = std::move(search.found);
             if (m_unfinished)
-                m_window->offerUnfinished(QString::fromStdString(m_unfinished->recording.anatomy()->name),
+                m_window->offerUnfinished(ui::text::toothTitle(*m_unfinished->recording.anatomy()),
                                           QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
         });
 }

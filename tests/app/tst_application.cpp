@@ -149,7 +149,7 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
 {
     const QString own = leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     // Never opened silently.
     QVERIFY(enamelRemoved() != own);
     QVERIFY(!actions().undo->isEnabled());
@@ -167,7 +167,7 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
     QVERIFY(journals().isEmpty());
     QVERIFY(QFile::rename(m_folder->filePath("kept"), m_folder->filePath("unfinished/1-1.cuspjournal")));
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QTest::mouseClick(messageButton(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), again, 30000);
     actions().undo->trigger();
@@ -184,11 +184,11 @@ void TestApplication::discardedAttemptsMakeWayForOlderOnes()
     broken.write("This is no journal.");
     broken.close();
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QCOMPARE(journals("discarded"), QStringList{"3-1.cuspjournal"});
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 2, 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3, 30000);
     QVERIFY(journals().isEmpty());

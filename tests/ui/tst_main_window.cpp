@@ -211,6 +211,8 @@ private:
     /// The session says so much enamel of the tooth shown is gone.
     void cutSomething(double enamelMm3) const;
     QMessageBox* question() const;
+    static lessons::ReadLesson shipped(const std::string& id);
+    static lessons::ReadLesson shippedOf(lessons::Task task);
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
 
     std::unique_ptr<UiLinks> m_links;
@@ -238,6 +240,42 @@ lessons::ScoreSheet TestMainWindow::sheet(double cariesPercent, double soundMm3,
     add("pulp_exposure", "mm2", 0, 0, 0);
     return lessons::grade(rubric,
                           {{"caries_left", cariesPercent}, {"sound_tissue", soundMm3}, {"pulp_exposure", pulpMm2}});
+}
+
+/// Two strokes with different burs, an undo, and a breach.
+static ui::replay::Course course()
+{
+    ui::replay::Course course;
+    course.lengthS = course.readyS = 60.0;
+    course.strokes = {{5.0, 9.0, 9.01, 0}, {20.0, 21.0, 21.01, 3}};
+    using ui::replay::Mark;
+    course.marks = {{Mark::Kind::Bur, 15.0, 3},
+                    {Mark::Kind::Handpiece, 26.0, 1, "electric"},
+                    {Mark::Kind::Undo, 40.0, 9000},
+                    {Mark::Kind::Note, 50.0, core::grading::answerNote(1, Material::Dentin)}};
+    core::grading::Infraction breach;
+    breach.breach = core::grading::Breach::PulpExposed;
+    breach.seconds = 20.5;
+    course.infractions = {breach};
+    return course;
+}
+
+lessons::ReadLesson TestMainWindow::shipped(const std::string& id)
+{
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            return entry.read;
+    qFatal("no such lesson");
+    return {};
+}
+
+lessons::ReadLesson TestMainWindow::shippedOf(lessons::Task task)
+{
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->task == task)
+            return entry.read;
+    qFatal("no such lesson");
+    return {};
 }
 
 void TestMainWindow::initTestCase()
@@ -1247,14 +1285,14 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     auto* resume = child<MessageBar>()->findChild<QPushButton*>();
     auto* discard = child<MessageBar>()->findChild<QPushButton*>("decline");
     const QDateTime now = QDateTime::currentDateTime();
-    m_window->offerUnfinished("36", now);
+    m_window->offerUnfinished("Tooth 36", now);
     const QString time = QLocale().toString(now.time(), QLocale::ShortFormat);
-    QCOMPARE(message(), QString("An attempt at 36 of %1 was not finished.").arg(time));
+    QCOMPARE(message(), QString("Tooth 36: an attempt of %1 was not finished.").arg(time));
     QVERIFY(resume->isVisible() && discard->isVisible());
     QTest::mouseClick(resume, Qt::LeftButton);
     QCOMPARE(resumed.size(), 1);
     QVERIFY(message().isEmpty());
-    m_window->offerUnfinished("36", QDateTime(QDate(2011, 5, 3), QTime(12, 31)));
+    m_window->offerUnfinished("Tooth 36", QDateTime(QDate(2011, 5, 3), QTime(12, 31)));
     QVERIFY2(message().contains("2011") || message().contains("/11"), qPrintable(message()));
     // News does not push it out.
     m_window->showMessage("News.");
@@ -1265,7 +1303,7 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     QCOMPARE(discarded.size(), 1);
     QCOMPARE(resumed.size(), 1);
     // Closed: neither, and it is offered again another time.
-    m_window->offerUnfinished("36", now);
+    m_window->offerUnfinished("Tooth 36", now);
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
     QCOMPARE(discarded.size() + resumed.size(), 2);
@@ -1275,7 +1313,7 @@ void TestMainWindow::takingItUpAsksAboutTheWorkOnTheTable()
 {
     QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
     cutSomething(0.5);
-    m_window->offerUnfinished("36", QDateTime::currentDateTime());
+    m_window->offerUnfinished("Tooth 36", QDateTime::currentDateTime());
     QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(resumed.size(), 0);
     auto* question = child<QMessageBox>("workQuestion");
@@ -1418,20 +1456,6 @@ void TestMainWindow::aReplayHasEightSpeeds()
     QCOMPARE(figure("replaySpeed"), QString::fromUtf8("1×"));
 }
 
-/// Two strokes with different burs, an undo, and a breach.
-static ui::replay::Course course()
-{
-    ui::replay::Course course;
-    course.lengthS = course.readyS = 60.0;
-    course.strokes = {{5.0, 9.0, 9.01, 0}, {20.0, 21.0, 21.01, 3}};
-    course.marks = {{ui::replay::Mark::Kind::Bur, 15.0, 3}, {ui::replay::Mark::Kind::Undo, 40.0, 9000}};
-    core::grading::Infraction breach;
-    breach.breach = core::grading::Breach::PulpExposed;
-    breach.seconds = 20.5;
-    course.infractions = {breach};
-    return course;
-}
-
 void TestMainWindow::keysGoThroughAReplayByStrokes()
 {
     QSignalSpy seek(m_window.get(), &MainWindow::seekWanted);
@@ -1491,6 +1515,8 @@ void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()
     QVERIFY(line->saidAt(at(20.5, 12)).join(' ').contains("pulp is open"));
     QVERIFY(line->saidAt(at(40.0, 12)).join(' ').contains("Undone"));
     QVERIFY(line->saidAt(at(15.0, 12)).join(' ').contains("Bur 4"));
+    QVERIFY(line->saidAt(at(26.0, 12)).join(' ').contains("Handpiece: Electric"));
+    QVERIFY(line->saidAt(at(50.0, 12)).join(' ').contains("Middle pad: said to be dentin"));
     QVERIFY(line->saidAt(at(7.0, 24)).join(' ').contains("Stroke 1, 4.0 s"));
     QVERIFY(line->saidAt(at(30.0, 24)).isEmpty());
 }

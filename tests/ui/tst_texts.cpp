@@ -11,6 +11,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/session/Links.h"
+#include "core/teeth/ToothBuilder.h"
 #include "lessons/Rubric.h"
 #include "ui/text/Texts.h"
 
@@ -30,6 +31,7 @@ private slots:
     void whatIsNoToothHasNoName_data();
     void whatIsNoToothHasNoName();
     void aScanIsCalledByItsFile();
+    void everyBlockHasATitleOfItsOwn();
     void everyBurHasAName();
     void theGravestTroubleIsTold();
     void criteriaAreWorkedInNumbers_data();
@@ -213,6 +215,23 @@ void TestTexts::aScanIsCalledByItsFile()
     tooth.name = std::string("36");
     tooth.fdi = 36;
     QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth 36"));
+}
+
+void TestTexts::everyBlockHasATitleOfItsOwn()
+{
+    using core::teeth::BlockShape;
+    QSet<QString> titles;
+    for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
+        core::teeth::BuildOptions build;
+        build.gridSide = 64;
+        const auto source = core::teeth::parseSource(core::teeth::blockName(static_cast<BlockShape>(k)));
+        const auto built = core::teeth::buildTooth(source, build);
+        QVERIFY(built);
+        const QString title = ui::text::toothTitle(*built->anatomy);
+        QVERIFY2(title.startsWith("Practice block: "), qPrintable(title));
+        titles << title;
+    }
+    QCOMPARE(titles.size(), static_cast<int>(BlockShape::Layers) + 1);
 }
 
 void TestTexts::everyBurHasAName()

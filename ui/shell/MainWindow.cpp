@@ -951,8 +951,8 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
                                                               : locale.toString(begun, QLocale::ShortFormat);
     MessageBar::Message offer;
     offer.kind = MessageBar::Kind::Warning;
-    //: %1: a tooth, "36"; %2: a time of today, or a day and a time
-    offer.sentence = tr("An attempt at %1 of %2 was not finished.").arg(tooth, when);
+    //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
+    offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth, when);
     offer.actionText = tr("Resume");
     offer.action = [this] { leaveWork([this] { emit resumeRequested(); }); };
     offer.declining = {tr("Discard"), [this] { emit discardRequested(); }};
@@ -1199,7 +1199,8 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
 
 QString MainWindow::newFileName(const QString& suffix) const
 {
-    const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName();
+    // A block is called "block:line": a colon is no part of a file's name everywhere.
+    const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName().replace(u':', u'-');
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
     return QStringLiteral("%1-%2.%3").arg(tooth, now, suffix);
 }

@@ -94,7 +94,7 @@ public slots:
     void showSaved(const QString& path);
     /// An attempt was not finished: says so, with a button that takes it up and one that discards it. It stays until
     /// one of them is pressed, or it is closed.
-    /// @param tooth  its name as on a recording
+    /// @param tooth  its title
     void offerUnfinished(const QString& tooth, const QDateTime& begun);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     /// @param expectedTenths  what the student had said in forecast()
