@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMessageBox>
@@ -25,6 +26,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QTranslator>
@@ -60,6 +62,7 @@
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonEditor.h"
+#include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -149,6 +152,8 @@ private slots:
     void unsavedWorkIsAskedAbout();
     void savedWorkIsLeftWithoutAQuestion();
     void workThatWaitsForAReplayIsAskedAbout();
+    void unsavedLessonsAreAskedAbout_data();
+    void unsavedLessonsAreAskedAbout();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -1815,6 +1820,52 @@ void TestMainWindow::workThatWaitsForAReplayIsAskedAbout()
     press(Qt::Key_Return);
     QVERIFY(question() != nullptr);
     QVERIFY(chosen.isEmpty());
+}
+
+void TestMainWindow::unsavedLessonsAreAskedAbout_data()
+{
+    QTest::addColumn<QString>("answer");
+    for (const QString answer : {"save", "discard", "cancel"})
+        QTest::newRow(qPrintable(answer)) << answer;
+}
+
+void TestMainWindow::unsavedLessonsAreAskedAbout()
+{
+    QFETCH(QString, answer);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("class1-36-own.lesson.json");
+    auto* editor = child<ui::study::LessonEditor>();
+    const lessons::ReadLesson classOne = shipped("class1-36");
+    editor->edit(classOne, folder.path());
+    QVERIFY(editor->unsaved().isEmpty());
+    auto* title = child<QLineEdit>("draftTitle");
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    QCOMPARE(editor->unsaved(), QStringList{"Mine"});
+    // Neither another lesson nor another page loses it, and the list of lessons says so.
+    editor->edit(shipped("class1-37"), folder.path());
+    m_window->setLessons(lessons::readCatalog({}), {});
+    actions().lessons->trigger();
+    const auto* model = child<QListView>("lessonList")->model();
+    int marked = 0;
+    for (int row = 0; row < model->rowCount(); ++row)
+        marked += model->index(row, 0).data(Qt::AccessibleDescriptionRole).toString().contains("not saved") ? 1 : 0;
+    QCOMPARE(marked, 1);
+    QCOMPARE(editor->unsaved(), QStringList{"Mine"});
+
+    m_window->close();
+    auto* question = child<QMessageBox>("draftQuestion");
+    QVERIFY(question != nullptr && m_window->isVisible());
+    QVERIFY(question->informativeText().contains("Mine"));
+    for (QPushButton* button : question->findChildren<QPushButton*>())
+        if (button->text().contains(answer, Qt::CaseInsensitive)) {
+            QTest::keyClick(button, Qt::Key_Space);
+            break;
+        }
+    QTRY_VERIFY(child<QMessageBox>("draftQuestion") == nullptr);
+    QCOMPARE(m_window->isVisible(), answer == "cancel");
+    QCOMPARE(QFile::exists(file), answer == "save");
+    QCOMPARE(editor->unsaved().isEmpty(), answer == "save");
 }
 
 void TestMainWindow::anotherToothIsChosenWithTheMouse()

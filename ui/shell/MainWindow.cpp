@@ -765,8 +765,12 @@ void MainWindow::setHandpieces(const std::vector<core::settings::Handpiece>& atH
 void MainWindow::goTo(QWidget* page)
 {
     m_help->hide();
+    if (page == m_lessonsPage)
+        m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
-    if (page == m_room)
+    if (page == m_room && m_infractionCard->isVisible())
+        m_infractionCard->setFocus();
+    else if (page == m_room)
         m_view->setFocus();
     enableActions();
     placeOverlays();
@@ -1095,26 +1099,52 @@ void MainWindow::leaveWork(const std::function<void()>& what)
         what();
         return;
     }
+    const auto save = [this, what] {
+        m_afterSaving = what;
+        askToSave();
+    };
+    ask({"workQuestion", tr("Your work would be lost"), tr("What you have cut would be lost."),
+         tr("It has not been saved as a recording since you last cut."), tr("&Save the recording …"), save, what});
+}
+
+void MainWindow::leaveDrafts(const std::function<void()>& what)
+{
+    const QStringList titles = m_editor->unsaved();
+    if (titles.isEmpty()) {
+        what();
+        return;
+    }
+    const auto save = [this, what] {
+        if (m_editor->saveAll())
+            what();
+        else
+            goTo(m_editor);
+    };
+    ask({"draftQuestion", tr("Your lessons would be lost"),
+         tr("What you have changed in %n lesson(s) would be lost.", nullptr, static_cast<int>(titles.size())),
+         titles.join(u'\n'), tr("&Save"), save, what});
+}
+
+void MainWindow::ask(const Question& asked)
+{
     auto* question = new QMessageBox(this);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setObjectName(QStringLiteral("workQuestion"));
+    question->setObjectName(QLatin1String(asked.name));
     question->setIconPixmap(
         linePixmap(QStringLiteral("warning"), tones(palette()).attention, kQuestionIconPx, devicePixelRatioF()));
-    question->setWindowTitle(tr("Your work would be lost"));
-    question->setText(tr("What you have cut would be lost."));
-    question->setInformativeText(tr("It has not been saved as a recording since you last cut."));
-    QPushButton* save = question->addButton(tr("&Save the recording …"), QMessageBox::AcceptRole);
+    question->setWindowTitle(asked.title);
+    question->setText(asked.text);
+    question->setInformativeText(asked.detail);
+    QPushButton* save = question->addButton(asked.saveText, QMessageBox::AcceptRole);
     QPushButton* discard = question->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     QPushButton* stay = question->addButton(tr("&Cancel"), QMessageBox::RejectRole);
     question->setDefaultButton(save);
     question->setEscapeButton(stay);
-    connect(question, &QMessageBox::buttonClicked, this, [this, what, save, discard](QAbstractButton* button) {
-        if (button == discard) {
-            what();
-        } else if (button == save) {
-            m_afterSaving = what;
-            askToSave();
-        }
+    connect(question, &QMessageBox::buttonClicked, this, [asked, save, discard](QAbstractButton* button) {
+        if (button == discard)
+            asked.discard();
+        else if (button == save)
+            asked.save();
     });
     connect(question, &QDialog::finished, this, &MainWindow::activateWindow);
     question->open();
@@ -1133,14 +1163,16 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_mayClose || !wouldLoseWork()) {
+    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty())) {
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
     leaveWork([this] {
-        m_mayClose = true;
-        close();
+        leaveDrafts([this] {
+            m_mayClose = true;
+            close();
+        });
     });
 }
 

@@ -217,6 +217,20 @@ private:
     [[nodiscard]] bool wouldLoseWork() const;
     /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
     void leaveWork(const std::function<void()>& what);
+    /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
+    void leaveDrafts(const std::function<void()>& what);
+    /// Whether something is saved or discarded; cancelled, nothing happens.
+    struct Question
+    {
+        const char* name;  ///< for tests
+        QString title;
+        QString text;
+        QString detail;
+        QString saveText;
+        std::function<void()> save;
+        std::function<void()> discard;
+    };
+    void ask(const Question& asked);
     void askToSave();
     void connectReplay();
     void lookAlike();
