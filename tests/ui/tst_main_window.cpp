@@ -2171,7 +2171,7 @@ void TestMainWindow::nothingIsClipped()
         });
         editor->edit(classOne->read, QDir::temp().filePath(QStringLiteral("no such folder")));
         qobject_cast<QStackedWidget*>(editor->parentWidget())->setCurrentWidget(editor);
-        QTRY_VERIFY(editor->findChild<QLabel*>("selfCheck")->text().startsWith(QChar(0x2713)));
+        QTRY_VERIFY_WITH_TIMEOUT(editor->findChild<QLabel*>("selfCheck")->text().startsWith(QChar(0x2713)), 60000);
         check("editor");
         for (auto* choice : editor->findChildren<QPushButton*>())
             if (choice->property("kind") == "segment") {

@@ -96,6 +96,12 @@ LessonEditor::~LessonEditor()
     m_capturing.waitForDone();
 }
 
+void LessonEditor::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    m_title->setFocus();
+}
+
 LessonDraft& LessonEditor::draft()
 {
     return m_opened.at(m_present).draft;
@@ -118,6 +124,7 @@ QWidget* LessonEditor::makeForm()
     bindToForm(m_title);
     connect(m_title, &QLineEdit::textEdited, this, [this](const QString& title) {
         draft().setTitle(title, QLocale().name().section(u'_', 0, 0));
+        setTitle(tr("Lesson editor: %1").arg(title));
         changed();
     });
     column->addWidget(m_title);

@@ -67,6 +67,9 @@ signals:
     /// The teacher's folder has a lesson that it had not, or not so.
     void lessonSaved(const QString& file);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     /// A draft and the lesson it began as.
     struct Opened
