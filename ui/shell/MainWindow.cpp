@@ -658,7 +658,8 @@ void MainWindow::takeSession()
     if (m_replaying)
         m_room->replay().setPosition(m_session.recordedS);
     else if (m_session.toothGeneration == m_ownGeneration) {
-        m_room->lesson().setTime(m_session.recordedS);
+        if (m_assignment && m_assignment->lesson)
+            m_room->lesson().setTime(m_session.recordedS);
         m_room->history().follow(m_session.historyVersion);
     }
     if (moved)
@@ -982,9 +983,12 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         m_infractionStopped = m_actions->drill->isChecked();
     wishDrill(false);
     m_room->section().setHeld(infraction.placeMm);
-    if (m_aids.section && !m_actions->section->isChecked())
-        m_actions->section->trigger();
-    goTo(m_room);
+    // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
+    if (m_aids.section && !m_actions->section->isChecked()) {
+        m_actions->section->setChecked(true);
+        m_room->setSectionVisible(true);
+        enableActions();
+    }
     m_infractionCard->tell(infraction, canTakeBack);
     placeOverlays();
 }
