@@ -140,11 +140,19 @@ Course ReplayTrack::course() const
             ++begun;
         const std::uint64_t lastCut = begun == 0 ? 0 : std::min(strokes[begun - 1].to, marked.tick);
         if (const auto kind = maker.take(marked, lastCut))
-            course.marks.push_back({*kind, m_player->secondsAt(marked.tick + kMarginTicks), marked.event.value});
+            course.marks.push_back({*kind, m_player->secondsAt(marked.tick + kMarginTicks), marked.event.value,
+                                    nameOf(*kind, marked.event.value)});
     }
     const std::lock_guard lock(m_mutex);
     course.infractions = m_infractions;
     return course;
+}
+
+/// Of what a mark is about, where it has a name in the attempt's settings.
+std::string ReplayTrack::nameOf(Mark::Kind kind, std::uint64_t value) const
+{
+    const auto& handpieces = m_player->recording().settings().handpieces;
+    return kind == Mark::Kind::Handpiece && value < handpieces.size() ? handpieces[value].name : std::string();
 }
 
 std::uint64_t ReplayTrack::shownTick(double seconds, std::uint64_t ready) const

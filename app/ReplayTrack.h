@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/history/RemovedTally.h"
@@ -48,6 +49,7 @@ public:
 private:
     ReplayTrack(std::unique_ptr<core::recording::Player> player, const core::session::Examination& examination,
                 core::session::UiLinks& links, std::uint64_t generation);
+    [[nodiscard]] std::string nameOf(ui::replay::Mark::Kind kind, std::uint64_t value) const;
     [[nodiscard]] std::uint64_t shownTick(double seconds, std::uint64_t ready) const;
     void sendPatches(std::uint64_t tick, bool isSettled);
     void publish(std::uint64_t tick);

@@ -34,13 +34,13 @@ struct Beginning
 constexpr std::array<Beginning, 3> kBeginnings{
     {{"remove_decay", "decay_removal", "Decay on %1", "Karies an %1",
       "Take all of the decay out and spare what is sound; keep the pulp closed.",
-      "Entferne die ganze Karies und schone, was gesund ist; die Pulpa bleibt geschlossen."},
+      "Entfernen Sie die ganze Karies und schonen Sie, was gesund ist; die Pulpa bleibt geschlossen."},
      {"cut_ideal", "class1", "Preparation of %1", "Präparation an %1",
       "Cut the preparation as shown: outline, depth, walls and floor.",
-      "Präpariere wie gezeigt: Umriss, Tiefe, Wände und Boden."},
+      "Präparieren Sie wie gezeigt: Umriss, Tiefe, Wände und Boden."},
      {"trace_shape", "trace_shape", "Practice block: %1", "Übungsblock: %1",
       "Mill the shape to its depth and stay inside its lines.",
-      "Fräse die Form in ihrer Tiefe und bleibe in ihren Linien."}}};
+      "Fräsen Sie die Form in ihrer Tiefe und bleiben Sie in ihren Linien."}}};
 
 tl::unexpected<core::Error> refused(const QString& sentence)
 {

@@ -2,6 +2,45 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>Block</name>
+    <message>
+        <source>Practice block: line</source>
+        <translation>Übungsblock: Linie</translation>
+    </message>
+    <message>
+        <source>Practice block: circle</source>
+        <translation>Übungsblock: Kreis</translation>
+    </message>
+    <message>
+        <source>Practice block: cross</source>
+        <translation>Übungsblock: Kreuz</translation>
+    </message>
+    <message>
+        <source>Practice block: square</source>
+        <translation>Übungsblock: Quadrat</translation>
+    </message>
+    <message>
+        <source>Practice block: dovetail</source>
+        <translation>Übungsblock: Schwalbenschwanz</translation>
+    </message>
+    <message>
+        <source>Practice block: staircase</source>
+        <translation>Übungsblock: Treppe</translation>
+    </message>
+    <message>
+        <source>Practice block: letter I</source>
+        <translation>Übungsblock: Buchstabe I</translation>
+    </message>
+    <message>
+        <source>Practice block: letter T</source>
+        <translation>Übungsblock: Buchstabe T</translation>
+    </message>
+    <message>
+        <source>Practice block: three layers</source>
+        <translation>Übungsblock: drei Schichten</translation>
+    </message>
+</context>
+<context>
     <name>Breach</name>
     <message>
         <source>The pulp is open</source>
@@ -33,23 +72,23 @@
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
-        <translation>Mit einem Bohrer geschnitten, den diese Aufgabe nicht erlaubt</translation>
+        <translation>Mit einem Bohrer geschnitten, den diese Lektion nicht erlaubt</translation>
     </message>
     <message>
         <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
-        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sieh auf den Schnitt und lass einen halben Millimeter Dentin stehen.</translation>
+        <translation>Eine offene Pulpa stirbt meist ab: Durchtrennte Odontoblasten kommen nicht wieder. Sehen Sie auf den Schnitt und lassen Sie einen halben Millimeter Dentin stehen.</translation>
     </message>
     <message>
         <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
-        <translation>Ein durchbohrter Zahn ist meist verloren. Achte im Schnitt auf die Tiefe.</translation>
+        <translation>Ein durchbohrter Zahn ist meist verloren. Achten Sie im Schnitt auf die Tiefe.</translation>
     </message>
     <message>
         <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
-        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief du bist.</translation>
+        <translation>Was tiefer ist als nötig, schwächt den Zahn und kommt der Pulpa nahe. Der Schnitt zeigt, wie tief Sie sind.</translation>
     </message>
     <message>
         <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
-        <translation>Eine dünne Randleiste bricht unter Last. Halte mit der Außenkante des Bohrers früher an.</translation>
+        <translation>Eine dünne Randleiste bricht unter Last. Halten Sie mit der Außenkante des Bohrers früher an.</translation>
     </message>
     <message>
         <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
@@ -57,15 +96,15 @@
     </message>
     <message>
         <source>About 1 N cuts best; more heats the pulp, stalls the turbine and slips. Let the bur do the work.</source>
-        <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lass den Bohrer arbeiten.</translation>
+        <translation>Etwa 1 N schneidet am besten; mehr erhitzt die Pulpa, bremst die Turbine und rutscht ab. Lassen Sie den Bohrer arbeiten.</translation>
     </message>
     <message>
         <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
-        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halte ihn an, wenn du nicht schneidest.</translation>
+        <translation>Ein Bohrer, der unbeachtet läuft, verletzt Lippen und Wangen. Halten Sie ihn an, wenn Sie nicht schneiden.</translation>
     </message>
     <message>
         <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>Eine andere Form hinterlässt eine andere Kavität. Nimm einen Bohrer, den die Aufgabe nennt.</translation>
+        <translation>Eine andere Form hinterlässt eine andere Kavität. Nehmen Sie einen Bohrer, den die Lektion nennt.</translation>
     </message>
     <message>
         <source>The tooth beside was touched by the turning bur</source>
@@ -73,7 +112,7 @@
     </message>
     <message>
         <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
-        <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Im Umriss bleiben; N zeigt die Nachbarzähne.</translation>
+        <translation>Eine Kerbe im Nachbarzahn hält Belag fest und wird kariös. Bleiben Sie im Umriss; N zeigt die Nachbarzähne.</translation>
     </message>
 </context>
 <context>
@@ -356,7 +395,7 @@
     </message>
     <message>
         <source>Ask who made the lesson, or choose another one.</source>
-        <translation>Frage, wer die Aufgabe gemacht hat, oder wähle eine andere.</translation>
+        <translation>Fragen Sie, wer die Lektion gemacht hat, oder wählen Sie eine andere.</translation>
     </message>
     <message>
         <source>This Cusp did not write the file, or an older one did.</source>
@@ -365,7 +404,7 @@
     <message>
         <source>The lesson cannot be given; what was on the table still is. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Die Aufgabe kann nicht gestellt werden; was auf dem Tisch lag, liegt noch da. %1</translation>
+        <translation>Die Lektion lässt sich nicht beginnen; was auf dem Tisch lag, liegt noch da. %1</translation>
     </message>
     <message>
         <source>The work cannot be marked; it is as it was. %1</source>
@@ -693,6 +732,22 @@
         <source>The first minutes</source>
         <translation>Die ersten Minuten</translation>
     </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation>Umriss %1 mm nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation>Boden %1 mm höher oder tiefer</translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation>Wände %1°, das sind %2 mm auf 1,5 mm Tiefe</translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation>Boden eben auf %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -957,8 +1012,13 @@
         <translation>innerhalb des Umrisses gehalten</translation>
     </message>
     <message>
-        <source>Another handpiece</source>
-        <translation>Anderes Handstück</translation>
+        <source>%1 pad: said to be %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1: %2 gesagt</translation>
+    </message>
+    <message>
+        <source>Handpiece: %1</source>
+        <translation>Handstück: %1</translation>
     </message>
 </context>
 <context>
@@ -1083,7 +1143,7 @@
     </message>
     <message>
         <source>Preparing the lesson …</source>
-        <translation>Die Aufgabe wird vorbereitet …</translation>
+        <translation>Die Lektion wird vorbereitet …</translation>
     </message>
     <message>
         <source>Taking up the attempt …</source>
@@ -1099,7 +1159,7 @@
     </message>
     <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
-        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder wähle sie im Editor einer Lektion an diesem Zahn.</translation>
+        <translation>Die Referenz wurde als %1 gespeichert. Eine Lektion nennt sie, oder Sie wählen sie im Editor einer Lektion an diesem Zahn.</translation>
     </message>
     <message>
         <source>This exercise has not been begun yet, so there is nothing to grade.</source>
@@ -1648,7 +1708,7 @@
     </message>
     <message>
         <source>This lesson does not allow it.</source>
-        <translation>Diese Übung erlaubt das nicht.</translation>
+        <translation>Diese Lektion erlaubt das nicht.</translation>
     </message>
     <message>
         <source>Neighbouring teeth</source>
@@ -1668,7 +1728,7 @@
     </message>
     <message>
         <source>Lessons</source>
-        <translation>Aufgaben</translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>Choose what to practise</source>
@@ -1769,7 +1829,7 @@
     </message>
     <message>
         <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>Behält, was du präpariert hast, als Ideal für Lektionen</translation>
+        <translation>Behält, was Sie präpariert haben, als Ideal für Lektionen</translation>
     </message>
     <message>
         <source>The expert&apos;s attempt</source>
@@ -2172,12 +2232,7 @@
     </message>
     <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>Die Zeit für diese Aufgabe ist um. Arbeite weiter, solange du magst, oder drücke G.</translation>
-    </message>
-    <message>
-        <source>An attempt at %1 of %2 was not finished.</source>
-        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
-        <translation>Ein Versuch an %1 von %2 wurde nicht beendet.</translation>
+        <translation>Die Zeit für diese Lektion ist um. Arbeiten Sie weiter, solange Sie mögen, oder drücken Sie G.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -2189,11 +2244,11 @@
     </message>
     <message>
         <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>Diese Datei kann nicht als Lektion gestellt werden, also gibt es nichts zu bearbeiten. Behebe erst, was genannt ist.</translation>
+        <translation>Aus dieser Datei wird keine Lektion, also gibt es nichts zu bearbeiten. Beheben Sie erst, was genannt ist.</translation>
     </message>
     <message>
         <source>This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack).</source>
-        <translation>Diese Lektion liegt in einem Paket. Packe es in deinen Ordner aus, um sie zu ändern (cusp lesson unpack).</translation>
+        <translation>Diese Lektion liegt in einem Paket. Packen Sie es in Ihren Ordner aus, um sie zu ändern (cusp lesson unpack).</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>
@@ -2210,6 +2265,34 @@
     <message>
         <source>The handpiece is not there any more, so your hand is free.</source>
         <translation>Das Handstück ist nicht mehr da, deshalb ist Ihre Hand frei.</translation>
+    </message>
+    <message>
+        <source>The exercise begins anew.</source>
+        <translation>Die Übung beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
+        <translation>Sie sind in einer Prüfung, und der Editor zeigt das Ideal einer Lektion. Beenden Sie erst die Prüfung: Drücken Sie G für die Note oder nehmen Sie eine andere Lektion.</translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1: Ein Versuch von %2 wurde nicht beendet.</translation>
+    </message>
+    <message>
+        <source>Your lessons would be lost</source>
+        <translation>Ihre Lektionen gingen verloren</translation>
+    </message>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>Was Sie in %n Lektion geändert haben, ginge verloren.</numerusform>
+            <numerusform>Was Sie in %n Lektionen geändert haben, ginge verloren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
     </message>
 </context>
 <context>
@@ -2538,7 +2621,7 @@
     <message>
         <source>%1 at %2, stroke %3</source>
         <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
-        <translation>%1 bei %2, Zug %3</translation>
+        <translation>%1 bei %2, Strich %3</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -2568,7 +2651,7 @@
     </message>
     <message>
         <source>No stroke caused this: see how the attempt ended</source>
-        <translation>Kein Zug hat das verursacht: sehen, wie der Versuch endete</translation>
+        <translation>Kein Strich hat das verursacht: sehen, wie der Versuch endete</translation>
     </message>
     <message>
         <source>See it happen: play the attempt from here</source>
@@ -2646,23 +2729,23 @@
     </message>
     <message>
         <source>Graded. F2 leads to the next lesson.</source>
-        <translation>Bewertet. F2 führt zur nächsten Aufgabe.</translation>
+        <translation>Bewertet. F2 führt zur nächsten Lektion.</translation>
     </message>
     <message>
         <source>Well done. See how it is marked.</source>
-        <translation>Gut gemacht. Sieh, wie es bewertet wird.</translation>
+        <translation>Gut gemacht. Sehen Sie, wie es bewertet wird.</translation>
     </message>
     <message>
         <source>Sure? Then see how it is marked.</source>
-        <translation>Sicher? Dann sieh, wie es bewertet wird.</translation>
+        <translation>Sicher? Dann sehen Sie, wie es bewertet wird.</translation>
     </message>
     <message>
         <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
-        <translation>Der Bohrer läuft: Halte ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
+        <translation>Der Bohrer läuft: Halten Sie ihn mit der Leertaste an. Hier wird nichts geschnitten.</translation>
     </message>
     <message>
         <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
-        <translation>Lass den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
+        <translation>Lassen Sie den Bohrer mit der Leertaste laufen: In Ruhe fühlen sich alle drei gleich an.</translation>
     </message>
     <message>
         <source>Longest so far: %1 s</source>
@@ -2679,18 +2762,18 @@
     </message>
     <message>
         <source>Press on each for a second, and compare.</source>
-        <translation>Drücke auf jedes eine Sekunde lang und vergleiche.</translation>
+        <translation>Drücken Sie auf jedes eine Sekunde lang und vergleichen Sie.</translation>
     </message>
 </context>
 <context>
     <name>ui::study::Forecast</name>
     <message>
         <source>Before you see the score</source>
-        <translation>Bevor du die Note siehst</translation>
+        <translation>Bevor Sie die Note sehen</translation>
     </message>
     <message>
         <source>How many points do you expect?</source>
-        <translation>Wie viele Punkte erwartest du?</translation>
+        <translation>Wie viele Punkte erwarten Sie?</translation>
     </message>
     <message>
         <source>What cost you most?</source>
@@ -2749,6 +2832,55 @@
     </message>
 </context>
 <context>
+    <name>ui::study::IdealForm</name>
+    <message>
+        <source>What the ideal is</source>
+        <translation>Was das Ideal ist</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>Aufzeichnungen als Referenz nehmen …</translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation>Wählen Sie einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation>Das Ideal ist die Karies selbst: Es gibt nichts einzustellen</translation>
+    </message>
+    <message>
+        <source>An exercise: nothing is to be cut</source>
+        <translation>Eine Übung: Es gibt nichts zu präparieren</translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>Ideale Präparation</translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>Nach Regel</translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <translation>Abgenommen: %1</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::InfractionCard</name>
     <message>
         <source>Take it back</source>
@@ -2778,36 +2910,8 @@
         <translation>Titel der Lektion</translation>
     </message>
     <message>
-        <source>Ideal preparation</source>
-        <translation>Ideale Präparation</translation>
-    </message>
-    <message>
-        <source>What the ideal is</source>
-        <translation>Was das Ideal ist</translation>
-    </message>
-    <message>
         <source>Take recordings as the reference …</source>
-        <translation>Aufnahmen als Referenz nehmen …</translation>
-    </message>
-    <message>
-        <source>Choose one attempt, or several whose mean is to be cut</source>
-        <translation>Wähle einen Versuch oder mehrere, deren Mittel zu präparieren ist</translation>
-    </message>
-    <message>
-        <source>Marking</source>
-        <translation>Bewertung</translation>
-    </message>
-    <message>
-        <source>Passed from</source>
-        <translation>Bestanden ab</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Pass mark</source>
-        <translation>Bestehensgrenze</translation>
+        <translation>Aufzeichnungen als Referenz nehmen …</translation>
     </message>
     <message>
         <source>On the tooth</source>
@@ -2838,42 +2942,6 @@
         <translation>Die Lektion, wie sie in ihrer Datei steht</translation>
     </message>
     <message>
-        <source>Recordings …</source>
-        <translation>Aufnahmen …</translation>
-    </message>
-    <message>
-        <source>Choose the folder with recordings of attempts</source>
-        <translation>Den Ordner mit Aufnahmen von Versuchen wählen</translation>
-    </message>
-    <message>
-        <source>Choose the folder with recordings</source>
-        <translation>Ordner mit Aufnahmen wählen</translation>
-    </message>
-    <message>
-        <source>Whose tolerance is changed</source>
-        <translation>Wessen Toleranz geändert wird</translation>
-    </message>
-    <message>
-        <source>Recordings that are replayed</source>
-        <translation>Aufnahmen, die abgespielt werden</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Stop replaying</source>
-        <translation>Abspielen anhalten</translation>
-    </message>
-    <message>
-        <source>Go on with those that are done</source>
-        <translation>Mit denen weiterarbeiten, die fertig sind</translation>
-    </message>
-    <message>
-        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
-        <translation>Wähle einen Ordner mit Aufnahmen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -2883,7 +2951,7 @@
     </message>
     <message>
         <source>Write the lesson into your folder (Ctrl+S)</source>
-        <translation>Die Lektion in deinen Ordner schreiben (Strg+S)</translation>
+        <translation>Die Lektion in Ihren Ordner schreiben (Strg+S)</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -2903,7 +2971,7 @@
     </message>
     <message>
         <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
-        <translation>Eine mitgelieferte Lektion: Gespeichert wird daraus deine eigene, die auf ihr aufbaut.</translation>
+        <translation>Eine mitgelieferte Lektion: Gespeichert wird daraus Ihre eigene, die auf ihr aufbaut.</translation>
     </message>
     <message>
         <source>This lesson of yours is changed where it stands.</source>
@@ -2914,87 +2982,12 @@
         <translation>Noch nicht gespeichert.</translation>
     </message>
     <message>
-        <source>no</source>
-        <translation>nein</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>%1 to %2 %3</source>
-        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
-        <translation>%1 bis %2 %3</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>All tolerances</source>
-        <translation>Alle Toleranzen</translation>
-    </message>
-    <message>
-        <source>Tolerance of: %1</source>
-        <extracomment>%1: a criterion</extracomment>
-        <translation>Toleranz von: %1</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>entscheidet</translation>
-    </message>
-    <message>
-        <source>Weight of: %1</source>
-        <translation>Gewicht von: %1</translation>
-    </message>
-    <message>
-        <source>The ideal is the decay itself: nothing is to be set</source>
-        <translation>Das Ideal ist die Karies selbst: Es gibt nichts einzustellen</translation>
-    </message>
-    <message>
-        <source>By rule</source>
-        <translation>Nach Regel</translation>
-    </message>
-    <message>
-        <source>Captured: %1</source>
-        <extracomment>%1: the name of a file</extracomment>
-        <translation>Abgenommen: %1</translation>
-    </message>
-    <message>
-        <source>outline %1 mm to either side</source>
-        <translation>Umriss %1 mm nach beiden Seiten</translation>
-    </message>
-    <message>
-        <source>floor %1 mm up or down</source>
-        <translation>Boden %1 mm höher oder tiefer</translation>
-    </message>
-    <message>
-        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
-        <translation>Wände %1°, das sind %2 mm auf 1,5 mm Tiefe</translation>
-    </message>
-    <message>
-        <source>floor even to %1 mm</source>
-        <translation>Boden eben auf %1 mm</translation>
-    </message>
-    <message>
         <source>This rubric has no criterion that can be drawn on the tooth.</source>
         <translation>Diese Bewertung hat kein Kriterium, das sich am Zahn zeichnen lässt.</translation>
     </message>
     <message>
         <source>Costs nothing: %1.</source>
         <translation>Kostet nichts: %1.</translation>
-    </message>
-    <message>
-        <source>All weights: %1 points</source>
-        <translation>Alle Gewichte: %1 Punkte</translation>
-    </message>
-    <message>
-        <source>All weights: %1 points; they must make 100</source>
-        <translation>Alle Gewichte: %1 Punkte; es müssen 100 sein</translation>
     </message>
     <message>
         <source>The ideal is checked as soon as nothing is wrong.</source>
@@ -3010,17 +3003,17 @@
     </message>
     <message>
         <source>Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
-        <translation>An diesem Ideal nicht messbar, also hilft keine Toleranz: %1. Bewerte nach anderen Kriterien.</translation>
+        <translation>An diesem Ideal nicht messbar, also hilft keine Toleranz: %1. Bewerten Sie nach anderen Kriterien.</translation>
     </message>
     <message>
         <source>Recordings (%1)</source>
-        <translation>Aufnahmen (%1)</translation>
+        <translation>Aufzeichnungen (%1)</translation>
     </message>
     <message numerus="yes">
         <source>Replaying %n recording(s) …</source>
         <translation>
-            <numerusform>%n Aufnahme wird abgespielt …</numerusform>
-            <numerusform>%n Aufnahmen werden abgespielt …</numerusform>
+            <numerusform>%n Aufzeichnung wird abgespielt …</numerusform>
+            <numerusform>%n Aufzeichnungen werden abgespielt …</numerusform>
         </translation>
     </message>
     <message>
@@ -3029,32 +3022,7 @@
     </message>
     <message>
         <source>The reference is %1 beside your lessons.</source>
-        <translation>Die Referenz ist %1 neben deinen Lektionen.</translation>
-    </message>
-    <message>
-        <source>No attempt in this folder was made at this tooth.</source>
-        <translation>Kein Versuch in diesem Ordner wurde an diesem Zahn gemacht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them from the history.</source>
-        <translation>
-            <numerusform>%n davon aus dem Verlauf.</numerusform>
-            <numerusform>%n davon aus dem Verlauf.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n attempt(s) at other teeth are left out.</source>
-        <translation>
-            <numerusform>%n Versuch an einem anderen Zahn bleibt weg.</numerusform>
-            <numerusform>%n Versuche an anderen Zähnen bleiben weg.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n recording(s) could not be read.</source>
-        <translation>
-            <numerusform>%n Aufnahme war nicht lesbar.</numerusform>
-            <numerusform>%n Aufnahmen waren nicht lesbar.</numerusform>
-        </translation>
+        <translation>Die Referenz ist %1 neben Ihren Lektionen.</translation>
     </message>
     <message>
         <source>Not saved: %1</source>
@@ -3062,15 +3030,19 @@
     </message>
     <message>
         <source>Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances that are named, or press Fit.</source>
-        <translation>Nicht gespeichert: Wer genau dieses Ideal präpariert, verlöre Punkte. Weite die genannten Toleranzen oder drücke „Anpassen“.</translation>
+        <translation>Nicht gespeichert: Wer genau dieses Ideal präpariert, verlöre Punkte. Weiten Sie die genannten Toleranzen oder drücken Sie „Anpassen“.</translation>
     </message>
     <message>
         <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
-        <translation>Nicht gespeichert: Es gibt schon eine Datei %1. Öffne stattdessen diese Lektion.</translation>
+        <translation>Nicht gespeichert: Es gibt schon eine Datei %1. Öffnen Sie stattdessen diese Lektion.</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>An exercise has no ideal that could be checked.</source>
+        <translation>Eine Übung hat kein Ideal, das zu prüfen wäre.</translation>
     </message>
 </context>
 <context>
@@ -3109,7 +3081,7 @@
     <name>ui::study::LessonsPage</name>
     <message>
         <source>Lessons</source>
-        <translation>Aufgaben</translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>Search: a word, or the number of a tooth</source>
@@ -3117,7 +3089,7 @@
     </message>
     <message>
         <source>Search the lessons</source>
-        <translation>Aufgaben durchsuchen</translation>
+        <translation>Lektionen durchsuchen</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -3129,23 +3101,23 @@
     </message>
     <message>
         <source>Start this lesson</source>
-        <translation>Diese Aufgabe beginnen</translation>
+        <translation>Diese Lektion beginnen</translation>
     </message>
     <message>
         <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>Den Zahn dieser Aufgabe auf den Tisch legen (Eingabe)</translation>
+        <translation>Den Zahn dieser Lektion auf den Tisch legen (Eingabe)</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
-        <translation>Eigene Aufgaben …</translation>
+        <translation>Eigene Lektionen …</translation>
     </message>
     <message>
         <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>Den Ordner öffnen, aus dem die Aufgaben der Lehrenden gelesen werden</translation>
+        <translation>Den Ordner öffnen, aus dem die Lektionen der Lehrenden gelesen werden</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
-        <translation>Den Ordner der eigenen Aufgaben öffnen</translation>
+        <translation>Den Ordner der eigenen Lektionen öffnen</translation>
     </message>
     <message>
         <source>exam</source>
@@ -3153,19 +3125,19 @@
     </message>
     <message>
         <source>Cannot be given</source>
-        <translation>Nicht zu stellen</translation>
+        <translation>Nicht zu gebrauchen</translation>
     </message>
     <message>
         <source>No lesson fits the search</source>
-        <translation>Keine Aufgabe passt zur Suche</translation>
+        <translation>Keine Lektion passt zur Suche</translation>
     </message>
     <message>
         <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>Diese Datei kann nicht als Aufgabe gestellt werden. Die anderen gehen.</translation>
+        <translation>Aus dieser Datei wird keine Lektion. Die anderen gehen.</translation>
     </message>
     <message>
         <source>Search for another word, or clear the field.</source>
-        <translation>Suche nach einem anderen Wort oder leere das Feld.</translation>
+        <translation>Suchen Sie nach einem anderen Wort oder leeren Sie das Feld.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -3181,7 +3153,7 @@
     </message>
     <message>
         <source>Practice: you are told what goes wrong</source>
-        <translation>Übung: Du erfährst, was schiefgeht</translation>
+        <translation>Übung: Sie erfahren, was schiefgeht</translation>
     </message>
     <message>
         <source>Time</source>
@@ -3210,7 +3182,7 @@
     </message>
     <message>
         <source>Your best</source>
-        <translation>Dein Bestes</translation>
+        <translation>Ihr Bestes</translation>
     </message>
     <message>
         <source>not tried yet</source>
@@ -3231,20 +3203,82 @@
         <source>Note</source>
         <translation>Hinweis</translation>
     </message>
+    <message>
+        <source>changed, not saved</source>
+        <extracomment>Of a lesson in a list: in the editor</extracomment>
+        <translation>geändert, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>best %1, passed</source>
+        <extracomment>For a screen reader: the best score of a lesson</extracomment>
+        <translation>Bestes %1, bestanden</translation>
+    </message>
+    <message>
+        <source>best %1, not passed</source>
+        <translation>Bestes %1, nicht bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::RubricForm</name>
+    <message>
+        <source>Marking</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestanden ab</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation>Toleranz von: %1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>entscheidet</translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation>Gewicht von: %1</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation>Alle Gewichte: %1 Punkte</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
+        <translation>Alle Gewichte: %1 Punkte; es müssen 100 sein</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::ScorePage</name>
     <message>
         <source>You expected %1 points: exactly so.</source>
-        <translation>Erwartet hattest du %1 Punkte: genau so ist es.</translation>
+        <translation>Erwartet hatten Sie %1 Punkte: genau so ist es.</translation>
     </message>
     <message>
         <source>You expected %1 points: %2 too many.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu viel.</translation>
+        <translation>Erwartet hatten Sie %1 Punkte: %2 zu viel.</translation>
     </message>
     <message>
         <source>You expected %1 points: %2 too few.</source>
-        <translation>Erwartet hattest du %1 Punkte: %2 zu wenig.</translation>
+        <translation>Erwartet hatten Sie %1 Punkte: %2 zu wenig.</translation>
     </message>
     <message>
         <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
@@ -3273,7 +3307,7 @@
     </message>
     <message>
         <source>Your attempts</source>
-        <translation>Deine Versuche</translation>
+        <translation>Ihre Versuche</translation>
     </message>
     <message>
         <source>Grade: %1</source>
@@ -3337,8 +3371,8 @@
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
         <extracomment>%1 is a number of per cent</extracomment>
         <translation>
-            <numerusform>Von %n Person deiner Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
-            <numerusform>Von den besten Ergebnissen von %n Personen deiner Gruppe liegen %1 % darunter.</numerusform>
+            <numerusform>Von %n Person Ihrer Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
+            <numerusform>Von den besten Ergebnissen von %n Personen Ihrer Gruppe liegen %1 % darunter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3412,6 +3446,78 @@
     </message>
 </context>
 <context>
+    <name>ui::study::SweepPage</name>
+    <message>
+        <source>Recordings …</source>
+        <translation>Aufzeichnungen …</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation>Den Ordner mit Aufzeichnungen von Versuchen wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation>Ordner mit Aufzeichnungen wählen</translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation>Wessen Toleranz geändert wird</translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation>Aufzeichnungen, die abgespielt werden</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation>Abspielen anhalten</translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation>Mit denen weiterarbeiten, die fertig sind</translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation>Wählen Sie einen Ordner mit Aufzeichnungen dieses Zahns: Jede wird einmal abgespielt, und ihre Note wird für das 0- bis 3-Fache der Toleranzen links gezeichnet.</translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation>Alle Toleranzen</translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation>Kein Versuch in diesem Ordner wurde an diesem Zahn gemacht.</translation>
+    </message>
+    <message>
+        <source>The attempts of the history were made for another ideal than this draft&apos;s. Choose a folder with recordings.</source>
+        <translation>Die Versuche des Verlaufs galten einem anderen Ideal als dem dieses Entwurfs. Wählen Sie einen Ordner mit Aufzeichnungen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>%n davon aus dem Verlauf.</numerusform>
+            <numerusform>%n davon aus dem Verlauf.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>%n Versuch an einem anderen Zahn bleibt weg.</numerusform>
+            <numerusform>%n Versuche an anderen Zähnen bleiben weg.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n Aufzeichnung war nicht lesbar.</numerusform>
+            <numerusform>%n Aufzeichnungen waren nicht lesbar.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::study::ToleranceView</name>
     <message>
         <source>The tolerances on the tooth</source>
@@ -3419,7 +3525,7 @@
     </message>
     <message>
         <source>Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does</source>
-        <translation>Ziehe die Linie des Schnitts; Pfeiltasten verschieben sie, mit Umschalt drehen sie, ebenso ein Doppelklick</translation>
+        <translation>Ziehen Sie die Linie des Schnitts; Pfeiltasten verschieben sie, mit Umschalt drehen sie, ebenso ein Doppelklick</translation>
     </message>
     <message>
         <source>Nothing to show yet: what is wrong is said at the left.</source>

@@ -2,6 +2,45 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
 <context>
+    <name>Block</name>
+    <message>
+        <source>Practice block: line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: dovetail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: staircase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: letter I</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: letter T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice block: three layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Breach</name>
     <message>
         <source>The pulp is open</source>
@@ -693,6 +732,22 @@
         <source>The first minutes</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -957,7 +1012,12 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another handpiece</source>
+        <source>%1 pad: said to be %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handpiece: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2175,11 +2235,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An attempt at %1 of %2 was not finished.</source>
-        <extracomment>%1: a tooth, &quot;36&quot;; %2: a time of today, or a day and a time</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2209,6 +2264,34 @@
     </message>
     <message>
         <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exercise begins anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your lessons would be lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>What you have changed in %n lesson would be lost.</numerusform>
+            <numerusform>What you have changed in %n lessons would be lost.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2749,6 +2832,55 @@
     </message>
 </context>
 <context>
+    <name>ui::study::IdealForm</name>
+    <message>
+        <source>What the ideal is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An exercise: nothing is to be cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::InfractionCard</name>
     <message>
         <source>Take it back</source>
@@ -2778,35 +2910,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ideal preparation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the ideal is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Take recordings as the reference …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose one attempt, or several whose mean is to be cut</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Marking</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Passed from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pass mark</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2835,42 +2939,6 @@
     </message>
     <message>
         <source>The lesson as its file says it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recordings …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the folder with recordings of attempts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the folder with recordings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whose tolerance is changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recordings that are replayed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop replaying</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go on with those that are done</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2914,86 +2982,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 to %2 %3</source>
-        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All tolerances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tolerance of: %1</source>
-        <extracomment>%1: a criterion</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Weight of: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The ideal is the decay itself: nothing is to be set</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>By rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Captured: %1</source>
-        <extracomment>%1: the name of a file</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>outline %1 mm to either side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>floor %1 mm up or down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>floor even to %1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This rubric has no criterion that can be drawn on the tooth.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Costs nothing: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All weights: %1 points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All weights: %1 points; they must make 100</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3032,31 +3025,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No attempt in this folder was made at this tooth.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them from the history.</source>
-        <translation>
-            <numerusform>%n of them from the history.</numerusform>
-            <numerusform>%n of them from the history.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n attempt(s) at other teeth are left out.</source>
-        <translation>
-            <numerusform>%n attempt at another tooth is left out.</numerusform>
-            <numerusform>%n attempts at other teeth are left out.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n recording(s) could not be read.</source>
-        <translation>
-            <numerusform>%n recording could not be read.</numerusform>
-            <numerusform>%n recordings could not be read.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Not saved: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3070,6 +3038,10 @@
     </message>
     <message>
         <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An exercise has no ideal that could be checked.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3229,6 +3201,68 @@
     </message>
     <message>
         <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed, not saved</source>
+        <extracomment>Of a lesson in a list: in the editor</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>best %1, passed</source>
+        <extracomment>For a screen reader: the best score of a lesson</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>best %1, not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::RubricForm</name>
+    <message>
+        <source>Marking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3409,6 +3443,78 @@
     <message>
         <source>As set</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepPage</name>
+    <message>
+        <source>Recordings …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempts of the history were made for another ideal than this draft&apos;s. Choose a folder with recordings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>%n of them from the history.</numerusform>
+            <numerusform>%n of them from the history.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>%n attempt at another tooth is left out.</numerusform>
+            <numerusform>%n attempts at other teeth are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n recording could not be read.</numerusform>
+            <numerusform>%n recordings could not be read.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -151,7 +151,7 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
 {
     const QString own = leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     // Never opened silently.
     QVERIFY(enamelRemoved() != own);
     QVERIFY(!actions().undo->isEnabled());
@@ -169,7 +169,7 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
     QVERIFY(journals().isEmpty());
     QVERIFY(QFile::rename(m_folder->filePath("kept"), m_folder->filePath("unfinished/1-1.cuspjournal")));
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QTest::mouseClick(messageButton(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), again, 30000);
     actions().undo->trigger();
@@ -186,11 +186,11 @@ void TestApplication::discardedAttemptsMakeWayForOlderOnes()
     broken.write("This is no journal.");
     broken.close();
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QCOMPARE(journals("discarded"), QStringList{"3-1.cuspjournal"});
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 2, 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("An attempt at 36"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3, 30000);
     QVERIFY(journals().isEmpty());
@@ -266,6 +266,24 @@ void TestApplication::theFirstMinutesFromBeginningToEnd()
         letGo();
         QTest::qWait(200);
     }
+    QCOMPARE(graded(), QString("100.0"));
+    // Anew, from the score as from the tooth: nothing is touched.
+    actions().reload->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("0 of 6 points touched"), 10000);
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+    QTRY_VERIFY(!actions().drill->isChecked());
+    ui::tooth::ToothView& view = m_application->window().view();
+    view.setCamera(0.0, 85.0, view.camera().distanceMm());
+    pressAt(touch.touch->pointsMm[0]);
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("1 of 6 points touched"), 10000);
+    letGo();
+    for (int n = 1; n < 6; ++n) {
+        QTest::qWait(200);
+        pressAt(touch.touch->pointsMm[static_cast<std::size_t>(n)]);
+        QTRY_VERIFY_WITH_TIMEOUT(title().contains(QString::number(n + 1)), 10000);
+        letGo();
+    }
+    QTest::qWait(200);
     QCOMPARE(graded(), QString("100.0"));
     // The same is not graded twice: the page comes at once, without a question.
     actions().back->trigger();

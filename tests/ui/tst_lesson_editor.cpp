@@ -8,8 +8,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QPushButton>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -20,6 +22,13 @@
 #include "ui/study/SweepChart.h"
 
 using namespace ui::study;
+
+namespace {
+
+/// A draft is weighed in a tenth of a second; on a machine that has much else to do, in many.
+constexpr int kLoadedMs = 60000;
+
+}  // namespace
 
 class TestLessonEditor : public QObject
 {
@@ -35,6 +44,11 @@ private slots:
     void changesInARowAreOneStepBack();
     void aShippedLessonIsSavedAsTheTeachersOwn();
     void saveRefusesNothingSilently();
+    void stepsBackShowNumbersOfARubricThatIsNone();
+    void theTitleIsTakenBackAsWell();
+    void nothingOfTheLessonBeforeIsLeft();
+    void draftsAreKeptAndSavedTogether();
+    void anExerciseHasNoIdealToCheck();
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
     void sweepMarksEachAttemptUnderEachTolerance();
@@ -53,7 +67,7 @@ private:
     void open(const QString& id)
     {
         m_editor->edit(shipped(id), m_folder->path());
-        QTRY_VERIFY2(check().contains("100"), qPrintable(check()));
+        QTRY_VERIFY2_WITH_TIMEOUT(check().contains("100"), qPrintable(check()), kLoadedMs);
     }
     QString check() const { return m_editor->findChild<QLabel*>("selfCheck")->text(); }
     QString saidBelow() const { return m_editor->findChild<QLabel*>("editorSaid")->text(); }
@@ -164,12 +178,12 @@ void TestLessonEditor::whatIsWrongIsSaidBesideItsField()
     // No bur leaves a line angle of 0.4 mm that has a radius of 0.3 mm.
     spin("bur_radius_mm")->setValue(0.3);
     spin("line_angle_mm")->setValue(0.5);
-    QTRY_VERIFY(anyFault("no bur leaves that"));
+    QTRY_VERIFY_WITH_TIMEOUT(anyFault("no bur leaves that"), kLoadedMs);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("Not saved"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Not saved"), qPrintable(saidBelow()), kLoadedMs);
     m_editor->undo();
-    QTRY_VERIFY(!anyFault("no bur leaves that"));
-    QTRY_COMPARE(spin("line_angle_mm")->value(), 0.2);
+    QTRY_VERIFY_WITH_TIMEOUT(!anyFault("no bur leaves that"), kLoadedMs);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("line_angle_mm")->value(), 0.2, kLoadedMs);
 }
 
 void TestLessonEditor::changesInARowAreOneStepBack()
@@ -181,15 +195,15 @@ void TestLessonEditor::changesInARowAreOneStepBack()
     spin("tolerance.depth")->setValue(0.4);
     QVERIFY(m_editor->canUndo() && !m_editor->canRedo());
     m_editor->undo();
-    QTRY_COMPARE(spin("tolerance.depth")->value(), 0.25);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("tolerance.depth")->value(), 0.25, kLoadedMs);
     QCOMPARE(spin("depth_mm")->value(), 1.8);
     m_editor->undo();
-    QTRY_COMPARE(spin("depth_mm")->value(), 1.5);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.5, kLoadedMs);
     QVERIFY(!m_editor->canUndo());
     m_editor->redo();
     m_editor->redo();
-    QTRY_COMPARE(spin("tolerance.depth")->value(), 0.4);
-    QTRY_COMPARE(spin("depth_mm")->value(), 1.8);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("tolerance.depth")->value(), 0.4, kLoadedMs);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.8, kLoadedMs);
 }
 
 void TestLessonEditor::aShippedLessonIsSavedAsTheTeachersOwn()
@@ -197,9 +211,9 @@ void TestLessonEditor::aShippedLessonIsSavedAsTheTeachersOwn()
     open("class1-36");
     spin("depth_mm")->setValue(1.75);
     spin("tolerance.outline")->setValue(0.35);
-    QTRY_VERIFY(check().contains("100"));
+    QTRY_VERIFY_WITH_TIMEOUT(check().contains("100"), kLoadedMs);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
     const QJsonObject object = saved("class1-36-own.lesson.json");
     QCOMPARE(object["based_on"].toString(), QString("ideal-1-class1-1-36.lesson.json"));
     QCOMPARE(object["ideal"].toObject()["sizes"].toObject()["depth_mm"].toDouble(), 1.75);
@@ -216,10 +230,11 @@ void TestLessonEditor::aShippedLessonIsSavedAsTheTeachersOwn()
     QCOMPARE(read.lesson->version, 1);
     // Opened again it is changed where it stands, under a higher version.
     m_editor->edit(read, m_folder->path());
-    QTRY_COMPARE(spin("depth_mm")->value(), 1.75);
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("100"), qPrintable(check()), kLoadedMs);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.75, kLoadedMs);
     spin("depth_mm")->setValue(1.6);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
     QCOMPARE(saved("class1-36-own.lesson.json")["version"].toInt(), 2);
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 1);
 }
@@ -235,9 +250,10 @@ void TestLessonEditor::saveRefusesNothingSilently()
     }();
     QVERIFY(weight != nullptr);
     weight->setValue(weight->value() + 5.0);
-    QTRY_VERIFY(anyFault("they must make 100"));
+    QTRY_VERIFY_WITH_TIMEOUT(anyFault("they must make 100"), kLoadedMs);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("Not saved: class1-36-own.lesson.json, rubric"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Not saved: class1-36-own.lesson.json, rubric"),
+                              qPrintable(saidBelow()), kLoadedMs);
     QVERIFY(QDir(m_folder->path()).isEmpty());
     m_editor->undo();
     // A name that somebody else took meanwhile.
@@ -245,8 +261,115 @@ void TestLessonEditor::saveRefusesNothingSilently()
     QVERIFY(other.open(QIODevice::WriteOnly) && other.write("{}") == 2);
     other.close();
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("there is a file class1-36-own.lesson.json already"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("there is a file class1-36-own.lesson.json already"),
+                              qPrintable(saidBelow()), kLoadedMs);
     QVERIFY(saved("class1-36-own.lesson.json").isEmpty());
+}
+
+/// While the weights do not add up there is no rubric, and yet each input shows what its draft says.
+void TestLessonEditor::stepsBackShowNumbersOfARubricThatIsNone()
+{
+    open("class1-36");
+    QList<QDoubleSpinBox*> weights;
+    for (auto* input : m_editor->findChildren<QDoubleSpinBox*>())
+        if (input->accessibleName().startsWith("Weight"))
+            weights << input;
+    const double first = weights[0]->value();
+    const double second = weights[1]->value();
+    weights[0]->setValue(first + 5.0);
+    spin("depth_mm")->setValue(1.7);
+    weights[1]->setValue(second - 5.0);
+    QTRY_VERIFY_WITH_TIMEOUT(check().contains("100"), kLoadedMs);
+    m_editor->undo();
+    QTRY_COMPARE_WITH_TIMEOUT(weights[1]->value(), second, kLoadedMs);
+    QTRY_VERIFY_WITH_TIMEOUT(anyFault("they must make 100"), kLoadedMs);
+    m_editor->undo();
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.5, kLoadedMs);
+    QVERIFY(anyFault("they must make 100"));
+    m_editor->undo();
+    QTRY_COMPARE_WITH_TIMEOUT(weights[0]->value(), first, kLoadedMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!anyFault("they must make 100"), kLoadedMs);
+}
+
+void TestLessonEditor::theTitleIsTakenBackAsWell()
+{
+    open("class1-36");
+    auto* title = m_editor->findChild<QLineEdit*>("draftTitle");
+    const QString before = title->text();
+    title->setFocus();
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    m_editor->undo();
+    QCOMPARE(title->text(), before);
+    m_editor->redo();
+    QCOMPARE(title->text(), QString("Mine"));
+}
+
+/// A lesson whose tooth cannot be made: what is wrong is said, and nothing of another lesson's can be changed in it.
+void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
+{
+    open("class1-36");
+    QFile recording(m_folder->filePath("a.cusprec"));
+    const auto assignment = ::lessons::assign(*shipped("class1-36").lesson)->assignment;
+    QVERIFY(core::recording::writeRecording(recording.fileName().toStdString(),
+                                            core::recording::Recording({}, assignment.anatomy)));
+    m_editor->readFolder(m_folder->path());
+    const auto* words = m_editor->findChild<QLabel*>("sweepWords");
+    QTRY_VERIFY2_WITH_TIMEOUT(words->text().contains("0 of 1 pass"), qPrintable(words->text()), kLoadedMs);
+    QFile noise(m_folder->filePath("gone.stl"));
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("no mesh") == 7);
+    noise.close();
+    ::lessons::ReadLesson scan = shipped("class1-36");
+    QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(scan.lesson->json)).object();
+    object.insert("id", "scan");
+    object.insert("tooth", QJsonObject{{"scan", "gone.stl"}, {"fdi", 36}});
+    scan = ::lessons::readDraft(object, m_folder->filePath("scan.lesson.json"));
+    QVERIFY2(scan.lesson, qPrintable(scan.faults.empty() ? QString() : scan.faults[0].sentence()));
+    m_editor->edit(scan, m_folder->path());
+    QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
+    QVERIFY2(!words->text().contains("pass;"), qPrintable(words->text()));
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("as soon as nothing is wrong"), qPrintable(check()), kLoadedMs);
+    QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
+    QVERIFY2(anyFault(""), "what is wrong is said");
+    QCOMPARE(spin("tolerance.outline")->value(), 0.3);
+}
+
+void TestLessonEditor::draftsAreKeptAndSavedTogether()
+{
+    open("class1-36");
+    QVERIFY(m_editor->unsaved().isEmpty());
+    spin("depth_mm")->setValue(1.75);
+    const QString first = shipped("class1-36").file;
+    QCOMPARE(m_editor->unsavedFiles(), QSet<QString>{first});
+    open("class1-37");
+    spin("tolerance.outline")->setValue(0.35);
+    QCOMPARE(m_editor->unsaved().size(), 2);
+    // Back at the first, it is as it was left.
+    open("class1-36");
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.75, kLoadedMs);
+    // One that cannot be saved comes to the page, with its reason.
+    open("class1-37");
+    auto* weight = [&] {
+        for (auto* input : m_editor->findChildren<QDoubleSpinBox*>())
+            if (input->accessibleName().startsWith("Weight"))
+                return input;
+        return static_cast<QDoubleSpinBox*>(nullptr);
+    }();
+    weight->setValue(weight->value() + 5.0);
+    open("class1-36");
+    QVERIFY(!m_editor->saveAll());
+    QVERIFY2(saidBelow().contains("Not saved") && saidBelow().contains("class1-37"), qPrintable(saidBelow()));
+    QCOMPARE(saved("class1-36-own.lesson.json")["ideal"].toObject()["sizes"].toObject()["depth_mm"].toDouble(), 1.75);
+    m_editor->undo();
+    QVERIFY(m_editor->saveAll());
+    QVERIFY(m_editor->unsaved().isEmpty() && m_editor->unsavedFiles().isEmpty());
+    QVERIFY(!saved("class1-37-own.lesson.json").isEmpty());
+}
+
+void TestLessonEditor::anExerciseHasNoIdealToCheck()
+{
+    m_editor->edit(shipped("orientation-2-hold"), m_folder->path());
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("An exercise has no ideal"), qPrintable(check()), kLoadedMs);
 }
 
 void TestLessonEditor::aCapturedIdealIsChosenAndUndone()
@@ -262,20 +385,21 @@ void TestLessonEditor::aCapturedIdealIsChosenAndUndone()
     QVERIFY(core::preparation::writeCaptured(m_folder->filePath("mine.cuspideal").toStdString(), *ideal));
     open("class1-36");
     auto* reference = m_editor->findChild<QComboBox*>("reference");
-    QTRY_COMPARE(reference->count(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(reference->count(), 2, kLoadedMs);
     reference->setCurrentIndex(1);
     emit reference->activated(1);
-    QTRY_VERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);  // nothing to set by rule
+    QTRY_VERIFY_WITH_TIMEOUT(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr,
+                             kLoadedMs);  // nothing to set by rule
     QCOMPARE(spin("tolerance.outline")->value(), 0.4);
-    QTRY_VERIFY2(check().contains("100.0"), qPrintable(check()));
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("100.0"), qPrintable(check()), kLoadedMs);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
     const auto read = ::lessons::readLesson(m_folder->filePath("class1-36-own.lesson.json"));
     QVERIFY2(read.lesson && read.lesson->ideal->captured,
              qPrintable(read.faults.empty() ? QString() : read.faults[0].sentence()));
     m_editor->undo();
-    QTRY_VERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") != nullptr);
-    QTRY_COMPARE(spin("tolerance.outline")->value(), 0.3);
+    QTRY_VERIFY_WITH_TIMEOUT(m_editor->findChild<QDoubleSpinBox*>("depth_mm") != nullptr, kLoadedMs);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("tolerance.outline")->value(), 0.3, kLoadedMs);
 }
 
 /// A ridge that is thinner than the rubric wants: the ideal would lose points on itself.
@@ -283,15 +407,16 @@ void TestLessonEditor::fitWidensToWhatTheIdealNeeds()
 {
     open("class1-36");
     spin("ridge_mm")->setValue(0.9);
-    QTRY_VERIFY2(check().contains("only"), qPrintable(check()));
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("only"), qPrintable(check()), kLoadedMs);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("whoever cuts exactly this ideal would lose points"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("whoever cuts exactly this ideal would lose points"),
+                              qPrintable(saidBelow()), kLoadedMs);
     for (auto* button : m_editor->findChildren<QPushButton*>())
         if (button->accessibleName().startsWith("Fit"))
             button->click();
-    QTRY_VERIFY2(check().contains("scores 100"), qPrintable(check()));
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("scores 100"), qPrintable(check()), kLoadedMs);
     m_editor->save();
-    QTRY_VERIFY2(saidBelow().contains("Saved"), qPrintable(saidBelow()));
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
 }
 
 void TestLessonEditor::sweepMarksEachAttemptUnderEachTolerance()
@@ -356,8 +481,8 @@ void TestLessonEditor::attemptsOfAFolderAreReadAndTheRestIsNamed()
     open("class1-36");
     m_editor->readFolder(m_folder->path());
     const auto* words = m_editor->findChild<QLabel*>("sweepWords");
-    QTRY_VERIFY2(words->text().contains("0 of 2 pass") && words->text().contains("could not be read"),
-                 qPrintable(words->text()));
+    QTRY_VERIFY2_WITH_TIMEOUT(words->text().contains("0 of 2 pass") && words->text().contains("could not be read"),
+                              qPrintable(words->text()), kLoadedMs);
 }
 
 void TestLessonEditor::replayingIsCalledOff()

@@ -10,6 +10,7 @@
 
 #include "core/grading/Columns.h"
 #include "core/grading/Outline.h"
+#include "ui/inside/PictureKey.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
 
@@ -164,34 +165,25 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     painter.drawText(words, Qt::AlignTop | Qt::AlignHCenter, QChar(0x2191) + QStringLiteral(" ") + side(0.5 * pi));
     painter.drawText(words, Qt::AlignTop | Qt::AlignLeft, QChar(0x2190) + QStringLiteral(" ") + side(pi));
     painter.drawText(words, Qt::AlignTop | Qt::AlignRight, side(0.0) + QStringLiteral(" ") + QChar(0x2192));
-    painter.setFont(shell::typeface(shell::kSmall));
-    // In two rows, where one is too short.
-    double x = area.left() + 8.0;
-    double y = area.bottom() - 1.25 * kMarginPx;
-    const auto key = [&](const QBrush& brush, const QBrush& hatch, const QString& name) {
-        const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
-        if (x + 18.0 + width > area.right() - 4.0 && x > area.left() + 8.0) {
-            x = area.left() + 8.0;
-            y = area.bottom() - 0.5 * kMarginPx;
-        }
-        const QRectF square(x, y - 7.0, 13.0, 13.0);
-        painter.fillRect(square, brush);
-        painter.fillRect(square, hatch);
-        x += 18.0;
-        painter.setPen(QColor(kWords));
-        painter.drawText(QRectF(x, y - 9.0, width + 2.0, 18.0), Qt::AlignLeft | Qt::AlignVCenter, name);
-        x += width + 12.0;
+    PictureKey key;
+    key.add(QCoreApplication::translate("Section", "ideal preparation"), 20.0, [](QPainter& on, const QRectF& box) {
+        on.setPen(QPen(QColor(kIdeal), 2.0));
+        on.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+    });
+    const auto filled = [&key](const QString& name, const QBrush& brush, const QBrush& hatch) {
+        key.add(name, PictureKey::kSignPx, [brush, hatch](QPainter& on, const QRectF& box) {
+            on.fillRect(box, brush);
+            on.fillRect(box, hatch);
+        });
     };
-    painter.setPen(QPen(QColor(kIdeal), 2.0));
-    painter.drawLine(QPointF(x, y), QPointF(x + 20.0, y));
-    x += 8.0;
-    key(Qt::NoBrush, Qt::NoBrush, QCoreApplication::translate("Section", "ideal preparation"));
     if (scene.toleranceMm > 0.0)
-        key(QColor::fromRgba(kBand), QBrush(QColor(kBandEdge), Qt::BDiagPattern),
-            QCoreApplication::translate("Section", "within tolerance"));
+        filled(QCoreApplication::translate("Section", "within tolerance"), QColor::fromRgba(kBand),
+               QBrush(QColor(kBandEdge), Qt::BDiagPattern));
     if (scene.spanMm > 0.0)
         //: In the key of a picture: farther out, all points of this criterion are lost
-        key(QColor::fromRgba(kSpan), Qt::NoBrush, QCoreApplication::translate("Section", "costs points"));
+        filled(QCoreApplication::translate("Section", "costs points"), QColor::fromRgba(kSpan), Qt::NoBrush);
+    const double wide = area.width() - 16.0;
+    key.paint(painter, QRectF(area.left() + 8.0, area.bottom() - key.heightFor(wide) - 4.0, wide, 0.0), QColor(kWords));
     painter.restore();
 }
 

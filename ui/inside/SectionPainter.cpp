@@ -14,6 +14,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "ui/inside/PictureKey.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
 
@@ -45,8 +46,7 @@ constexpr double kMarkPx = 9.0;  ///< radius of the ring
 constexpr double kGutterPx = 30.0;  ///< for the heights at the left
 constexpr double kFootPx = 20.0;    ///< for the lengths below
 constexpr double kHeadPx = 24.0;    ///< for where the ends point
-constexpr double kLegendRowPx = 19.0;
-constexpr double kLegendPx = 2.0 * kLegendRowPx + 6.0;
+constexpr double kBelowKeyPx = 6.0;
 constexpr double kAboveMm = 1.6;  ///< shown over the highest point
 constexpr double kBesideMm = 0.5;
 constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest point
@@ -325,55 +325,42 @@ void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
                      text::directionName(anatomy, scene.plane.angleRad) + QStringLiteral(" ") + QChar(0x2192));
 }
 
-void paintLegend(QPainter& painter, const QRectF& area, const SectionScene& scene)
+PictureKey keyOf(const SectionScene& scene)
 {
-    painter.setFont(shell::typeface(shell::kSmall));
-    const QFontMetricsF metrics(painter.font());
-    constexpr double kSquarePx = 13.0;
-    constexpr double kApartPx = 12.0;
-    QRectF row(area.topLeft(), QSizeF(area.width(), kLegendRowPx));
-    double x = row.left();
-    const auto word = [&](const QString& words) {
-        painter.setPen(QColor(kWords));
-        const double width = metrics.horizontalAdvance(words);
-        painter.drawText(QRectF(x, row.top(), width + 2.0, row.height()), Qt::AlignLeft | Qt::AlignVCenter, words);
-        x += width + kApartPx;
-    };
+    PictureKey key;
     for (const Material material : {Material::Enamel, Material::Dentin, Material::Caries, Material::Pulp}) {
         const shell::MaterialLook look = shell::materialLook(material, scene.palette);
-        const QRectF square(x, row.center().y() - 0.5 * kSquarePx, kSquarePx, kSquarePx);
-        painter.fillRect(square, look.fill);
-        if (look.pattern != Qt::NoBrush) {
+        key.add(text::materialName(material), PictureKey::kSignPx, [look](QPainter& painter, const QRectF& box) {
+            painter.fillRect(box, look.fill);
+            if (look.pattern == Qt::NoBrush)
+                return;
             QColor ink = look.letter;
             ink.setAlphaF(static_cast<float>(kInkShare));
-            painter.fillRect(square, QBrush(ink, look.pattern));
-        }
-        x += kSquarePx + 5.0;
-        word(text::materialName(material));
+            painter.fillRect(box, QBrush(ink, look.pattern));
+        });
     }
-    row.translate(0.0, kLegendRowPx);
-    x = row.left();
-    const auto line = [&](const QPen& pen, double width, const QString& words) {
-        painter.setPen(pen);
-        painter.drawLine(QPointF(x, row.center().y()), QPointF(x + width, row.center().y()));
-        x += width + 5.0;
-        word(words);
+    key.endRow();
+    const auto line = [&key](const QPen& pen, double width, const QString& words) {
+        key.add(words, width, [pen](QPainter& painter, const QRectF& box) {
+            painter.setPen(pen);
+            painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+        });
     };
     //: In the key of a picture, beside a line
     const QString original = QCoreApplication::translate("Section", "surface before anything was cut");
     //: The same, where a second line stands beside it
     const QString shortly = QCoreApplication::translate("Section", "surface before");
-    line(surfacePen(), kSquarePx, scene.ideal ? shortly : original);
+    line(surfacePen(), PictureKey::kSignPx, scene.ideal ? shortly : original);
     if (scene.ideal)
-        line(idealPen(), 2.0 * kSquarePx, QCoreApplication::translate("Section", "ideal preparation"));
-    if (scene.band != nullptr) {
-        const QRectF square(x, row.center().y() - 0.5 * kSquarePx, kSquarePx, kSquarePx);
-        painter.fillRect(square, QColor::fromRgba(kBand));
-        painter.fillRect(square, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
-        x += kSquarePx + 5.0;
+        line(idealPen(), 2.0 * PictureKey::kSignPx, QCoreApplication::translate("Section", "ideal preparation"));
+    if (scene.band != nullptr)
         //: In the key of a picture: what may be cut or left without losing points
-        word(QCoreApplication::translate("Section", "within tolerance"));
-    }
+        key.add(QCoreApplication::translate("Section", "within tolerance"), PictureKey::kSignPx,
+                [](QPainter& painter, const QRectF& box) {
+                    painter.fillRect(box, QColor::fromRgba(kBand));
+                    painter.fillRect(box, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+                });
+    return key;
 }
 
 }  // namespace
@@ -383,7 +370,9 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
     painter.fillRect(area, QColor(kGround));
-    const QRectF plot = area.adjusted(kGutterPx, kHeadPx, -8.0, -kFootPx - kLegendPx);
+    const PictureKey key = keyOf(scene);
+    const double keyPx = key.heightFor(area.width() - 16.0) + kBelowKeyPx;
+    const QRectF plot = area.adjusted(kGutterPx, kHeadPx, -8.0, -kFootPx - keyPx);
     const Frame frame = frameFor(plot, scene);
     painter.setRenderHint(QPainter::Antialiasing, false);
     paintGrid(painter, frame, QColor(kGrid));
@@ -422,7 +411,7 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     painter.setClipRect(area);
     paintLabels(painter, frame);
     paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
-    paintLegend(painter, QRectF(area.left() + 8.0, area.bottom() - kLegendPx, area.width() - 16.0, kLegendPx), scene);
+    key.paint(painter, QRectF(area.left() + 8.0, area.bottom() - keyPx, area.width() - 16.0, keyPx), QColor(kWords));
     painter.restore();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/grading/Referee.h"
@@ -26,7 +27,7 @@ struct Mark
         Redo,
         StartAgain,
         Bur,        ///< value: index of the bur taken
-        Handpiece,  ///< value: index of the handpiece taken
+        Handpiece,  ///< name: of the handpiece taken
         Aids,       ///< value: those in use from now on, bits of core::session::Aid
         Note,       ///< value: its code
         Home,       ///< the hand was led home
@@ -35,6 +36,7 @@ struct Mark
     Kind kind = Kind::Undo;
     double atS = 0.0;
     std::uint64_t value = 0;
+    std::string name = {};
     bool operator==(const Mark&) const = default;
 };
 

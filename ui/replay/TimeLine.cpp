@@ -15,6 +15,7 @@
 #include "core/drilling/Bur.h"
 #include "core/session/Links.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/ExerciseCard.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/text/Texts.h"
 
@@ -101,6 +102,16 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     }
 }
 
+/// An answer that was given in an exercise, where it is one.
+QString noteWords(std::uint64_t code)
+{
+    if (const auto answer = core::grading::answerOf(code); answer && answer->pad < core::grading::kPads)
+        //: %1 is "Left", "Middle" or "Right", %2 a tissue
+        return QCoreApplication::translate("TimeLine", "%1 pad: said to be %2")
+            .arg(study::padName(answer->pad), text::materialName(answer->said));
+    return QCoreApplication::translate("TimeLine", "Note %1").arg(code);
+}
+
 QString burWords(std::uint64_t index)
 {
     const auto burs = core::drilling::burs();
@@ -126,11 +137,11 @@ QString markWords(const Mark& mark)
     case Mark::Kind::Bur:
         return QCoreApplication::translate("TimeLine", "Bur %1: %2").arg(mark.value + 1).arg(burWords(mark.value));
     case Mark::Kind::Handpiece:
-        return QCoreApplication::translate("TimeLine", "Another handpiece");
+        return QCoreApplication::translate("TimeLine", "Handpiece: %1").arg(text::handpieceName(mark.name));
     case Mark::Kind::Aids:
         return text::aidWords(mark.value);
     case Mark::Kind::Note:
-        return QCoreApplication::translate("TimeLine", "Note %1").arg(mark.value);
+        return noteWords(mark.value);
     case Mark::Kind::Home:
         return QCoreApplication::translate("TimeLine", "The hand was led home");
     case Mark::Kind::Resumed:

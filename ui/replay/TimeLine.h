@@ -66,7 +66,7 @@ private:
 
 /// Distinct for every eye on the dark of the practice room.
 [[nodiscard]] QColor burColour(std::uint8_t index);
-/// "Undone", "Another bur: Pear, No. 330".
+/// "Undone", "Bur 2: Pear, No. 330", "Handpiece: Turbine".
 [[nodiscard]] QString markWords(const Mark& mark);
 
 }  // namespace ui::replay

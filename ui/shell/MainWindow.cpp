@@ -141,7 +141,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         emit takeBackWanted(m_infractionTick);
         workOn();
     });
-    connect(m_exerciseCard, &study::ExerciseCard::changed, this, &MainWindow::placeOverlays);
+    m_room->setExercise(m_exerciseCard);
     connect(m_exerciseCard, &study::ExerciseCard::answered, this,
             [this](std::size_t pad, core::terrain::Material said) {
                 send(core::session::AddNote{core::grading::answerNote(pad, said)});
@@ -224,7 +224,11 @@ void MainWindow::connectActions()
     });
     on(m_actions->reload, [this] {
         goTo(m_room);
-        if (send(core::session::Reload{}))
+        m_isGraded = false;
+        if (m_exerciseCard->isVisibleTo(m_room)) {
+            emit exerciseAgainWanted();
+            showMessage(tr("The exercise begins anew."));
+        } else if (send(core::session::Reload{}))
             m_messages->say(
                 {MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
                      send(core::session::Undo{});
@@ -296,6 +300,12 @@ void MainWindow::connectActions()
 
 void MainWindow::editLesson()
 {
+    if (isExamRunning()) {
+        showMessage(
+            tr("You are in an exam, and a lesson's ideal is shown in the editor. Finish the exam first: press G "
+               "for the grade, or take another lesson."));
+        return;
+    }
     const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
     if (entry == nullptr || !entry->read.lesson) {
         showMessage(
@@ -375,6 +385,7 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
     m_beside->setSettings(m_view->settings());
     m_beside->setTooth(std::move(tooth), generation);
     m_beside->setIdeal(ideal);
+    markExercise();
     m_room->setBeside(m_beside, name, tr("This attempt"));
     m_room->setSectionVisible(false);
     connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
@@ -387,7 +398,7 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
 
 void MainWindow::setBesideCourse(const replay::Course& course)
 {
-    m_room->replay().setBeside(course);
+    m_room->replay().setBeside(asMayBeTold(course));
 }
 
 void MainWindow::hideBeside()
@@ -496,16 +507,21 @@ void MainWindow::markExercise()
         marks.showsHeight = !m_actions->bringHome->isVisible();  // a device that leads a hand is felt by it
     }
     m_view->setExercise(marks);
+    if (m_beside != nullptr)
+        m_beside->setExercise(isUnseen ? marks : tooth::ExerciseMarks{});
     m_room->panel().setBlindfold(isUnseen);
     m_room->history().setVisible(!m_replaying && !isUnseen && m_actions->history->isChecked());
     enableActions();
 }
 
-/// Tissues are to be told by feel, and have not been graded yet.
+/// Tissues are to be told by feel, and have not been graded yet: neither here nor in a replay of such a block.
 bool MainWindow::isBlindfolded() const
 {
-    return m_exerciseCard->isVisibleTo(m_room) && !m_exerciseCard->isConcluded() &&
-           std::holds_alternative<core::grading::PadsToName>(*m_assignment->exercise);
+    const bool areUnnamed = m_assignment && m_assignment->exercise && m_exerciseGeneration == m_ownGeneration &&
+                            std::holds_alternative<core::grading::PadsToName>(*m_assignment->exercise) &&
+                            !m_exerciseCard->isConcluded();
+    return areUnnamed && (m_exerciseCard->isVisibleTo(m_room) ||
+                          (m_replaying && m_tooth != nullptr && m_tooth->name == m_assignment->anatomy->name));
 }
 
 void MainWindow::showPractised(const core::grading::Practised& practised)
@@ -658,7 +674,8 @@ void MainWindow::takeSession()
     if (m_replaying)
         m_room->replay().setPosition(m_session.recordedS);
     else if (m_session.toothGeneration == m_ownGeneration) {
-        m_room->lesson().setTime(m_session.recordedS);
+        if (m_assignment && m_assignment->lesson)
+            m_room->lesson().setTime(m_session.recordedS);
         m_room->history().follow(m_session.historyVersion);
     }
     if (moved)
@@ -676,7 +693,8 @@ void MainWindow::tellAids()
     const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
     const std::uint8_t aids = static_cast<std::uint8_t>(
         inUse(m_actions->section->isChecked(), kSectionAid) |
-        inUse(m_aids.depthGauge && m_actions->panel->isChecked(), kDepthGaugeAid) |
+        inUse(m_aids.depthGauge && m_actions->panel->isChecked() && !(m_assignment && m_assignment->exercise),
+              kDepthGaugeAid) |
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
         inUse(m_actions->mirror->isChecked(), kMirrorAid) |
@@ -690,8 +708,8 @@ void MainWindow::tellAids()
 /// Told when it happens, not when a tooth is shown to which it has happened before.
 void MainWindow::tellHarm(const core::session::SessionState& now)
 {
-    // A lesson says by its rules what is told, and an exam tells nothing.
-    const bool inLesson = m_assignment && m_assignment->lesson && !m_replaying;
+    // A lesson says by its rules what is told, and an exam tells nothing, of no attempt.
+    const bool inLesson = m_assignment && m_assignment->lesson && (!m_replaying || isExamRunning());
     if (now.toothGeneration != m_session.toothGeneration || inLesson)
         return;
     const auto isOpen = [](const core::session::SessionState& state) {
@@ -765,8 +783,12 @@ void MainWindow::setHandpieces(const std::vector<core::settings::Handpiece>& atH
 void MainWindow::goTo(QWidget* page)
 {
     m_help->hide();
+    if (page == m_lessonsPage)
+        m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
-    if (page == m_room)
+    if (page == m_room && m_infractionCard->isVisible())
+        m_infractionCard->setFocus();
+    else if (page == m_room)
         m_view->setFocus();
     enableActions();
     placeOverlays();
@@ -857,7 +879,6 @@ void MainWindow::placeOverlays()
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
-    m_exerciseCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
@@ -951,8 +972,8 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
                                                               : locale.toString(begun, QLocale::ShortFormat);
     MessageBar::Message offer;
     offer.kind = MessageBar::Kind::Warning;
-    //: %1: a tooth, "36"; %2: a time of today, or a day and a time
-    offer.sentence = tr("An attempt at %1 of %2 was not finished.").arg(tooth, when);
+    //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
+    offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth, when);
     offer.actionText = tr("Resume");
     offer.action = [this] { leaveWork([this] { emit resumeRequested(); }); };
     offer.declining = {tr("Discard"), [this] { emit discardRequested(); }};
@@ -964,6 +985,7 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
                            const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
+    m_isGraded = true;
     if (m_exerciseCard->isVisibleTo(m_room)) {
         m_exerciseCard->conclude();
         markExercise();
@@ -979,9 +1001,12 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         m_infractionStopped = m_actions->drill->isChecked();
     wishDrill(false);
     m_room->section().setHeld(infraction.placeMm);
-    if (m_aids.section && !m_actions->section->isChecked())
-        m_actions->section->trigger();
-    goTo(m_room);
+    // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
+    if (m_aids.section && !m_actions->section->isChecked()) {
+        m_actions->section->setChecked(true);
+        m_room->setSectionVisible(true);
+        enableActions();
+    }
     m_infractionCard->tell(infraction, canTakeBack);
     placeOverlays();
 }
@@ -1005,8 +1030,12 @@ QString MainWindow::workTitle() const
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
+    m_isGraded = false;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
-    m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
+    m_room->panel().setAsked(assignment.exercise ? SidePanel::Asked::Nothing
+                             : !assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay
+                                 ? SidePanel::Asked::Decay
+                                 : SidePanel::Asked::Ideal);
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
@@ -1051,7 +1080,20 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
 
 void MainWindow::setReplayCourse(const replay::Course& course)
 {
-    m_room->replay().setCourse(course);
+    m_room->replay().setCourse(asMayBeTold(course));
+}
+
+/// One's own attempt so far, saved and played, would tell what went wrong.
+replay::Course MainWindow::asMayBeTold(replay::Course course) const
+{
+    if (isExamRunning())
+        course.infractions.clear();
+    return course;
+}
+
+bool MainWindow::isExamRunning() const
+{
+    return m_assignment && m_assignment->lesson && m_assignment->lesson->exam && !m_isGraded;
 }
 
 void MainWindow::showReplayPaused(bool paused)
@@ -1096,26 +1138,52 @@ void MainWindow::leaveWork(const std::function<void()>& what)
         what();
         return;
     }
+    const auto save = [this, what] {
+        m_afterSaving = what;
+        askToSave();
+    };
+    ask({"workQuestion", tr("Your work would be lost"), tr("What you have cut would be lost."),
+         tr("It has not been saved as a recording since you last cut."), tr("&Save the recording …"), save, what});
+}
+
+void MainWindow::leaveDrafts(const std::function<void()>& what)
+{
+    const QStringList titles = m_editor->unsaved();
+    if (titles.isEmpty()) {
+        what();
+        return;
+    }
+    const auto save = [this, what] {
+        if (m_editor->saveAll())
+            what();
+        else
+            goTo(m_editor);
+    };
+    ask({"draftQuestion", tr("Your lessons would be lost"),
+         tr("What you have changed in %n lesson(s) would be lost.", nullptr, static_cast<int>(titles.size())),
+         titles.join(u'\n'), tr("&Save"), save, what});
+}
+
+void MainWindow::ask(const Question& asked)
+{
     auto* question = new QMessageBox(this);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setObjectName(QStringLiteral("workQuestion"));
+    question->setObjectName(QLatin1String(asked.name));
     question->setIconPixmap(
         linePixmap(QStringLiteral("warning"), tones(palette()).attention, kQuestionIconPx, devicePixelRatioF()));
-    question->setWindowTitle(tr("Your work would be lost"));
-    question->setText(tr("What you have cut would be lost."));
-    question->setInformativeText(tr("It has not been saved as a recording since you last cut."));
-    QPushButton* save = question->addButton(tr("&Save the recording …"), QMessageBox::AcceptRole);
+    question->setWindowTitle(asked.title);
+    question->setText(asked.text);
+    question->setInformativeText(asked.detail);
+    QPushButton* save = question->addButton(asked.saveText, QMessageBox::AcceptRole);
     QPushButton* discard = question->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     QPushButton* stay = question->addButton(tr("&Cancel"), QMessageBox::RejectRole);
     question->setDefaultButton(save);
     question->setEscapeButton(stay);
-    connect(question, &QMessageBox::buttonClicked, this, [this, what, save, discard](QAbstractButton* button) {
-        if (button == discard) {
-            what();
-        } else if (button == save) {
-            m_afterSaving = what;
-            askToSave();
-        }
+    connect(question, &QMessageBox::buttonClicked, this, [asked, save, discard](QAbstractButton* button) {
+        if (button == discard)
+            asked.discard();
+        else if (button == save)
+            asked.save();
     });
     connect(question, &QDialog::finished, this, &MainWindow::activateWindow);
     question->open();
@@ -1134,14 +1202,16 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_mayClose || !wouldLoseWork()) {
+    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty())) {
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
     leaveWork([this] {
-        m_mayClose = true;
-        close();
+        leaveDrafts([this] {
+            m_mayClose = true;
+            close();
+        });
     });
 }
 
@@ -1200,7 +1270,8 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
 
 QString MainWindow::newFileName(const QString& suffix) const
 {
-    const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName();
+    // A block is called "block:line": a colon is no part of a file's name everywhere.
+    const QString tooth = QFileInfo(QString::fromStdString(m_tooth->name)).completeBaseName().replace(u':', u'-');
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
     return QStringLiteral("%1-%2.%3").arg(tooth, now, suffix);
 }

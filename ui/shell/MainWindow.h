@@ -94,7 +94,7 @@ public slots:
     void showSaved(const QString& path);
     /// An attempt was not finished: says so, with a button that takes it up and one that discards it. It stays until
     /// one of them is pressed, or it is closed.
-    /// @param tooth  its name as on a recording
+    /// @param tooth  its title
     void offerUnfinished(const QString& tooth, const QDateTime& begun);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     /// @param expected  what the student had said when asked
@@ -145,6 +145,8 @@ public slots:
 signals:
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
+    /// The exercise on the table is to begin anew, with nothing done.
+    void exerciseAgainWanted();
     /// The tooth is to be put back to before this tick of the attempt.
     void takeBackWanted(std::uint64_t tick);
     /// The page of lessons opens: what it shows is to be brought up to date.
@@ -218,6 +220,20 @@ private:
     [[nodiscard]] bool wouldLoseWork() const;
     /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
     void leaveWork(const std::function<void()>& what);
+    /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
+    void leaveDrafts(const std::function<void()>& what);
+    /// Whether something is saved or discarded; cancelled, nothing happens.
+    struct Question
+    {
+        const char* name;  ///< for tests
+        QString title;
+        QString text;
+        QString detail;
+        QString saveText;
+        std::function<void()> save;
+        std::function<void()> discard;
+    };
+    void ask(const Question& asked);
     void askToSave();
     void connectReplay();
     void lookAlike();
@@ -231,6 +247,9 @@ private:
     void layExercise();
     void markExercise();
     [[nodiscard]] bool isBlindfolded() const;
+    /// The student's lesson is an exam, and has not been graded yet.
+    [[nodiscard]] bool isExamRunning() const;
+    [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
     void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
@@ -284,6 +303,7 @@ private:
     bool m_drillWasOn = false;           ///< before an exercise for which it rests
     bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
+    bool m_isGraded = false;             ///< the student's work has been, as it stood
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;

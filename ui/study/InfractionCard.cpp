@@ -147,12 +147,14 @@ void InfractionCard::tell(const core::grading::Infraction& infraction, bool canT
     setAccessibleDescription(m_why->text());
     show();
     raise();
-    (canTakeBack ? m_takeBack : m_goOnButton)->setFocus();
+    setFocusProxy(canTakeBack ? m_takeBack : m_goOnButton);
+    setFocus();
 }
 
 void InfractionCard::placeIn(const QRect& area)
 {
     const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
+    layout()->activate();  // words that have just changed may take another line
     resize(width, layout()->totalHeightForWidth(width));
     move(area.center().x() - width / 2, area.bottom() - kSpace6 - height());
 }

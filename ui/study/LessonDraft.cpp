@@ -170,6 +170,12 @@ std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& fi
                     weighed->itself = marked->sheet;
             weighed->assignment = std::move(*assignment);
         }
+    } else if (before && before->assignment) {
+        // A rubric that is none must not hide the numbers of the ideal: they are read with the one before.
+        QJsonObject other = draft;
+        other.insert(QStringLiteral("rubric"), ::lessons::ownRubric(*before->assignment->lesson));
+        if (const auto read = ::lessons::readDraft(other, file); read.lesson)
+            weighed->fields = fieldsOf(*read.lesson, keptOf(before.get(), *read.lesson).usual);
     }
     weighed->milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1.0e-6;
     return weighed;
@@ -225,6 +231,15 @@ void LessonDraft::redo()
 {
     m_at = std::min(m_states.size() - 1, m_at + 1);
     m_lastChange.clear();
+}
+
+QString LessonDraft::title() const
+{
+    ::lessons::LocalText texts;
+    const QJsonObject title = object().value(QStringLiteral("title")).toObject();
+    for (auto text = title.begin(); text != title.end(); ++text)
+        texts[text.key().toStdString()] = text->toString().toStdString();
+    return said(texts);
 }
 
 QByteArray LessonDraft::stamped()

@@ -64,6 +64,10 @@ public:
 
     [[nodiscard]] const QJsonObject& object() const { return m_states[m_at]; }
     [[nodiscard]] const QString& file() const { return m_file; }
+    /// In the user's language.
+    [[nodiscard]] QString title() const;
+    /// As it is marked, also where that is no rubric yet.
+    [[nodiscard]] QJsonObject rubric() const;
     [[nodiscard]] bool canUndo() const { return m_at > 0; }
     [[nodiscard]] bool canRedo() const { return m_at + 1 < m_states.size(); }
     [[nodiscard]] bool isChanged() const { return m_states[m_at] != m_saved; }
@@ -84,7 +88,6 @@ public:
 private:
     /// @param what  several changes of one thing in a row are one
     void change(const QString& what, const QJsonObject& object);
-    [[nodiscard]] QJsonObject rubric() const;
 
     QList<QJsonObject> m_states{QJsonObject()};
     qsizetype m_at = 0;

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <map>
 #include <memory>
 
+#include <QSet>
 #include <QThreadPool>
 
 #include "ui/shell/Page.h"
 #include "ui/study/LessonDraft.h"
 #include "ui/study/ToleranceSweep.h"
 
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
-class QProgressBar;
 class QPushButton;
-class QStackedWidget;
-class QVBoxLayout;
 
 namespace ui::study {
 
-class SweepChart;
+class DraftWeigher;
+class IdealForm;
+class RubricForm;
+class SweepPage;
 class ToleranceView;
 
 /// Where a teacher changes a lesson: the numbers of its ideal, or attempts that stand for it; what the rubric tolerates
@@ -31,7 +29,7 @@ class ToleranceView;
 /// become lessons of the teacher's own.
 ///
 /// All that is slow happens on threads of its own; the newest wish is answered. A draft stays as it was left while the
-/// program runs.
+/// program runs, whatever is looked at meanwhile; unsaved() tells what would be lost at its end.
 class LessonEditor final : public shell::Page
 {
     Q_OBJECT
@@ -48,6 +46,15 @@ public:
     void redo();
     /// Writes the lesson, or says beside the button why not.
     void save();
+
+    /// The titles of the lessons whose drafts have changed since they were saved.
+    [[nodiscard]] QStringList unsaved() const;
+    /// The files that those drafts began from.
+    [[nodiscard]] QSet<QString> unsavedFiles() const;
+    /// Writes all of those; each takes some tenths of a second. False when one cannot be written: then that one is on
+    /// the page, with what is wrong.
+    [[nodiscard]] bool saveAll();
+
     /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
     /// sweep until its ideal is changed.
     void setKnown(std::vector<MeasuredAttempt> attempts);
@@ -61,93 +68,55 @@ signals:
     void lessonSaved(const QString& file);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
-    struct Criterion
+    /// A draft and the lesson it began as.
+    struct Opened
     {
-        QDoubleSpinBox* tolerance = nullptr;
-        QDoubleSpinBox* weight = nullptr;  ///< null for a critical one
-        QLabel* fault = nullptr;
+        LessonDraft draft;
+        ::lessons::Lesson lesson;
     };
 
     QWidget* makeForm();
     QWidget* makePictures();
-    QWidget* makeSweep();
     QWidget* makeFoot(const shell::Actions& actions);
     [[nodiscard]] LessonDraft& draft();
     [[nodiscard]] const LessonDraft& draft() const;
-
+    void turnTo(const QString& present);
+    void showTitle();
     void changed();
-    void weighLater();
-    void take(const std::shared_ptr<const Weighed>& weighed);
-    void fillFields();
-    void fillRubric();
-    void fillReferences();
-    void showValues();
+    void take(const std::shared_ptr<const Weighed>& weighed, bool isNewest);
+    void offerReferences();
+    void showMeaning();
     void showFaults();
     void showCheck();
     void fitTolerances();
-    void chooseReference(int index);
+    void chooseReference(const QString& name);
     void askForRecordings();
     void captureFrom(const QStringList& recordings);
-    void askForFolder();
-    void takeAttempts(const std::shared_ptr<const PastAttempts>& past);
-    void measureLater();
-    void sweepAgain();
     void say(const QString& words, bool isWrong);
-    QDoubleSpinBox* spin(double low, double high, int decimals, const QString& unit, const QString& name);
 
-    std::map<QString, LessonDraft> m_drafts;  ///< by the file of the lesson they began from
+    std::map<QString, Opened> m_opened;  ///< by the file of the lesson they began from
     QString m_present;
-    std::shared_ptr<const Weighed> m_now;   ///< the newest
-    std::shared_ptr<const Weighed> m_good;  ///< the newest that is a lesson
-    bool m_isWeighing = false;
-    bool m_isWanted = false;  ///< weighed again as soon as it is done
+    std::shared_ptr<const Weighed> m_now;   ///< the newest of the present draft
+    std::shared_ptr<const Weighed> m_good;  ///< the newest of it that is a lesson
+    DraftWeigher* m_weigher;
     bool m_isSaveWanted = false;
-    bool m_isFilling = false;
-
-    std::shared_ptr<const PastAttempts> m_past;
-    std::vector<MeasuredAttempt> m_measured;
-    std::vector<MeasuredAttempt> m_known;
-    std::optional<::lessons::Lesson> m_opened;
-    core::grading::IdealTop m_measuredFor;
-    int m_reading = 0;  ///< number of the newest reading: an older one comes to nothing
-    std::shared_ptr<std::atomic<bool>> m_cancel;
 
     QLineEdit* m_title = nullptr;
     QLabel* m_generalFault = nullptr;
-    QLabel* m_idealHead = nullptr;
-    QComboBox* m_reference = nullptr;
-    QPushButton* m_fromRecordings = nullptr;
-    QLabel* m_idealFault = nullptr;
-    QVBoxLayout* m_fieldsSlot = nullptr;
-    QWidget* m_fields = nullptr;
-    std::map<QString, QWidget*> m_fieldInputs;
-    std::map<QString, QLabel*> m_fieldFaults;
-    QVBoxLayout* m_rubricSlot = nullptr;
-    QWidget* m_rubric = nullptr;
-    std::vector<Criterion> m_criteria;
-    std::string m_rubricShown;  ///< ids of the criteria there are inputs for
-    QDoubleSpinBox* m_passMark = nullptr;
-    QLabel* m_sum = nullptr;
-    QLabel* m_check = nullptr;
-    QPushButton* m_fit = nullptr;
-    QStackedWidget* m_pictures = nullptr;
+    IdealForm* m_ideal = nullptr;
+    RubricForm* m_rubric = nullptr;
     ToleranceView* m_view = nullptr;
     QLabel* m_meaning = nullptr;
-    SweepChart* m_chart = nullptr;
-    QComboBox* m_swept = nullptr;
-    QLabel* m_sweepWords = nullptr;
-    QProgressBar* m_progress = nullptr;
-    QPushButton* m_stop = nullptr;
+    SweepPage* m_sweep = nullptr;
     QPlainTextEdit* m_json = nullptr;
     QPushButton* m_save = nullptr;
+    QLabel* m_check = nullptr;
     QLabel* m_said = nullptr;
-
-    // Last: they are waited for before what they answer to goes away.
-    QThreadPool m_weighing;
-    QThreadPool m_replaying;
+    QPushButton* m_fit = nullptr;
+    QThreadPool m_capturing;  ///< last: waited for before what it answers to goes away
 };
 
 }  // namespace ui::study

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "ui/shell/Announce.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
@@ -65,15 +66,12 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     row->addWidget(m_hint);
     row->addSpacing(kSpace4);
     row->addWidget(m_time);
-    connect(m_before, &QToolButton::clicked, this, [this] {
-        --m_step;
+    connect(m_before, &QToolButton::clicked, this, [this] { goTo(m_step - 1); });
+    connect(m_next, &QToolButton::clicked, this, [this] { goTo(m_step + 1); });
+    connect(m_hint, &QPushButton::clicked, this, [this] {
         showStep();
+        announce(*m_text);
     });
-    connect(m_next, &QToolButton::clicked, this, [this] {
-        ++m_step;
-        showStep();
-    });
-    connect(m_hint, &QPushButton::toggled, this, &LessonStrip::showStep);
 }
 
 void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
@@ -81,8 +79,18 @@ void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
     m_lesson = lesson;
     m_step = 0;
     m_overSaid = false;
+    m_hint->setChecked(false);
     showStep();
     setTime(0.0);
+}
+
+/// A hint is for who asks for it, at each step anew.
+void LessonStrip::goTo(std::size_t step)
+{
+    m_step = step;
+    m_hint->setChecked(false);
+    showStep();
+    announce(*m_text);
 }
 
 void LessonStrip::showStep()
@@ -91,8 +99,12 @@ void LessonStrip::showStep()
     for (QWidget* part :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_number)})
         part->setVisible(count > 1);
+    // At either end one arrow rests; who has come there with the keys goes on with the other.
+    const bool hadKeys = m_before->hasFocus() || m_next->hasFocus();
     m_before->setEnabled(m_step > 0);
     m_next->setEnabled(m_step + 1 < count);
+    if (hadKeys && !m_before->hasFocus() && !m_next->hasFocus())
+        (m_before->isEnabled() ? m_before : m_next)->setFocus();
     //: A step of the work, and how many there are
     m_number->setText(tr("%1 of %2").arg(m_step + 1).arg(count));
     const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
@@ -101,6 +113,9 @@ void LessonStrip::showStep()
     const QString step = count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
     m_text->setToolTip(said(m_lesson.goal));
+    for (QWidget* control :
+         {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
+        control->setAccessibleDescription(m_text->text());
 }
 
 void LessonStrip::setTime(double workedS)

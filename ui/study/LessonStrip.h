@@ -32,6 +32,7 @@ signals:
     void timeOver();
 
 private:
+    void goTo(std::size_t step);
     void showStep();
 
     ::lessons::Lesson m_lesson;

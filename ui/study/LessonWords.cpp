@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/LessonWords.h"
 
+#include <cmath>
+
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
+#include <QtMath>
 
+#include "lessons/Capture.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -179,6 +183,27 @@ QString ruleWords(const ::lessons::CriterionRule& rule)
     return words + (isUnder ? QCoreApplication::translate("Lesson", "at %1 all %2 points are lost")
                             : QCoreApplication::translate("Lesson", "from %1 on all %2 points are lost"))
                        .arg(figure(end), points);
+}
+
+QString freeWords(const ::lessons::Rubric& rubric)
+{
+    constexpr double kNone = -1.0;
+    constexpr double kWallMm = 1.5;
+    const auto figure = [](double value) { return QLocale().toString(value, 'g', 3); };
+    const auto tolerances = ::lessons::tolerancesOf(rubric, {kNone, kNone, kNone, kNone});
+    QStringList words;
+    if (tolerances.outlineMm >= 0.0)
+        words
+            << QCoreApplication::translate("Lesson", "outline %1 mm to either side").arg(figure(tolerances.outlineMm));
+    if (tolerances.depthMm >= 0.0)
+        words << QCoreApplication::translate("Lesson", "floor %1 mm up or down").arg(figure(tolerances.depthMm));
+    if (tolerances.wallDeg >= 0.0)
+        words << QCoreApplication::translate("Lesson", "walls %1°, that is %2 mm over 1.5 mm of depth")
+                     .arg(figure(tolerances.wallDeg),
+                          figure(kWallMm * std::tan(qDegreesToRadians(tolerances.wallDeg))));
+    if (tolerances.floorMm >= 0.0)
+        words << QCoreApplication::translate("Lesson", "floor even to %1 mm").arg(figure(tolerances.floorMm));
+    return words.join(QStringLiteral("; "));
 }
 
 QStringList criteriaWords(const ::lessons::Rubric& rubric)

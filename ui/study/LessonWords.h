@@ -26,6 +26,9 @@ namespace ui::study {
 /// Each criterion with what it may cost: "Decay left: 60.0 points".
 [[nodiscard]] QStringList criteriaWords(const ::lessons::Rubric& rubric);
 
+/// What a rubric lets pass of what is drawn on the tooth: "outline 0.3 mm to either side; floor 0.25 mm up or down";
+/// empty where it marks nothing of that.
+[[nodiscard]] QString freeWords(const ::lessons::Rubric& rubric);
 /// What a criterion asks, in a sentence: "Up to 0.3 mm costs nothing; from 1 mm on all 20.0 points are lost".
 [[nodiscard]] QString ruleWords(const ::lessons::CriterionRule& rule);
 /// Of a number of an ideal or a block, by its English name (core::NumberField::name), beginning with a capital.

@@ -2,6 +2,7 @@
 #include "ui/study/LessonsPage.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QFileInfo>
 #include <QGridLayout>
@@ -208,6 +209,12 @@ void LessonsPage::setPresent(const std::string& lessonId)
     fillList();
 }
 
+void LessonsPage::setUnsaved(const QSet<QString>& files)
+{
+    if (std::exchange(m_unsaved, files) != files)
+        fillList();
+}
+
 void LessonsPage::fillList()
 {
     const CatalogEntry* before = chosen();
@@ -220,9 +227,13 @@ void LessonsPage::fillList()
         const CatalogEntry& entry = m_entries[k];
         const auto& lesson = entry.read.lesson;
         const QString title = lesson ? said(lesson->title) : QFileInfo(entry.read.file).fileName();
-        const QString second =
-            lesson ? toothWords(*lesson) + (lesson->exam ? QStringLiteral(" · ") + tr("exam") : QString())
-                   : tr("Cannot be given");
+        QStringList notes{lesson ? toothWords(*lesson) : tr("Cannot be given")};
+        if (lesson && lesson->exam)
+            notes << tr("exam");
+        if (m_unsaved.contains(entry.read.file))
+            //: Of a lesson in a list: in the editor
+            notes << tr("changed, not saved");
+        const QString second = notes.join(QStringLiteral(" · "));
         const QString all = title + u' ' + second + u' ' + (lesson ? QString::fromStdString(lesson->id) : QString());
         if (!std::all_of(words.begin(), words.end(),
                          [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); }))
@@ -240,8 +251,14 @@ void LessonsPage::fillList()
         item->setData(second, Qt::AccessibleDescriptionRole);
         if (lesson) {
             if (const auto standing = m_standings.find(lesson->id); standing != m_standings.end()) {
-                item->setData(text::points(standing->second.bestTenths), kStanding);
-                item->setData(standing->second.passed, kPassed);
+                const QString points = text::points(standing->second.bestTenths);
+                const bool passed = standing->second.passed;
+                item->setData(passed ? QStringLiteral("✓ ") + points : points, kStanding);
+                item->setData(passed, kPassed);
+                //: For a screen reader: the best score of a lesson
+                item->setData(second + QStringLiteral(", ") +
+                                  (passed ? tr("best %1, passed") : tr("best %1, not passed")).arg(points),
+                              Qt::AccessibleDescriptionRole);
             }
             item->setData(lesson->id == m_present, kMarked);
         }

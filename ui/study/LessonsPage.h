@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include <QSet>
+
 #include "lessons/LessonCatalog.h"
 #include "ui/shell/Page.h"
 
@@ -36,6 +38,8 @@ public:
     void setLessons(std::vector<::lessons::CatalogEntry> entries, std::map<std::string, Standing> standings);
     /// The lesson on the table, marked in the list; empty for none.
     void setPresent(const std::string& lessonId);
+    /// Lessons that began from these files have been changed in the editor and not saved: the list says so.
+    void setUnsaved(const QSet<QString>& files);
     /// What is chosen in the list; null for none.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
 
@@ -57,6 +61,7 @@ private:
     std::vector<::lessons::CatalogEntry> m_entries;
     std::map<std::string, Standing> m_standings;
     std::string m_present;
+    QSet<QString> m_unsaved;
     QLineEdit* m_search = nullptr;
     QStandardItemModel* m_model = nullptr;
     QListView* m_list = nullptr;

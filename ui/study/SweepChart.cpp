@@ -199,6 +199,8 @@ bool SweepChart::eventFilter(QObject* watched, QEvent* event)
         const QPointF at =
             m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
         emit pointedAt(words(at.x()));
+    } else if (event->type() == QEvent::Leave) {
+        emit pointedAt({});
     }
     return QWidget::eventFilter(watched, event);
 }

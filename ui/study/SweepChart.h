@@ -24,6 +24,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 180}; }
 
 signals:
+    /// @param words  empty: nothing any more
     void pointedAt(const QString& words);
 
 protected:

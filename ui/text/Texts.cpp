@@ -10,6 +10,7 @@
 #include <QLocale>
 
 #include "core/session/Links.h"
+#include "core/teeth/Block.h"
 #include "core/teeth/ToothTable.h"
 
 namespace ui::text {
@@ -308,8 +309,43 @@ QStringList surfaceLetters(int fdi)
     return {mesial, distal, upper ? inner : facial, upper ? facial : inner, QString(), top};
 }
 
+namespace {
+
+/// "Practice block: cross"; empty where the name is of no block.
+QString blockTitle(const std::string& name)
+{
+    const auto block = core::teeth::findBlock(name);
+    if (!block || !*block)
+        return {};
+    switch ((*block)->shape) {
+    case core::teeth::BlockShape::Line:
+        return QCoreApplication::translate("Block", "Practice block: line");
+    case core::teeth::BlockShape::Circle:
+        return QCoreApplication::translate("Block", "Practice block: circle");
+    case core::teeth::BlockShape::Cross:
+        return QCoreApplication::translate("Block", "Practice block: cross");
+    case core::teeth::BlockShape::Square:
+        return QCoreApplication::translate("Block", "Practice block: square");
+    case core::teeth::BlockShape::Dovetail:
+        return QCoreApplication::translate("Block", "Practice block: dovetail");
+    case core::teeth::BlockShape::Staircase:
+        return QCoreApplication::translate("Block", "Practice block: staircase");
+    case core::teeth::BlockShape::Bar:
+        return QCoreApplication::translate("Block", "Practice block: letter I");
+    case core::teeth::BlockShape::Tee:
+        return QCoreApplication::translate("Block", "Practice block: letter T");
+    case core::teeth::BlockShape::Layers:
+        break;
+    }
+    return QCoreApplication::translate("Block", "Practice block: three layers");
+}
+
+}  // namespace
+
 QString toothTitle(const core::terrain::ToothAnatomy& tooth)
 {
+    if (const QString block = blockTitle(tooth.name); !block.isEmpty())
+        return block;
     const QString name = QString::fromStdString(tooth.name);
     if (tooth.fdi != 0 && (name.isEmpty() || name == QString::number(tooth.fdi)))
         return QCoreApplication::translate("Tooth", "Tooth %1").arg(tooth.fdi);

@@ -46,7 +46,7 @@ enum class Failed {
 /// One or two letters for the sides of a tooth of the left half, in the order of the axes of its frame: -x mesial,
 /// +x distal, -y, +y (cheek or lip, palate or tongue), -z (empty), +z occlusal or incisal. Empty for no tooth.
 [[nodiscard]] QStringList surfaceLetters(int fdi);
-/// "Tooth 36", or the file's name for a scan without a number.
+/// "Tooth 36", "Practice block: cross", or the file's name for a scan without a number.
 [[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
 
 /// Where a horizontal direction of the tooth frame points: "distal", "mesiobuccal"; of a scan, of which nobody knows

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The strip above the tooth: a lesson's steps, their hints, and who hears of them.
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "ui/study/LessonStrip.h"
+
+using ui::study::LessonStrip;
+
+namespace {
+
+::lessons::Lesson threeSteps()
+{
+    ::lessons::Lesson lesson;
+    lesson.goal = {{"en", "The goal"}};
+    for (const std::string step : {"First", "Second", "Third"})
+        lesson.steps.push_back({{{"en", step}}, {{"en", step + " hint"}}});
+    lesson.steps[1].hint.clear();
+    return lesson;
+}
+
+}  // namespace
+
+class TestLessonStrip : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void aHintIsForWhoAsks();
+    void whatIsNewIsToldToWhoListens();
+    void theKeysStayWithTheStrip();
+
+private:
+    QString words() const { return m_strip->findChild<QLabel*>("lessonStep")->text(); }
+    QPushButton& hint() const { return *m_strip->findChild<QPushButton*>("lessonHint"); }
+    QToolButton& arrow(const QString& name) const
+    {
+        for (auto* button : m_strip->findChildren<QToolButton*>())
+            if (button->accessibleName() == name)
+                return *button;
+        qFatal("no such arrow");
+        return *m_strip->findChild<QToolButton*>();
+    }
+
+    std::unique_ptr<LessonStrip> m_strip;
+};
+
+void TestLessonStrip::init()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    m_strip = std::make_unique<LessonStrip>(nullptr);
+    m_strip->setLesson(threeSteps());
+    m_strip->show();
+    m_strip->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_strip.get()));
+}
+
+void TestLessonStrip::cleanup()
+{
+    m_strip.reset();
+}
+
+void TestLessonStrip::aHintIsForWhoAsks()
+{
+    QCOMPARE(words(), QString("First"));
+    hint().click();
+    QCOMPARE(words(), QString("First hint"));
+    arrow("The next step").click();
+    QCOMPARE(words(), QString("Second"));
+    QVERIFY(!hint().isVisible());
+    arrow("The next step").click();
+    QCOMPARE(words(), QString("Third"));
+    QVERIFY(hint().isVisible() && !hint().isChecked());
+    hint().click();
+    QCOMPARE(words(), QString("Third hint"));
+    hint().click();
+    QCOMPARE(words(), QString("Third"));
+    hint().click();
+    m_strip->setLesson(threeSteps());
+    QCOMPARE(words(), QString("First"));
+    QVERIFY(!hint().isChecked());
+}
+
+/// A screen reader on AT-SPI says what describes the control under the keys, when that changes. (That an alert goes out
+/// as well can only be seen while a reader listens.)
+void TestLessonStrip::whatIsNewIsToldToWhoListens()
+{
+    hint().setFocus();
+    QTest::keyClick(&hint(), Qt::Key_Space);
+    QCOMPARE(hint().accessibleDescription(), QString("First hint"));
+    QTest::keyClick(&hint(), Qt::Key_Space);
+    QCOMPARE(hint().accessibleDescription(), QString("First"));
+    arrow("The next step").setFocus();
+    QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+    QCOMPARE(arrow("The next step").accessibleDescription(), QString("Second"));
+}
+
+void TestLessonStrip::theKeysStayWithTheStrip()
+{
+    arrow("The next step").setFocus();
+    QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+    QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+    QCOMPARE(words(), QString("Third"));
+    QVERIFY(arrow("The step before").hasFocus());
+    QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
+    QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
+    QCOMPARE(words(), QString("First"));
+    QVERIFY(arrow("The next step").hasFocus());
+}
+
+QTEST_MAIN(TestLessonStrip)
+#include "tst_lesson_strip.moc"

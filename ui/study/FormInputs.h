@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QPalette>
+#include <QString>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QWidget;
+
+/// What the forms of the lesson editor are made of. Ui thread.
+namespace ui::study {
+
+/// Words that fold.
+[[nodiscard]] QLabel* formWords(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role,
+                                QWidget* parent);
+
+/// A place for what is wrong, beside the input it is about; hidden while there is nothing.
+[[nodiscard]] QLabel* faultLabel(QWidget* parent);
+/// @param what  empty: nothing any more
+void showFault(QLabel* label, const QString& what);
+
+/// Undo and redo in this input are the page's, which knows all steps; and a wheel over it scrolls the form unless
+/// somebody has chosen it.
+void bindToForm(QWidget* input);
+
+/// @param unit  behind the number; may be empty
+/// @param name  for who hears it
+[[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,
+                                          const QString& name, QWidget* parent);
+[[nodiscard]] QComboBox* choiceInput(const QString& name, QWidget* parent);
+
+inline constexpr int kInputPx = 112;
+
+}  // namespace ui::study

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/RubricForm.h"
+
+#include <cmath>
+#include <map>
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QVBoxLayout>
+
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/study/LessonWords.h"
+#include "ui/text/Texts.h"
+
+namespace ui::study {
+
+using namespace ui::shell;
+
+namespace {
+
+double stepOf(const std::string& unit)
+{
+    return unit == "mm" ? 0.05 : unit == "mm2" || unit == "mm3" ? 0.1 : 1.0;
+}
+
+}  // namespace
+
+int RubricForm::decimalsOf(const std::string& unit)
+{
+    return unit == "mm" || unit == "mm2" || unit == "mm3" ? 2 : 1;
+}
+
+RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    column->addWidget(formWords(tr("Marking"), kBody, QFont::DemiBold, QPalette::WindowText, this));
+    m_slot = new QVBoxLayout;
+    column->addLayout(m_slot);
+    m_sum = formWords({}, kBody, QFont::Medium, QPalette::WindowText, this);
+    column->addWidget(m_sum);
+    auto* pass = new QHBoxLayout;
+    pass->addWidget(formWords(tr("Passed from"), kBody, QFont::Normal, QPalette::WindowText, this), 1);
+    m_passMark = numberInput(0.0, 100.0, 1, tr("points"), tr("Pass mark"), this);
+    m_passMark->setFixedWidth(kInputPx + kSpace4);
+    connect(m_passMark, &QDoubleSpinBox::valueChanged, this, [this](double points) {
+        if (!m_isFilling)
+            emit passMarkSet(points);
+    });
+    pass->addWidget(m_passMark);
+    column->addLayout(pass);
+}
+
+bool RubricForm::offers(const std::vector<::lessons::CriterionRule>& criteria) const
+{
+    bool isSame = m_inputs != nullptr && m_criteria.size() == criteria.size();
+    for (std::size_t k = 0; isSame && k < criteria.size(); ++k)
+        isSame = m_criteria[k].id == criteria[k].id && (m_criteria[k].weight == nullptr) == criteria[k].critical;
+    return isSame;
+}
+
+void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& criteria)
+{
+    if (offers(criteria))
+        return;
+    delete m_inputs;
+    m_criteria.clear();
+    m_inputs = new QWidget(this);
+    auto* grid = new QGridLayout(m_inputs);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kSpace2);
+    grid->setVerticalSpacing(kSpace1);
+    grid->setColumnStretch(0, 1);
+    const auto quiet = [this](const QString& text, int size) {
+        return formWords(text, size, QFont::Normal, QPalette::PlaceholderText, m_inputs);
+    };
+    grid->addWidget(quiet(tr("Tolerance"), kSmall), 0, 1);
+    grid->addWidget(quiet(tr("Weight"), kSmall), 0, 2);
+    int row = 1;
+    for (const ::lessons::CriterionRule& rule : criteria) {
+        const int index = static_cast<int>(m_criteria.size());
+        const QString name = titleOf(rule);
+        grid->addWidget(formWords(name, kBody, QFont::Normal, QPalette::WindowText, m_inputs), row, 0);
+        const auto add = [&](QDoubleSpinBox* input, const char* key, int column) {
+            grid->addWidget(input, row, column);
+            connect(input, &QDoubleSpinBox::valueChanged, this, [this, index, key](double value) {
+                if (!m_isFilling)
+                    emit criterionSet(index, key, value);
+            });
+            return input;
+        };
+        Criterion inputs;
+        inputs.id = rule.id;
+        inputs.tolerance = add(numberInput(0.0, 1000.0, decimalsOf(rule.unit), text::unitName(rule.unit),
+                                           //: %1: a criterion
+                                           tr("Tolerance of: %1").arg(name), m_inputs),
+                               "tolerance", 1);
+        inputs.tolerance->setSingleStep(stepOf(rule.unit));
+        inputs.tolerance->setObjectName(QStringLiteral("tolerance.") + QString::fromStdString(rule.id));
+        inputs.tolerance->setFixedWidth(kInputPx - kSpace2);
+        if (rule.critical) {
+            grid->addWidget(quiet(tr("fails"), kBody), row, 2);
+        } else {
+            inputs.weight = add(numberInput(0.1, 100.0, 1, {}, tr("Weight of: %1").arg(name), m_inputs), "weight", 2);
+            inputs.weight->setFixedWidth(kInputPx - kSpace6);
+        }
+        inputs.fault = faultLabel(m_inputs);
+        grid->addWidget(inputs.fault, ++row, 0, 1, 3);
+        m_criteria.push_back(inputs);
+        ++row;
+    }
+    m_slot->addWidget(m_inputs);
+}
+
+void RubricForm::showValues(const QJsonObject& rubric)
+{
+    const QScopedValueRollback filling(m_isFilling, true);
+    const QJsonArray criteria = rubric.value(QStringLiteral("criteria")).toArray();
+    for (std::size_t k = 0; k < m_criteria.size(); ++k) {
+        const QJsonObject criterion = criteria.at(static_cast<qsizetype>(k)).toObject();
+        m_criteria[k].tolerance->setValue(criterion.value(QStringLiteral("tolerance")).toDouble());
+        if (m_criteria[k].weight != nullptr)
+            m_criteria[k].weight->setValue(criterion.value(QStringLiteral("weight")).toDouble());
+    }
+    m_passMark->setValue(rubric.value(QStringLiteral("pass_mark")).toDouble());
+}
+
+std::vector<::lessons::Fault> RubricForm::takeFaults(const std::vector<::lessons::Fault>& faults)
+{
+    sumUp();
+    std::vector<::lessons::Fault> others;
+    std::map<QLabel*, QString> said;
+    for (const Criterion& inputs : m_criteria)
+        said[inputs.fault] = {};
+    for (const ::lessons::Fault& fault : faults) {
+        // The sum says it, beside the weights.
+        if (fault.key == u"rubric" && fault.what.contains(u"weight"))
+            continue;
+        QLabel* place = nullptr;
+        for (std::size_t k = 0; k < m_criteria.size(); ++k)
+            if (fault.key.startsWith(QStringLiteral("rubric.criteria[%1]").arg(k)))
+                place = m_criteria[k].fault;
+        if (place == nullptr) {
+            others.push_back(fault);
+            continue;
+        }
+        QString& words = said[place];
+        words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + text::capitalised(fault.what);
+    }
+    for (const auto& [label, what] : said)
+        showFault(label, what);
+    return others;
+}
+
+/// Of what is in the inputs: a rubric whose weights do not add up is none.
+void RubricForm::sumUp()
+{
+    double sum = 0.0;
+    for (const Criterion& inputs : m_criteria)
+        sum += inputs.weight != nullptr ? inputs.weight->value() : 0.0;
+    const bool isWhole = std::abs(sum - 100.0) < 0.01;
+    QPalette colours = palette();
+    if (!isWhole)
+        colours.setColor(QPalette::WindowText, tones(palette()).harmText);
+    m_sum->setPalette(colours);
+    m_sum->setText(isWhole ? tr("All weights: %1 points").arg(text::number(sum, 1))
+                           : QStringLiteral("⚠ ") +
+                                 tr("All weights: %1 points; they must make 100").arg(text::number(sum, 1)));
+}
+
+}  // namespace ui::study

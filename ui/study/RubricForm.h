@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QWidget>
+
+#include "lessons/LessonReader.h"
+
+class QDoubleSpinBox;
+class QJsonObject;
+class QLabel;
+class QVBoxLayout;
+
+namespace ui::study {
+
+/// The part of the lesson editor's form that is about the marking: what each criterion tolerates and weighs, and from
+/// where on one has passed.
+class RubricForm final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit RubricForm(QWidget* parent);
+
+    /// Inputs for these criteria. They are made anew only where they are others than before.
+    void offerCriteria(const std::vector<::lessons::CriterionRule>& criteria);
+    /// @param rubric  the object of a file; it need not be one that could mark
+    void showValues(const QJsonObject& rubric);
+    /// Shows what is wrong with the marking beside what it is about, and answers the rest.
+    [[nodiscard]] std::vector<::lessons::Fault> takeFaults(const std::vector<::lessons::Fault>& faults);
+
+    /// Figures behind the point of a tolerance in this unit.
+    [[nodiscard]] static int decimalsOf(const std::string& unit);
+
+signals:
+    /// @param key  "tolerance" or "weight", of the criterion of this number
+    void criterionSet(int index, const char* key, double value);
+    void passMarkSet(double points);
+
+private:
+    struct Criterion
+    {
+        std::string id;
+        QDoubleSpinBox* tolerance = nullptr;
+        QDoubleSpinBox* weight = nullptr;  ///< null for a critical one
+        QLabel* fault = nullptr;
+    };
+
+    [[nodiscard]] bool offers(const std::vector<::lessons::CriterionRule>& criteria) const;
+    void sumUp();
+
+    QVBoxLayout* m_slot = nullptr;
+    QWidget* m_inputs = nullptr;
+    std::vector<Criterion> m_criteria;
+    QLabel* m_sum = nullptr;
+    QDoubleSpinBox* m_passMark = nullptr;
+    bool m_isFilling = false;
+};
+
+}  // namespace ui::study
