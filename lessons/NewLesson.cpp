@@ -12,6 +12,7 @@
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothDesign.h"
 #include "lessons/Capture.h"
+#include "lessons/JsonFiles.h"
 #include "lessons/LessonCatalog.h"
 
 namespace lessons {
@@ -20,7 +21,7 @@ namespace {
 constexpr int kUsualTooth = 36;
 constexpr double kUsualExtent = 0.5;
 constexpr double kUsualMinutes = 10.0;
-const QString kShipped = QStringLiteral(":/lessons/");
+const QString kShipped = QLatin1String(kShippedFolder);
 
 struct Beginning
 {
