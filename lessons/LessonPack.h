@@ -10,7 +10,7 @@
 #include "core/base/Result.h"
 
 /// Lessons in one file (*.cusplessons), with all that they need and is not shipped: what they are based on, rubrics,
-/// scans, captured ideals. The file is one Zstandard frame with a JSON object in it,
+/// scans, captured ideals, experts' recordings. The file is one Zstandard frame with a JSON object in it,
 ///
 ///     {"format": 1, "cusp": "lessons", "files": [{"name": "...", "sha256": "...", "base64": "..."}]}
 ///
@@ -43,8 +43,8 @@ struct PackedFile
 /// written if a file of another content, or a link, is in the way.
 [[nodiscard]] core::Status putInto(const QString& folder, const std::vector<PackedFile>& files);
 
-/// The folder with the files of a pack that has been checked, made when it is asked for first and found again by the
-/// pack's hash: lessons are read from there. In the user's cache.
+/// The folder with the files of a pack, each checked, made when it is asked for first and found again by the pack's
+/// hash: lessons are read from there. In the user's cache, so what is put into it is lost.
 [[nodiscard]] core::Result<QString> openPack(const QString& file);
 
 }  // namespace lessons
