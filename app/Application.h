@@ -74,6 +74,9 @@ private:
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void openBeside(const QString& path);
     void openExpert();
+    void unpack(const QString& pack, const QString& name);
+    void openDemonstration();
+    void showExpert(const core::recording::Recording& recording, const QString& name, const QString& path);
     void readRecording(const QString& path, const std::function<void(const core::recording::Recording&)>& use);
     void saveRecording(const QString& path);
     void saveReference(const QString& path);
