@@ -72,7 +72,8 @@ bool has(const QJsonObject& object, const QString& key)
 bool isNameBeside(const QString& name)
 {
     return !name.isEmpty() && name.size() < 200 && QDir::isRelativePath(name) && !name.contains(QLatin1Char('\\')) &&
-           !name.split(QLatin1Char('/')).contains(QStringLiteral("..")) && !name.startsWith(QLatin1Char(':'));
+           !name.contains(QChar(u'\0')) && !name.split(QLatin1Char('/')).contains(QStringLiteral("..")) &&
+           !name.startsWith(QLatin1Char(':'));
 }
 
 QString sizeWords(qint64 bytes)

@@ -10,6 +10,8 @@
 namespace lessons {
 namespace {
 
+const QString kRubric = QStringLiteral("rubric");
+
 /// Each fault is told of the file that says its key, which may be one that the lesson is based on.
 void nameFiles(std::vector<Fault>& faults, const Gathered& gathered)
 {
@@ -22,16 +24,18 @@ void complete(const std::optional<Gathered>& gathered, const QString& file, Json
 {
     if (gathered) {
         QJsonObject whole = gathered->whole;
-        if (const auto rubric = gatherRubric(whole.value(QStringLiteral("rubric")), file, files)) {
-            whole.insert(QStringLiteral("rubric"), rubric->whole);
-            const QString rubricFile = rubric->parts.front().first;
-            Lesson lesson = lessonFrom(whole, file, rubricFile, &files, result.faults);
-            if (!anyGrave(result.faults))
-                result.lesson = std::move(lesson);
-            nameFiles(result.faults, *gathered);
-            if (rubricFile != file)
-                nameFiles(result.faults, *rubric);
-        }
+        const auto rubric = gatherRubric(whole.value(kRubric), file, files);
+        // Without it there is no lesson, but all else that is wrong is told as well.
+        whole.insert(kRubric, rubric ? rubric->whole : QJsonObject());
+        const QString rubricFile = rubric ? rubric->parts.front().first : QString();
+        Lesson lesson = lessonFrom(whole, file, rubricFile, &files, result.faults);
+        if (!rubric)
+            std::erase_if(result.faults, [](const Fault& fault) { return fault.file.isEmpty(); });
+        else if (!anyGrave(result.faults))
+            result.lesson = std::move(lesson);
+        nameFiles(result.faults, *gathered);
+        if (rubric && rubricFile != file)
+            nameFiles(result.faults, *rubric);
     }
     result.uses = files.uses();
 }

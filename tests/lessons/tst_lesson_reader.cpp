@@ -286,6 +286,13 @@ void TestLessonReader::tellsAllFaultsAtOnce()
     object["exam"] = "maybe";
     const ReadLesson read = readLesson(write("odd.lesson.json", object));
     QCOMPARE(read.faults.size(), std::size_t{3});
+    // One that is not there hides nothing.
+    for (const char* rubric : {"fair", "../fair.json"}) {
+        object["rubric"] = rubric;
+        const ReadLesson without = readLesson(write("odd.lesson.json", object));
+        QVERIFY(!without.lesson);
+        QCOMPARE(without.faults.size(), std::size_t{4});
+    }
 }
 
 void TestLessonReader::unknownKeysAreNotedWithTheNearest()
