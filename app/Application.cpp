@@ -15,6 +15,7 @@
 #include <QThreadPool>
 #include <QUrl>
 
+#include "app/Demonstration.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
 #include "core/guidance/Fixture.h"
@@ -25,6 +26,7 @@
 #include "haptics/simulated/GuidedFalcon.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/LessonPack.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
@@ -116,6 +118,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::lessonChosen, this, &Application::openLesson);
     connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
     connect(m_window.get(), &MainWindow::knownAttemptsWanted, this, &Application::tellKnownAttempts);
+    connect(m_window.get(), &MainWindow::unpackWanted, this, &Application::unpack);
     connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [] {
         const QString folder = lessons::teachersFolder();
         QDir().mkpath(folder);
@@ -292,6 +295,30 @@ void Application::showLessons()
         this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
         [this, standings](std::vector<lessons::CatalogEntry>& entries) {
             m_window->setLessons(std::move(entries), standings);
+        });
+}
+
+/// Into the teacher's folder, where a lesson can be changed.
+void Application::unpack(const QString& pack, const QString& name)
+{
+    inBackground(
+        this,
+        [pack, name]() -> core::Result<lessons::ReadLesson> {
+            const QString folder = lessons::teachersFolder();
+            const auto files = lessons::readPack(pack);
+            if (!files)
+                return tl::unexpected(files.error());
+            if (auto put = lessons::putInto(folder, *files); !put)
+                return tl::unexpected(put.error());
+            return lessons::readLesson(QDir(folder).filePath(name));
+        },
+        [this](const core::Result<lessons::ReadLesson>& unpacked) {
+            if (unpacked && unpacked->lesson) {
+                m_window->editLesson(*unpacked);
+                return;
+            }
+            m_window->showMessage(tr("The pack was not unpacked, so its lesson cannot be changed. %1")
+                                      .arg(QString::fromStdString(unpacked ? std::string() : unpacked.error().detail)));
         });
 }
 
@@ -593,21 +620,54 @@ void Application::openBeside(const QString& path)
     });
 }
 
-/// The one that the lesson names.
+/// The one that the lesson names, or if it names none, what a simulated hand makes of it.
 void Application::openExpert()
 {
-    if (!m_assignment.lesson || !m_assignment.lesson->expert)
+    if (!m_assignment.lesson)
         return;
+    if (!m_assignment.lesson->expert) {
+        openDemonstration();
+        return;
+    }
     const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
     readRecording(
         path,
-        [this, path](const core::recording::Recording& recording) {
-            if (!m_replay)
-                play(recording);
-            else if (const auto put = m_replay->putBeside(recording, tr("The expert")); !put)
-                refuse(put.error(), Failed::OpeningRecording, path);
-        },
+        [this, path](const core::recording::Recording& recording) { showExpert(recording, tr("The expert"), path); },
         [assignment = m_assignment] { return lessons::readExpert(assignment); });
+}
+
+void Application::openDemonstration()
+{
+    const int load = ++m_loading;
+    m_window->showBusy(tr("A simulated hand does the lesson …"));
+    inBackground(
+        this,
+        [assignment = m_assignment]() -> std::optional<core::recording::Recording> {
+            const auto outcome = demonstrate(assignment, false);
+            const auto marked = outcome ? lessons::markAgain(*outcome->recording)
+                                        : core::Result<lessons::Remarked>(tl::unexpected(outcome.error()));
+            return marked && marked->mark.sheet.passed() ? outcome->recording : std::nullopt;
+        },
+        [this, load](const std::optional<core::recording::Recording>& recording) {
+            if (load != m_loading)
+                return;
+            if (recording)
+                showExpert(*recording, tr("The simulated hand"), {});
+            else
+                m_window->stopBusy();
+            m_window->showMessage(
+                recording ? tr("No teacher has recorded this lesson, so a simulated hand shows it.")
+                          : tr("No teacher has recorded this lesson, and a simulated hand does not manage it."));
+        });
+}
+
+/// By itself, or beside the attempt that is played.
+void Application::showExpert(const core::recording::Recording& recording, const QString& name, const QString& path)
+{
+    if (!m_replay)
+        play(recording);
+    else if (const auto put = m_replay->putBeside(recording, name); !put)
+        refuse(put.error(), Failed::OpeningRecording, path);
 }
 
 void Application::readRecording(const QString& path, const UseRecording& use)

@@ -74,6 +74,9 @@ private:
     [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
     void openBeside(const QString& path);
     void openExpert();
+    void unpack(const QString& pack, const QString& name);
+    void openDemonstration();
+    void showExpert(const core::recording::Recording& recording, const QString& name, const QString& path);
     using UseRecording = std::function<void(const core::recording::Recording&)>;
     using ReadRecording = std::function<core::Result<core::recording::Recording>()>;
     void readRecording(const QString& path, const UseRecording& use);

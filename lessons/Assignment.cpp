@@ -11,6 +11,7 @@
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/Beside.h"
 #include "lessons/LessonReader.h"
+#include "lessons/RubricReader.h"
 
 namespace lessons {
 namespace {
@@ -180,7 +181,7 @@ core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
 
 core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
 {
-    auto rubric = readRubric(kFreeRubric);
+    auto rubric = shippedRubric(kFreeRubric);
     if (!rubric)
         return tl::unexpected(rubric.error());
     Assignment assignment;

@@ -86,8 +86,9 @@ std::optional<double> JsonKeys::number(const char* key, double low, double high,
     if (value.isUndefined())
         return std::nullopt;
     if (!value.isDouble()) {
-        fault(key,
-              QStringLiteral("is %1; write a number of %2 without its unit").arg(kindOf(value), QLatin1String(unit)));
+        const QString withoutUnit =
+            *unit == '\0' ? QString() : QStringLiteral(" of %1 without its unit").arg(QLatin1String(unit));
+        fault(key, QStringLiteral("is %1; write a number%2").arg(kindOf(value), withoutUnit));
         return std::nullopt;
     }
     const double number = value.toDouble();
@@ -157,8 +158,13 @@ std::string JsonKeys::neededText(const char* key, qsizetype longest)
 LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
 {
     LocalText result;
+    const auto take = [&](const QString& code, const QString& text) {
+        if (text.isEmpty() || text.size() > kLongestText)
+            fault(key, QStringLiteral("has %1 characters; it takes 1 to %2").arg(text.size()).arg(kLongestText));
+        result.emplace(code.toStdString(), text.toStdString());
+    };
     if (value.isString()) {
-        result.emplace("en", value.toString().left(kLongestText).toStdString());
+        take(QStringLiteral("en"), value.toString());
         return result;
     }
     if (!value.isObject()) {
@@ -173,16 +179,11 @@ LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
     }
     for (auto language = languages.begin(); language != languages.end(); ++language) {
         const QString code = language.key();
-        if (code.size() < 2 || code.size() > 12 || !language.value().isString() ||
-            language.value().toString().size() > kLongestText) {
-            fault(key,
-                  QStringLiteral("\"%1\" must be the code of a language (en, de, es, ja) with a text of at most %2 "
-                                 "characters")
-                      .arg(code.left(12))
-                      .arg(kLongestText));
-            continue;
-        }
-        result.emplace(code.toStdString(), language.value().toString().toStdString());
+        if (code.size() < 2 || code.size() > 12 || !language.value().isString())
+            fault(key, QStringLiteral("\"%1\" must be the code of a language (en, de, es, ja) with a text")
+                           .arg(code.left(12)));
+        else
+            take(code, language.value().toString());
     }
     return result;
 }
@@ -277,15 +278,6 @@ std::vector<glm::dvec2> JsonKeys::places(const char* key, int most, double far)
                   QStringLiteral("must be [x, y], two numbers between %1 and %2 mm").arg(-far).arg(far));
     }
     return places;
-}
-
-std::map<std::string, double> JsonKeys::allNumbers(double low, double high)
-{
-    std::map<std::string, double> found;
-    for (const QString& key : m_object.keys())
-        if (const auto value = number(qUtf8Printable(key), low, high, ""))
-            found.emplace(key.toStdString(), *value);
-    return found;
 }
 
 void JsonKeys::nameTheRest()

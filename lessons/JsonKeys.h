@@ -13,7 +13,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "lessons/LessonReader.h"
+#include "lessons/Fault.h"
 #include "lessons/LocalText.h"
 
 namespace lessons {
@@ -48,8 +48,6 @@ public:
     [[nodiscard]] int choice(const char* key, const QStringList& known);
     /// A list of 1 to `most` places [x, y], mm, each coordinate within [-far, far]; a fault names the place.
     [[nodiscard]] std::vector<glm::dvec2> places(const char* key, int most, double far);
-    /// All keys and numbers of this object, each within [low, high].
-    [[nodiscard]] std::map<std::string, double> allNumbers(double low, double high);
 
     /// Warns of every key that was not asked for, with the nearest that was.
     void nameTheRest();

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/LessonCatalog.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include "lessons/LessonPack.h"
@@ -21,7 +24,17 @@ void addFolder(const QDir& folder, bool isShipped, std::vector<CatalogEntry>& en
     if (names.size() > kMostFiles)
         names.resize(kMostFiles);
     for (const QString& name : names)
-        entries.push_back({readLesson(folder.filePath(name)), isShipped});
+        entries.push_back({readLesson(folder.filePath(name)), isShipped, {}});
+}
+
+/// Whether a lesson of a pack has been unpacked into the folder, and perhaps changed there.
+bool isUnpacked(const ReadLesson& packed, const QDir& folder, const std::vector<CatalogEntry>& entries)
+{
+    const QString file = folder.filePath(QFileInfo(packed.file).fileName());
+    return std::any_of(entries.begin(), entries.end(), [&](const CatalogEntry& entry) {
+        return entry.read.file == file && entry.read.lesson && packed.lesson &&
+               entry.read.lesson->id == packed.lesson->id;
+    });
 }
 
 /// The lessons of each pack, or what is wrong with it.
@@ -33,11 +46,21 @@ void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
     for (const QString& name : names) {
         const QString file = folder.filePath(name);
         const auto opened = openPack(file);
-        if (opened)
-            addFolder(QDir(*opened), false, entries);
-        else
+        if (!opened) {
             entries.push_back(
-                {{file, {}, {{file, {}, QString::fromStdString(opened.error().detail), true}}, {}}, false});
+                {{file, {}, {{file, {}, QString::fromStdString(opened.error().detail), true}}, {}}, false, file});
+            continue;
+        }
+        std::vector<CatalogEntry> packed;
+        addFolder(QDir(*opened), false, packed);
+        for (CatalogEntry& entry : packed) {
+            if (isUnpacked(entry.read, folder, entries))
+                continue;
+            entry.pack = file;
+            for (Fault& fault : entry.read.faults)
+                fault.what += QStringLiteral(" (in the pack %1)").arg(name);
+            entries.push_back(std::move(entry));
+        }
     }
 }
 
@@ -70,6 +93,25 @@ std::vector<CatalogEntry> readCatalog(const QString& folder)
         entry.read.lesson.reset();
     }
     return entries;
+}
+
+core::Result<Lesson> lessonNamed(const QString& fileOrId)
+{
+    if (fileOrId.endsWith(QStringLiteral(".json"))) {
+        ReadLesson read = readLesson(fileOrId);
+        if (read.lesson)
+            return std::move(*read.lesson);
+        const auto grave =
+            std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+        return core::unexpected(core::ErrorCode::BadStructure, grave->sentence().toStdString());
+    }
+    for (CatalogEntry& entry : readCatalog(teachersFolder()))
+        if (entry.read.lesson && entry.read.lesson->id == fileOrId.toStdString())
+            return std::move(*entry.read.lesson);
+    return core::unexpected(core::ErrorCode::UnknownName,
+                            QStringLiteral("there is no lesson \"%1\"; \"cusp lesson list\" names them")
+                                .arg(fileOrId.left(80))
+                                .toStdString());
 }
 
 QString teachersFolder()

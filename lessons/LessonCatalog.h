@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include "core/base/Result.h"
 #include "lessons/LessonReader.h"
 
 namespace lessons {
@@ -14,16 +15,21 @@ struct CatalogEntry
 {
     ReadLesson read;
     bool isShipped = false;
+    QString pack;  ///< that it lies in, its path; empty: a file of its own
     [[nodiscard]] bool isFaulty() const { return !read.lesson; }
 };
 
 /// All lessons there are: those we ship and those in a teacher's folder, each by its own file (*.lesson.json) or in a
 /// pack (*.cusplessons, LessonPack.h). A faulty file is an entry with its faults; the others work. An id may be there
-/// once: of two, the shipped one stays, then the first by name.
+/// once: of two, the shipped one stays, then the first by name. What was taken out of a pack stands for what is in it.
 ///
 /// @param folder  the teacher's; may be missing or empty
 /// Shipped ones come first, each kind by file name. Any thread.
 [[nodiscard]] std::vector<CatalogEntry> readCatalog(const QString& folder);
+
+/// A lesson by its file (a name that ends in .json), or by its id in the teacher's folder and among those we ship. The
+/// error names what is wrong.
+[[nodiscard]] core::Result<Lesson> lessonNamed(const QString& fileOrId);
 
 /// Where a teacher's lessons lie unless another folder is named: "lessons" in the user's data folder of Cusp.
 [[nodiscard]] QString teachersFolder();

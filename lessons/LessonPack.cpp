@@ -16,6 +16,7 @@
 
 #include "core/base/WholeFile.h"
 #include "core/recording/Format.h"
+#include "lessons/JsonFiles.h"
 #include "lessons/LessonReader.h"
 
 namespace lessons {
@@ -68,6 +69,12 @@ core::Result<QByteArray> contentOf(const QString& path, qint64 most)
                        QStringLiteral("%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.")
                            .arg(QFileInfo(path).fileName(), megabytes(file.size()), megabytes(kLargestPackBytes)));
     return file.readAll();
+}
+
+bool holds(const QString& path, const QByteArray& content)
+{
+    const auto there = contentOf(path, kLargestPackBytes);
+    return there && *there == content;
 }
 
 core::Result<PackedFile> packedFile(const QJsonObject& entry)
@@ -208,8 +215,7 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
             missing.push_back(&file);
             continue;
         }
-        const auto there = contentOf(path, kLargestPackBytes);
-        if (!there || *there != file.content)
+        if (!holds(path, file.content))
             return refused(
                 core::ErrorCode::FileUnwritable,
                 QStringLiteral("There is another file \"%1\" in %2 already; nothing was unpacked. Move it away, "
@@ -239,11 +245,17 @@ core::Result<QString> openPack(const QString& file)
     const QDir cache(
         QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).filePath(QStringLiteral("packs")));
     const QString folder = cache.filePath(hashOf(*bytes));
-    if (QFileInfo(folder).isDir())
-        return folder;
     const auto files = unpackLessons(*bytes);
     if (!files)
         return tl::unexpected(files.error());
+    if (QFileInfo(folder).isDir()) {
+        if (std::all_of(files->begin(), files->end(), [&](const PackedFile& packed) {
+                return holds(QDir(folder).filePath(packed.name), packed.content);
+            }))
+            return folder;
+        // Who cleans caches takes single files, and anyone may write into one.
+        QDir(folder).removeRecursively();
+    }
     // Whole or not at all: another Cusp may look meanwhile.
     QDir().mkpath(cache.path());
     QTemporaryDir beside(cache.filePath(QStringLiteral("part-XXXXXX")));

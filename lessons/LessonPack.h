@@ -43,8 +43,8 @@ struct PackedFile
 /// written if a file of another content, or a link, is in the way.
 [[nodiscard]] core::Status putInto(const QString& folder, const std::vector<PackedFile>& files);
 
-/// The folder with the files of a pack that has been checked, made when it is asked for first and found again by the
-/// pack's hash: lessons are read from there. In the user's cache.
+/// The folder with the files of a pack, each checked, made when it is asked for first and found again by the pack's
+/// hash: lessons are read from there. In the user's cache, so what is put into it is lost.
 [[nodiscard]] core::Result<QString> openPack(const QString& file);
 
 }  // namespace lessons

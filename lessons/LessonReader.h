@@ -8,20 +8,10 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/base/Result.h"
+#include "lessons/Fault.h"
 #include "lessons/Lesson.h"
 
 namespace lessons {
-
-/// Something wrong with a lesson's file.
-struct Fault
-{
-    QString file;
-    QString key;        ///< "rubric.criteria[2].weight"; empty: the whole file
-    QString what;       ///< one English sentence: what is wrong and what to do
-    bool grave = true;  ///< the lesson cannot be given; else it only deserves a look
-    [[nodiscard]] QString sentence() const;
-};
 
 /// A lesson, or what is wrong with its file. Both where there are warnings.
 struct ReadLesson
@@ -31,14 +21,6 @@ struct ReadLesson
     std::vector<Fault> faults;
     QStringList uses;  ///< the files it was read from and those it names, the lesson's first; none that we ship
 };
-
-inline constexpr qint64 kLargestLessonBytes = qint64{1} << 20;
-/// A captured ideal may have so much, or no recording could take the lesson along.
-inline constexpr qint64 kLargestIdealBytes = qint64{700} * 1024;
-inline constexpr int kLessonFormat = 1;
-
-/// A name as a file may give it: of a file beside it or in a folder below. What leads elsewhere is none.
-[[nodiscard]] bool isNameBeside(const QString& name);
 
 /// Reads a lesson's file (schema/lesson.schema.json) with all that it is based on and the rubric it names, from beside
 /// it or from those we ship. Never throws, holds little more than the file's size, follows at most 8 files. Any thread.
@@ -51,8 +33,5 @@ inline constexpr int kLessonFormat = 1;
 /// The same from the text a recording holds: whole, so it names no other file (a scan's is kept but not looked for, a
 /// captured ideal stands in it). @param name  what to call it in faults
 [[nodiscard]] ReadLesson readLessonText(const QByteArray& json, const QString& name);
-
-/// Reads a rubric's file, or one of those we ship by its id.
-[[nodiscard]] core::Result<Rubric> readRubric(const QString& fileOrId);
 
 }  // namespace lessons

@@ -12,6 +12,7 @@
 #include "core/preparation/CapturedIdeal.h"
 #include "core/preparation/ToothDesign.h"
 #include "lessons/Capture.h"
+#include "lessons/JsonFiles.h"
 #include "lessons/LessonCatalog.h"
 
 namespace lessons {
@@ -20,7 +21,7 @@ namespace {
 constexpr int kUsualTooth = 36;
 constexpr double kUsualExtent = 0.5;
 constexpr double kUsualMinutes = 10.0;
-const QString kShipped = QStringLiteral(":/lessons/");
+const QString kShipped = QLatin1String(kShippedFolder);
 
 struct Beginning
 {
@@ -75,12 +76,23 @@ core::Result<QString> baseOf(const QString& from, const QString& folder)
 
 QString toothName(const NewLesson& wishes)
 {
+    if (!wishes.scan.isEmpty() && !wishes.fdi)
+        return QFileInfo(wishes.scan).completeBaseName();
     return wishes.block.isEmpty() ? QString::number(wishes.fdi.value_or(kUsualTooth)) : wishes.block;
 }
 
 QJsonObject toothOf(const NewLesson& wishes)
 {
     QJsonObject tooth;
+    if (!wishes.scan.isEmpty()) {
+        tooth.insert(QStringLiteral("scan"), wishes.scan);
+        for (const auto& [key, value] : {std::pair("unit", wishes.unit), std::pair("up", wishes.up)})
+            if (!value.isEmpty())
+                tooth.insert(QLatin1String(key), value);
+        if (wishes.fdi)
+            tooth.insert(QStringLiteral("fdi"), *wishes.fdi);
+        return tooth;
+    }
     if (wishes.block.isEmpty())
         tooth.insert(QStringLiteral("fdi"), wishes.fdi.value_or(kUsualTooth));
     else
@@ -135,10 +147,16 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         if (!base)
             return tl::unexpected(base.error());
         object.insert(QStringLiteral("based_on"), *base);
-        if (wishes.task)
-            object.insert(QStringLiteral("task"),
-                          QLatin1String(kBeginnings[static_cast<std::size_t>(*wishes.task)].task));
-        if (wishes.fdi || wishes.seed || !wishes.block.isEmpty()) {
+        if (wishes.task) {
+            const Beginning& beginning = kBeginnings[static_cast<std::size_t>(*wishes.task)];
+            const ReadLesson under = readDraft(object, QDir(folder).filePath(QStringLiteral("draft.lesson.json")));
+            if (!under.lesson || under.lesson->task != *wishes.task)
+                object.insert(QStringLiteral("rubric"), QLatin1String(beginning.rubric));
+            object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
+        }
+        if (!wishes.scan.isEmpty()) {
+            object.insert(QStringLiteral("tooth"), toothOf(wishes));
+        } else if (wishes.fdi || wishes.seed || !wishes.block.isEmpty()) {
             QJsonObject tooth;
             if (wishes.fdi)
                 tooth.insert(QStringLiteral("fdi"), *wishes.fdi);
@@ -168,6 +186,13 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         object.insert(QStringLiteral("tooth"), toothOf(wishes));
         if (task == Task::RemoveDecay)
             object.insert(QStringLiteral("lesion"), QJsonObject{{"extent", kUsualExtent}});
+        if (task == Task::TraceShape)  // the rubric marks its zones
+            object.insert(QStringLiteral("leeway"),
+                          QJsonObject{{"sides_mm", LeewayZone().sidesMm}, {"bottom_mm", LeewayZone().bottomMm}});
+        if (task == Task::CutIdeal && wishes.captured.isEmpty() && !wishes.scan.isEmpty())
+            return refused(
+                QStringLiteral("an ideal is made by rule for a tooth of ours only; for a scan give a captured "
+                               "one, or remove decay"));
         if (task == Task::CutIdeal && wishes.captured.isEmpty()) {
             const auto kind = kindFor(wishes.fdi.value_or(kUsualTooth));
             if (!kind)

@@ -20,6 +20,9 @@ struct NewLesson
     std::optional<int> fdi;
     std::optional<qint64> seed;
     QString block;     ///< "cross"; empty: a tooth
+    QString scan;      ///< a mesh file, beside; empty: a tooth of ours or a block
+    QString unit;      ///< of the scan, as its lesson says it; empty: guessed
+    QString up;        ///< the same
     QString from;      ///< a shipped lesson's id, or a file beside; empty: from nothing
     QString title;     ///< empty: made up
     QString captured;  ///< a captured ideal, beside; empty: by rule

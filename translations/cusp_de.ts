@@ -1169,6 +1169,26 @@
         <source>The expert</source>
         <translation>Der Experte</translation>
     </message>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation>Das Paket wurde nicht ausgepackt, deshalb lässt sich seine Lektion nicht ändern. %1</translation>
+    </message>
+    <message>
+        <source>A simulated hand does the lesson …</source>
+        <translation>Eine simulierte Hand macht die Lektion …</translation>
+    </message>
+    <message>
+        <source>The simulated hand</source>
+        <translation>Die simulierte Hand</translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, so a simulated hand shows it.</source>
+        <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, deshalb zeigt sie eine simulierte Hand.</translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, und eine simulierte Hand schafft sie nicht.</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>
@@ -2245,10 +2265,6 @@
     <message>
         <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
         <translation>Aus dieser Datei wird keine Lektion, also gibt es nichts zu bearbeiten. Beheben Sie erst, was genannt ist.</translation>
-    </message>
-    <message>
-        <source>This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack).</source>
-        <translation>Diese Lektion liegt in einem Paket. Packen Sie es in Ihren Ordner aus, um sie zu ändern (cusp lesson unpack).</translation>
     </message>
     <message>
         <source>Captured ideals (%1)</source>

@@ -1169,6 +1169,26 @@
         <source>The expert</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated hand does the lesson …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, so a simulated hand shows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>
@@ -2244,10 +2264,6 @@
     </message>
     <message>
         <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

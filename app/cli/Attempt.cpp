@@ -129,9 +129,28 @@ namespace {
 
 QString nameOf(core::grading::Breach breach)
 {
-    static constexpr std::array kNames{"pulp_exposed", "perforated",     "too_deep",   "ridge_cut",
-                                       "wrong_place",  "too_much_force", "bur_in_air", "wrong_bur"};
-    return QLatin1String(kNames[static_cast<std::size_t>(breach)]);
+    using core::grading::Breach;
+    switch (breach) {
+    case Breach::PulpExposed:
+        return QStringLiteral("pulp_exposed");
+    case Breach::Perforated:
+        return QStringLiteral("perforated");
+    case Breach::TooDeep:
+        return QStringLiteral("too_deep");
+    case Breach::RidgeCut:
+        return QStringLiteral("ridge_cut");
+    case Breach::WrongPlace:
+        return QStringLiteral("wrong_place");
+    case Breach::TooMuchForce:
+        return QStringLiteral("too_much_force");
+    case Breach::BurInAir:
+        return QStringLiteral("bur_in_air");
+    case Breach::WrongBur:
+        return QStringLiteral("wrong_bur");
+    case Breach::NeighbourHit:
+        break;
+    }
+    return QStringLiteral("neighbour_hit");
 }
 
 }  // namespace

@@ -4,51 +4,39 @@
 #include <QFile>
 #include <QJsonDocument>
 
+#include "app/Demonstration.h"
 #include "app/Display.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Attempt.h"
 #include "app/cli/Commands.h"
 #include "core/base/WholeFile.h"
 #include "core/recording/Recording.h"
-#include "haptics/falcon/FalconFeel.h"
-#include "haptics/pointer/PointerDevice.h"
-#include "haptics/simulated/DemoHand.h"
-#include "haptics/simulated/GuidedFalcon.h"
-#include "haptics/simulated/Simulation.h"
 #include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
 
 namespace app::cli {
 namespace {
 
-constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
-constexpr std::uint64_t kTicksPerDecision = 16;
-constexpr std::uint64_t kTicksAfterwards = 500;
-
-core::Result<haptics::SimulationOutcome> drillOutTheDecay(const core::teeth::BuiltTooth& tooth, bool simulatedDevice)
+/// What is to be done: a lesson's work, or the decay of a tooth taken out.
+core::Result<lessons::Assignment> workFor(const QCommandLineParser& parser, const core::teeth::ToothSource& source,
+                                          const core::teeth::BuildOptions& build)
 {
-    haptics::SimulationOptions options;
-    options.record = true;
-    if (simulatedDevice)
-        haptics::falcon::addFalconFeel(options.settings.force);
-    core::rt::TripleBuffer<core::session::PointerInput> pointer;
-    const double stiffness = options.settings.force.stiffnessNPerMm;
-    haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);
-    haptics::GuidedFalcon guided(pointer, stiffness, 1.0 / options.rateHz);
-    haptics::HapticDevice& device = simulatedDevice ? static_cast<haptics::HapticDevice&>(guided) : plain;
-    haptics::DemoHand hand;
-    std::uint64_t doneAt = kMostTicks;
-    return haptics::simulate(tooth.anatomy, device, kMostTicks, options,
-                             [&](std::uint64_t tick, const core::session::ServoState& state,
-                                 const core::terrain::Tooth& now) -> std::optional<bool> {
-                                 if (tick % kTicksPerDecision == 0)
-                                     pointer.publish(hand.decide(state, now));
-                                 if (hand.isDone())
-                                     doneAt = std::min(doneAt, tick);
-                                 if (tick >= doneAt + kTicksAfterwards)
-                                     return std::nullopt;
-                                 return !hand.isDone();
-                             },
-                             {});
+    const QString wanted = parser.value(QStringLiteral("lesson"));
+    if (wanted.isEmpty()) {
+        const auto tooth = core::teeth::buildTooth(source, build);
+        if (!tooth)
+            return tl::unexpected(tooth.error());
+        warn(tooth->report.warnings);
+        return lessons::practiceOn(tooth->anatomy);
+    }
+    const auto lesson = lessons::lessonNamed(wanted);
+    if (!lesson)
+        return tl::unexpected(lesson.error());
+    auto assigned = lessons::assign(*lesson);
+    if (!assigned)
+        return tl::unexpected(assigned.error());
+    warn(assigned->report.warnings);
+    return std::move(assigned->assignment);
 }
 
 }  // namespace
@@ -57,11 +45,15 @@ int demoCommand(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral(
-        "A simulated hand takes the decay out of a tooth. Leaves the recording, its score and a picture in a folder."));
+        "A simulated hand takes the decay out of a tooth, or does what a lesson asks for. Leaves the recording, its "
+        "score and a picture in a folder."));
     parser.addOption({QStringLiteral("out"), QStringLiteral("The folder; cusp-demo if not given."),
                       QStringLiteral("FOLDER"), QStringLiteral("cusp-demo")});
     parser.addOption({QStringLiteral("tooth"), QStringLiteral("A mesh file or an FDI number; 36 if not given."),
                       QStringLiteral("FILE|FDI"), QStringLiteral("36")});
+    parser.addOption({QStringLiteral("lesson"),
+                      QStringLiteral("A lesson's file or id; its tooth is taken, and none of the options about teeth."),
+                      QStringLiteral("FILE|ID")});
     addDeviceOption(parser);
     addToothOptions(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp demo [--out FOLDER] [OPTIONS]")))
@@ -77,13 +69,14 @@ int demoCommand(const QStringList& arguments)
     if (!folder.mkpath(QStringLiteral(".")))
         return failed({core::ErrorCode::FileUnwritable,
                        "The folder " + folder.path().toStdString() + " cannot be made; name another with --out."});
-    const auto tooth = core::teeth::buildTooth(source, *build);
-    if (!tooth)
-        return failed(tooth.error());
-    warn(tooth->report.warnings);
-    printText(QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
-                  .arg(QString::fromStdString(tooth->anatomy->name)));
-    const auto outcome = drillOutTheDecay(*tooth, *simulatedDevice);
+    const auto work = workFor(parser, source, *build);
+    if (!work)
+        return failed(work.error());
+    printText((work->lesson ? QStringLiteral("Doing the lesson %1 with a simulated hand ...\n")
+                                  .arg(QString::fromStdString(work->lesson->id))
+                            : QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
+                                  .arg(QString::fromStdString(work->anatomy->name))));
+    const auto outcome = demonstrate(*work, *simulatedDevice);
     if (!outcome)
         return failed(outcome.error());
 

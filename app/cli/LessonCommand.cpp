@@ -10,7 +10,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/LessonParts.h"
-#include "core/base/WholeFile.h"
+#include "core/recording/Recording.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 
@@ -118,6 +118,25 @@ int listLessons(const QStringList& arguments)
     return kDone;
 }
 
+/// What the rubric takes from whoever cuts exactly the ideal; nothing where all is as it should be.
+QString lostByTheIdeal(const lessons::Assignment& assignment)
+{
+    if (!assignment.ideal)
+        return {};
+    const auto marked = lessons::mark(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top),
+                                      lessons::Conduct{});
+    if (!marked || marked->sheet.totalTenths == lessons::kFullTenths)
+        return {};
+    QStringList costly;
+    for (const lessons::Criterion& line : marked->sheet.criteria)
+        if (line.lostTenths > 0)
+            costly << QString::fromStdString(line.id) +
+                          (line.measured ? QString() : QStringLiteral(" (cannot be measured here)"));
+    return QStringLiteral("who cuts exactly what is asked for gets %1 of 100 points, because of %2")
+        .arg(0.1 * marked->sheet.totalTenths, 0, 'f', 1)
+        .arg(costly.join(QStringLiteral(", ")));
+}
+
 int checkLessons(const QStringList& arguments)
 {
     QCommandLineParser parser;
@@ -138,10 +157,14 @@ int checkLessons(const QStringList& arguments)
     for (const QString& file : parser.positionalArguments()) {
         lessons::ReadLesson read = lessons::readLesson(file);
         if (read.lesson) {
-            if (const auto assigned = lessons::assign(*read.lesson); !assigned) {
+            const auto assigned = lessons::assign(*read.lesson);
+            if (!assigned) {
                 read.faults.push_back({file, {}, QString::fromStdString(assigned.error().detail), true});
                 read.lesson.reset();
-            } else if (read.lesson->expert) {
+            } else if (const QString what = lostByTheIdeal(assigned->assignment); !what.isEmpty()) {
+                read.faults.push_back({file, QStringLiteral("rubric"), what, false});
+            }
+            if (assigned && read.lesson->expert) {
                 // The lesson can be given all the same.
                 if (const auto expert = lessons::readExpert(assigned->assignment); !expert)
                     read.faults.push_back({file, QStringLiteral("expert.recording"),

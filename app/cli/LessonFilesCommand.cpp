@@ -7,6 +7,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QScopeGuard>
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
@@ -22,6 +23,7 @@ namespace app::cli {
 namespace {
 
 constexpr qint64 kLargestSeed = qint64{1} << 53;
+const QStringList kMeshes{QStringLiteral("obj"), QStringLiteral("stl"), QStringLiteral("ply")};
 const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"), QStringLiteral("trace_shape")};
 
 std::filesystem::path toPath(const QString& file)
@@ -54,12 +56,28 @@ core::Status addTooth(const QCommandLineParser& parser, lessons::NewLesson& wish
     const QString tooth = parser.value(QStringLiteral("tooth"));
     if (tooth.startsWith(QStringLiteral("block:"))) {
         wishes.block = tooth.mid(6);
+    } else if (kMeshes.contains(QFileInfo(tooth).suffix().toLower())) {
+        wishes.scan = QFileInfo(tooth).fileName();
     } else if (!tooth.isEmpty()) {
         bool isNumber = false;
         wishes.fdi = tooth.toInt(&isNumber);
         if (!isNumber)
-            return core::unexpected(core::ErrorCode::UnknownName,
-                                    "--tooth wants an FDI number, or a practice block such as block:cross");
+            return core::unexpected(
+                core::ErrorCode::UnknownName,
+                "--tooth wants an FDI number, a practice block such as block:cross, or the scan of a "
+                "tooth (.obj, .stl, .ply)");
+    }
+    for (const char* const option : {"unit", "up", "fdi"})
+        if (parser.isSet(QLatin1String(option)) && wishes.scan.isEmpty())
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    "--" + std::string(option) + " is about a scan, named with --tooth");
+    wishes.unit = parser.value(QStringLiteral("unit"));
+    wishes.up = parser.value(QStringLiteral("up"));
+    if (parser.isSet(QStringLiteral("fdi"))) {
+        const auto fdi = wholeNumber(parser, QStringLiteral("fdi"), 11, 48);
+        if (!fdi)
+            return tl::unexpected(fdi.error());
+        wishes.fdi = static_cast<int>(*fdi);
     }
     if (parser.isSet(QStringLiteral("seed"))) {
         const auto seed = wholeNumber(parser, QStringLiteral("seed"), 0, kLargestSeed);
@@ -67,6 +85,26 @@ core::Status addTooth(const QCommandLineParser& parser, lessons::NewLesson& wish
             return tl::unexpected(seed.error());
         wishes.seed = *seed;
     }
+    return {};
+}
+
+/// Beside the lesson that is to be.
+core::Status bringScan(const QString& file, const QString& folder)
+{
+    const QString there = QDir(folder).filePath(QFileInfo(file).fileName());
+    if (core::isSameFile(toPath(file), toPath(there)))
+        return {};
+    if (QFileInfo::exists(there))
+        return tl::unexpected(core::Error{core::ErrorCode::FileUnwritable,
+                                          QStringLiteral("%1 is there already and is not overwritten; name that one "
+                                                         "with --tooth, or call the scan something else")
+                                              .arg(printable(QDir::toNativeSeparators(there)))
+                                              .toStdString()});
+    if (!QFileInfo(file).isFile() || !QFile::copy(file, there))
+        return core::unexpected(core::ErrorCode::FileUnreadable,
+                                QStringLiteral("%1 cannot be copied beside the lesson; check its name and rights")
+                                    .arg(printable(QDir::toNativeSeparators(file)))
+                                    .toStdString());
     return {};
 }
 
@@ -101,13 +139,16 @@ int newLessonPart(const QStringList& arguments)
     };
     option("id", "Its id: small letters, digits, - and _.", "ID");
     option("from", "The lesson it is based on: an id, or a file in the same folder.", "BASE");
-    option("tooth", "FDI number (36), or a practice block (block:cross).", "FDI|BLOCK");
+    option("tooth", "FDI number (36), a practice block (block:cross) or a scan (.obj, .stl, .ply).", "FDI|BLOCK|FILE");
+    option("unit", "Of the scan: mm, cm, m, or the millimetres of one unit; guessed if not given.", "U");
+    option("up", "Direction of the crown in the scan: +x -x +y -y +z -z; guessed if not given.", "A");
+    option("fdi", "Of the scan.", "NN");
     option("seed", "Which tooth of that number.", "N");
     option("task", "remove_decay, cut_ideal or trace_shape.", "TASK");
     option("title", "What students read; made up if not given.", "WORDS");
     option("captured", "The captured ideal to cut (.cuspideal). Its tolerances go into the rubric.", "FILE");
     option("out", "The lesson; in the teacher's folder under its id if not given.", "FILE.lesson.json");
-    const QString usage = QStringLiteral("cusp lesson new --id ID [--from BASE] [--tooth FDI|BLOCK] [--task TASK] "
+    const QString usage = QStringLiteral("cusp lesson new --id ID [--from BASE] [--tooth FDI|BLOCK|FILE] [--task TASK] "
                                          "[--captured FILE] [--out FILE.lesson.json]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;
@@ -137,6 +178,15 @@ int newLessonPart(const QStringList& arguments)
     const QString folder = QFileInfo(out).absolutePath();
     if (!parser.isSet(QStringLiteral("out")))
         QDir().mkpath(folder);
+    const QString scan = QDir(folder).filePath(wishes.scan);
+    const bool isScanNew = !wishes.scan.isEmpty() && !QFileInfo::exists(scan);
+    if (!wishes.scan.isEmpty())
+        if (const core::Status brought = bringScan(parser.value(QStringLiteral("tooth")), folder); !brought)
+            return failed(brought.error());
+    auto leaveNothing = qScopeGuard([&] {
+        if (isScanNew)
+            QFile::remove(scan);
+    });
     if (const QString captured = parser.value(QStringLiteral("captured")); !captured.isEmpty()) {
         if (const core::Status brought = bringCaptured(captured, folder); !brought)
             return failed(brought.error());
@@ -156,6 +206,7 @@ int newLessonPart(const QStringList& arguments)
         core::writeWhole(toPath(out), {json.constData(), static_cast<std::size_t>(json.size())}, "The lesson");
     if (!written)
         return failed(written.error());
+    leaveNothing.dismiss();
     printText(QStringLiteral("%1\n").arg(printable(QDir::toNativeSeparators(out))));
     return kDone;
 }

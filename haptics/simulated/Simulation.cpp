@@ -42,7 +42,8 @@ core::Result<SimulationOutcome> simulate(
 
     bool drill = false;
     static_cast<void>(uiLinks->commands.tryPush(SetBur{static_cast<std::uint8_t>(options.burIndex)}));
-    static_cast<void>(uiLinks->commands.tryPush(ReplaceTooth{new core::terrain::Tooth(anatomy), 1}));
+    static_cast<void>(
+        uiLinks->commands.tryPush(ReplaceTooth{new core::terrain::Tooth(anatomy), 1, new std::string(options.lesson)}));
     session.tick(period);
 
     auto tickTimes = std::make_unique<TickTimes>();
@@ -74,7 +75,8 @@ core::Result<SimulationOutcome> simulate(
     core::terrain::Tooth tooth = servo.tooth() != nullptr ? servo.tooth()->tooth() : core::terrain::Tooth(anatomy);
     std::optional<core::recording::Recording> recording;
     if (options.record) {
-        recording = session.recordingSoFar().value_or(core::recording::Recording(options.settings, anatomy));
+        recording =
+            session.recordingSoFar().value_or(core::recording::Recording(options.settings, anatomy, options.lesson));
         recording->setWitness({recording->ticks(), core::terrain::stateHash(tooth)});
     }
     return SimulationOutcome{std::move(tooth), servo.state(), std::move(recording), std::move(tickTimes)};

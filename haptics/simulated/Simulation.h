@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/recording/Recording.h"
 #include "core/session/ServoTick.h"
@@ -20,6 +21,7 @@ struct SimulationOptions
     core::session::ServoSettings settings;
     std::size_t burIndex = 1;  ///< 330
     double rateHz = 1000.0;
+    std::string lesson;   ///< what the attempt is made for, for the recording; may be empty
     bool record = false;  ///< keeps a recording, which grows with every tick
 };
 

@@ -7,9 +7,9 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QRadioButton>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <glm/geometric.hpp>
 

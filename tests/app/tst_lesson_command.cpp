@@ -26,6 +26,8 @@ private slots:
     void whatIsBegunCanBeGiven();
     void anExpertAtAnotherToothIsNoted();
     void aCapturedIdealGoesIntoALesson();
+    void aScanGoesIntoALesson();
+    void checkSaysWhatCannotBeEarned();
     void captureRefusesWithASentence();
     void overwritesNothing();
     void wrongUsage_data();
@@ -102,6 +104,53 @@ void TestLessonCommand::aCapturedIdealGoesIntoALesson()
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"), refused.error.constData());
     QVERIFY(!QFileInfo::exists(out));
+}
+
+void TestLessonCommand::aScanGoesIntoALesson()
+{
+    // Any mesh of a tooth will do.
+    const QString scan = file("tooth.obj");
+    QCOMPARE(runCusp({"tooth", "36", "--export", scan}).exitCode, 0);
+    const QString out = file("course/scan.lesson.json");
+    QVERIFY(QDir(m_folder->path()).mkdir("course"));
+    const QStringList begin{"lesson", "new", "--id", "scan", "--tooth", scan, "--out", out};
+    const Ending begun = runCusp(begin + QStringList{"--unit", "mm", "--up", "+z", "--fdi", "36"});
+    QVERIFY2(begun.exitCode == 0, begun.error.constData());
+    const Ending checked = runCusp({"lesson", "check", out, "--json"});
+    QVERIFY2(checked.exitCode == 0, checked.out.constData());
+    QCOMPARE(checked.json()["lessons"].toArray()[0].toObject()["tooth"].toString(), QString("tooth.obj"));
+    // A scan of no use is not left beside.
+    QFile noise(file("noise.stl"));
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
+    noise.close();
+    const Ending refused =
+        runCusp({"lesson", "new", "--id", "a", "--tooth", noise.fileName(), "--out", file("course/a.lesson.json")});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
+    QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
+}
+
+void TestLessonCommand::checkSaysWhatCannotBeEarned()
+{
+    const auto write = [&](const QString& name, const QByteArray& content) {
+        QFile lesson(file(name));
+        QVERIFY(lesson.open(QIODevice::WriteOnly) && lesson.write(content) == content.size());
+    };
+    write("odd.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "odd",
+        "rubric": {"id": "odd", "title": "Odd", "criteria": [
+            {"id": "target", "measure": "target_removed_percent", "side": "under", "target": 100, "weight": 60},
+            {"id": "decay", "measure": "caries_left_percent", "weight": 40}]}})");
+    const Ending noted = runCusp({"lesson", "check", file("odd.lesson.json")});
+    QCOMPARE(noted.exitCode, 0);
+    QVERIFY2(noted.out.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"),
+             noted.out.constData());
+    // An expert's recording that cannot be replayed.
+    write("expert.cusprec", "CUSPREC");
+    write("led.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
+        "expert": {"recording": "expert.cusprec"}})");
+    const Ending refused = runCusp({"lesson", "check", file("led.lesson.json")});
+    QCOMPARE(refused.exitCode, 1);
+    QVERIFY2(refused.error.contains("led.lesson.json, expert.recording: ") && refused.error.contains("expert.cusprec"),
+             refused.error.constData());
 }
 
 void TestLessonCommand::captureRefusesWithASentence()

@@ -9,6 +9,9 @@
 #include <filesystem>
 #include <set>
 
+#include "core/drilling/Bur.h"
+#include "core/grading/MeasureTable.h"
+#include "core/preparation/ToothDesign.h"
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
@@ -57,6 +60,7 @@ private slots:
     void anExpertsAttemptMustBeOfTheLessonsTooth();
     void aPointBesideTheToothIsNamed();
     void theSchemaKnowsTheKeysThatAreRead();
+    void theSchemaOffersWhatThereIs();
 };
 
 void TestAssignment::everyIdealEarnsFullPoints_data()
@@ -329,6 +333,8 @@ void TestAssignment::theSchemaKnowsTheKeysThatAreRead()
     for (const QString& path : inSchema) {
         const QStringList parts = path.split('.');
         QJsonValue value = 1;
+        if (parts.size() == 3 && parts[1] == "sizes")
+            continue;  // theSchemaOffersWhatThereIs()
         // Some keys belong to one kind of tooth alone.
         if (parts.size() == 2 && parts[0] == "tooth") {
             const QString kind = path == "tooth.seed" || path == "tooth.sizes" ? "block" : "scan";
@@ -355,6 +361,38 @@ void TestAssignment::theSchemaKnowsTheKeysThatAreRead()
                 unknown << path;
     }
     QVERIFY2(unknown.isEmpty(), qPrintable(QStringList(unknown.values()).join(' ')));
+}
+
+/// The numbers and names that editors offer are those that are read.
+void TestAssignment::theSchemaOffersWhatThereIs()
+{
+    QFile file(QStringLiteral(CUSP_SOURCE_DIR "/lessons/schema/lesson.schema.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonObject schema = QJsonDocument::fromJson(file.readAll()).object();
+    const QJsonObject keys = schema["properties"].toObject();
+    const auto part = [](const QJsonObject& of, const char* key) {
+        return of["properties"].toObject()[key].toObject();
+    };
+    QJsonArray burs;
+    for (const core::drilling::Bur& bur : core::drilling::burs())
+        burs << QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
+    QCOMPARE(keys["burs"].toObject()["items"].toObject()["enum"].toArray(), burs);
+    QJsonArray measures;
+    for (const core::grading::MeasureInfo& measure : core::grading::measureTable())
+        measures << QString::fromUtf8(measure.id.data(), static_cast<qsizetype>(measure.id.size()));
+    const QJsonObject criterion = part(schema["$defs"].toObject()["rubric"].toObject(), "criteria")["items"].toObject();
+    QCOMPARE(part(criterion, "measure")["enum"].toArray(), measures);
+
+    const auto isOffered = [](const QJsonObject& sizes, const auto& field) {
+        const QJsonObject size = sizes["properties"].toObject()[field.id].toObject();
+        return size["minimum"].toDouble(-1.0) == field.minimum && size["maximum"].toDouble(-1.0) == field.maximum &&
+               size["type"].toArray()[0].toString() == (field.whole ? "integer" : "number");
+    };
+    for (const auto& field : core::teeth::blockFields())
+        QVERIFY2(isOffered(part(keys["tooth"].toObject(), "sizes"), field), field.id);
+    for (const auto kind : {core::preparation::Kind::ClassTwoMesial, core::preparation::Kind::Access})
+        for (const auto& field : core::preparation::fieldsOf(kind))
+            QVERIFY2(isOffered(part(keys["ideal"].toObject(), "sizes"), field), field.id);
 }
 
 QTEST_GUILESS_MAIN(TestAssignment)

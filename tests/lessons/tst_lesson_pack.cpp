@@ -39,6 +39,10 @@ private slots:
     void anExpertsRecordingGoesAlong();
     void corpusOfTheFuzzerIsHarmless();
     void aPackInTheFolderIsOffered();
+    void anExpertsRecordingGoesAlong();
+    void whatWasUnpackedStandsForThePack();
+    void aFaultNamesThePack();
+    void theCacheIsNotTrusted();
     void unpackingOverwritesNothing();
     void refusesNamesThatLeadElsewhere_data();
     void refusesNamesThatLeadElsewhere();
@@ -323,6 +327,72 @@ void TestLessonPack::aPackInTheFolderIsOffered()
     // Unpacked beside its pack, it is there once.
     QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
     QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
+}
+
+void TestLessonPack::anExpertsRecordingGoesAlong()
+{
+    QJsonObject object = lesson();
+    object["ideal"] = QJsonObject{{"kind", "class1"}};
+    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
+    write("expert.cusprec", QByteArray("an attempt"));
+    const auto bytes = packLessons({write("own.lesson.json", object)});
+    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QTemporaryDir elsewhere;
+    QVERIFY(putInto(elsewhere.path(), *unpackLessons(*bytes)));
+    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
+    QVERIFY2(there.lesson && QFile::exists(QString::fromStdString(there.lesson->expert->file)),
+             qPrintable(sentences(there)));
+}
+
+void TestLessonPack::whatWasUnpackedStandsForThePack()
+{
+    const auto bytes = packLessons({writeLesson()});
+    QTemporaryDir teachers;
+    QFile pack(teachers.filePath("course.cusplessons"));
+    QVERIFY(pack.open(QIODevice::WriteOnly) && pack.write(*bytes) == bytes->size());
+    pack.close();
+    QCOMPARE(readCatalog(teachers.path()).back().pack, pack.fileName());
+    QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
+    QFile own(teachers.filePath("own.lesson.json"));
+    QVERIFY(own.open(QIODevice::ReadWrite));
+    QJsonObject changed = QJsonDocument::fromJson(own.readAll()).object();
+    changed["minutes"] = 3;
+    QVERIFY(own.resize(0) && own.seek(0) && own.write(QJsonDocument(changed).toJson()) > 0);
+    own.close();
+    const auto entries = readCatalog(teachers.path());
+    QCOMPARE(entries.size(), readCatalog({}).size() + 1);
+    QVERIFY2(entries.back().read.lesson && entries.back().pack.isEmpty(), qPrintable(sentences(entries.back().read)));
+    QCOMPARE(entries.back().read.lesson->minutes, 3.0);
+}
+
+void TestLessonPack::aFaultNamesThePack()
+{
+    QTemporaryDir teachers;
+    QFile file(teachers.filePath("course.cusplessons"));
+    const QByteArray bytes = packed(pack({entry("odd.lesson.json", "{\"format\": 1}")}));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    file.close();
+    const QString said = sentences(readCatalog(teachers.path()).back().read);
+    QVERIFY2(said.contains("odd.lesson.json, ") && said.contains("(in the pack course.cusplessons)"), qPrintable(said));
+}
+
+void TestLessonPack::theCacheIsNotTrusted()
+{
+    const auto bytes = packLessons({writeLesson()});
+    QFile file(m_folder->filePath("course.cusplessons"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(*bytes) == bytes->size());
+    file.close();
+    const auto folder = openPack(file.fileName());
+    QVERIFY(folder);
+    const QString ideal = QDir(*folder).filePath("own.cuspideal");
+    QVERIFY(QFile::remove(ideal));
+    QCOMPARE(*openPack(file.fileName()), *folder);
+    QVERIFY(QFile::exists(ideal));
+    QFile changed(QDir(*folder).filePath("own.lesson.json"));
+    QVERIFY(changed.open(QIODevice::WriteOnly) && changed.write("{}") == 2);
+    changed.close();
+    QVERIFY(openPack(file.fileName()));
+    QVERIFY(readLesson(changed.fileName()).lesson);
 }
 
 void TestLessonPack::unpackingOverwritesNothing()

@@ -5,11 +5,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStringConverter>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/RubricReader.h"
 #include "tests/support/Sanitized.h"
 
 using namespace lessons;
@@ -29,10 +31,15 @@ private slots:
     void tellsAllFaultsAtOnce();
     void unknownKeysAreNotedWithTheNearest();
     void whatIsBasedOnAnotherTakesItsKeys();
+    void nullTakesAKeyBack();
+    void namesTheFileThatIsWrong();
     void refusesACircleOfFiles();
     void refusesAFileThatIsNotThere();
     void refusesNamesThatLeadElsewhere();
     void refusesTenMegabytes();
+    void refusesAKeySaidTwice();
+    void refusesOtherEncodings();
+    void readsFilesAlone();
     void anExpertsRecordingLiesBeside();
     void truncatedAnywhereNeverCrashes();
     void theHashTellsContentApart();
@@ -182,6 +189,14 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("a tooth of the right", "tooth", "{\"fdi\": 46}", "tooth.fdi: there is no tooth 46");
     row("a tooth beyond counting", "tooth", "{\"fdi\": 1e300}", "tooth.fdi: is 1e+300");
     row("half a tooth", "tooth", "{\"fdi\": 36.5}", "tooth.fdi: is 36.5, it must be a whole number");
+    row("a base that is no name", "based_on", "7", "based_on: must be the name of a file");
+    row("a title of nothing", "title", "\"\"", "title: has 0 characters");
+    row("a block's size with its unit", "tooth", R"({"block": "line", "sizes": {"depth_mm": "2 mm"}})",
+        "tooth.sizes.depth_mm: is a text; write a number of mm without its unit");
+    row("a depth of the ideal in micrometres", "ideal", R"({"kind": "class1", "sizes": {"depth_mm": 1750}})",
+        "ideal.sizes.depth_mm: is 1750, it must lie between 0.5 and 3.5 mm");
+    row("half a floor along the junction", "ideal", R"({"kind": "class1", "sizes": {"follows_junction": 0.5}})",
+        "ideal.sizes.follows_junction: is 0.5, it must be a whole number");
     row("two teeth", "tooth", "{\"scan\": \"a.stl\", \"block\": \"line\"}", "tooth: must name one of");
     row("a scan that is not there", "tooth", "{\"scan\": \"a.stl\"}", "tooth.scan: there is no file \"a.stl\"");
     row("a unit unheard of", "tooth", "{\"scan\": \"a.stl\", \"unit\": \"ell\"}", "tooth.unit: \"ell\" is no unit");
@@ -218,6 +233,10 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("a depth in micrometres", "rules", "{\"depth_limit_mm\": 2500}",
         "rules.depth_limit_mm: is 2500, it must lie between 0.1 and 10 mm");
     row("exam maybe", "exam", "\"maybe\"", "exam: is a text; write true or false");
+    row("an allowance of nothing", "rubric",
+        R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent", "weight": 100,
+            "allowance": {"measure": "removed_mm3"}}]})",
+        "rubric.criteria[0].allowance.each: is missing");
     row("a measure that is none", "rubric",
         R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "beauty", "weight": 100}]})",
         "rubric.criteria[0].measure: \"beauty\" is no measure");
@@ -269,6 +288,13 @@ void TestLessonReader::tellsAllFaultsAtOnce()
     object["exam"] = "maybe";
     const ReadLesson read = readLesson(write("odd.lesson.json", object));
     QCOMPARE(read.faults.size(), std::size_t{3});
+    // One that is not there hides nothing.
+    for (const char* rubric : {"fair", "../fair.json"}) {
+        object["rubric"] = rubric;
+        const ReadLesson without = readLesson(write("odd.lesson.json", object));
+        QVERIFY(!without.lesson);
+        QCOMPARE(without.faults.size(), std::size_t{4});
+    }
 }
 
 void TestLessonReader::unknownKeysAreNotedWithTheNearest()
@@ -297,6 +323,65 @@ void TestLessonReader::whatIsBasedOnAnotherTakesItsKeys()
     QCOMPARE(read.lesson->id, std::string("deep-36"));
     QCOMPARE(std::get<MadeTooth>(read.lesson->tooth), (MadeTooth{36, 9}));
     QCOMPARE(read.lesson->minutes, 20.0);
+}
+
+void TestLessonReader::nullTakesAKeyBack()
+{
+    QJsonObject base = lesson();
+    base["minutes"] = 7;
+    base["rules"] = QJsonObject{{"force_limit_n", 3}};
+    write("base.json", base);
+    const ReadLesson read =
+        readLesson(write("own.lesson.json", QJsonObject{{"format", 1},
+                                                        {"based_on", "base.json"},
+                                                        {"id", "own"},
+                                                        {"minutes", QJsonValue::Null},
+                                                        {"rules", QJsonObject{{"force_limit_n", QJsonValue::Null}}}}));
+    QVERIFY2(read.lesson && read.faults.empty(), qPrintable(sentences(read)));
+    QCOMPARE(read.lesson->minutes, 0.0);
+    QVERIFY(!read.lesson->rules.forceLimitN);
+    // Where there is nothing to take back, it says nothing either.
+    base["grid"] = QJsonValue::Null;
+    base["rules"] = QJsonObject{{"force_limit_n", QJsonValue::Null}};
+    const ReadLesson alone = readLesson(write("alone.lesson.json", base));
+    QVERIFY2(alone.lesson && alone.faults.empty(), qPrintable(sentences(alone)));
+    QCOMPARE(alone.lesson->gridSide, 150);
+    // Each file says its own format.
+    const QString silent = write("silent.lesson.json", QJsonObject{{"based_on", "base.json"}, {"id", "silent"}});
+    QVERIFY2(sentences(readLesson(silent)).contains("silent.lesson.json, format: is missing"),
+             qPrintable(sentences(readLesson(silent))));
+}
+
+void TestLessonReader::namesTheFileThatIsWrong()
+{
+    QJsonObject base = lesson();
+    base["grid"] = 3;
+    base["rubric"] = "mine.rubric.json";
+    write("base.json", base);
+    const QJsonArray criteria{
+        QJsonObject{{"id", "c"}, {"measure", "caries_left_percent"}, {"weight", 100}, {"tolerance", "2 mm"}}};
+    write("criteria.json", QJsonObject{{"format", 1}, {"criteria", criteria}});
+    write(
+        "mine.rubric.json",
+        QJsonObject{{"format", 1}, {"based_on", "criteria.json"}, {"id", "mine"}, {"title", "M"}, {"pass_mark", 101}});
+    const QJsonObject own{{"format", 1}, {"based_on", "base.json"}, {"id", "own"}, {"minutes", -1}};
+    const QString said = sentences(readLesson(write("own.lesson.json", own)));
+    QVERIFY2(said.contains("own.lesson.json, minutes: is -1"), qPrintable(said));
+    QVERIFY2(said.contains("base.json, grid: is 3"), qPrintable(said));
+    QVERIFY2(said.contains("mine.rubric.json, pass_mark: is 101"), qPrintable(said));
+    QVERIFY2(said.contains("criteria.json, criteria[0].tolerance: is a text; write a number of percent"),
+             qPrintable(said));
+    base["format"] = 2;
+    write("base.json", base);
+    const QString newer = sentences(readLesson(write("own.lesson.json", own)));
+    QVERIFY2(newer.contains("base.json, format: is 2, from a newer Cusp"), qPrintable(newer));
+    // A rubric that is written out may be based on another as well.
+    QJsonObject object = lesson();
+    object["rubric"] = QJsonObject{{"based_on", "decay_removal.rubric.json"}, {"id", "strict"}, {"pass_mark", 90}};
+    const ReadLesson strict = readLesson(write("strict.lesson.json", object));
+    QVERIFY2(strict.lesson && strict.faults.empty(), qPrintable(sentences(strict)));
+    QCOMPARE(strict.lesson->rubric.passMarkTenths, 900);
+    QCOMPARE(strict.lesson->rubric.criteria.size(), std::size_t{4});
 }
 
 void TestLessonReader::refusesACircleOfFiles()
@@ -352,6 +437,46 @@ void TestLessonReader::refusesTenMegabytes()
     QVERIFY(!readLesson(write("deep.lesson.json", "{\"format\": 1, \"steps\": " + nested + "}")).lesson);
 }
 
+void TestLessonReader::refusesAKeySaidTwice()
+{
+    QByteArray json = QJsonDocument(lesson()).toJson();
+    QVERIFY(readLesson(write("once.lesson.json", json)).lesson);
+    json.insert(json.indexOf('{') + 1, R"("minutes": 5, "goal": "say \"{\": [", "minutes": 50,)");
+    const ReadLesson read = readLesson(write("twice.lesson.json", json));
+    QVERIFY(!read.lesson);
+    QVERIFY2(sentences(read).contains("twice.lesson.json, minutes: is said twice"), qPrintable(sentences(read)));
+    QVERIFY2(sentences(read).contains("goal: is said twice"), qPrintable(sentences(read)));
+    QCOMPARE(read.faults.size(), std::size_t{2});
+}
+
+void TestLessonReader::refusesOtherEncodings()
+{
+    const QString text = QString::fromUtf8(QJsonDocument(lesson()).toJson());
+    for (const auto encoding : {QStringConverter::Utf16LE, QStringConverter::Utf16BE, QStringConverter::Utf32LE}) {
+        for (const auto flag : {QStringConverter::Flag::Default, QStringConverter::Flag::WriteBom}) {
+            QStringEncoder encode(encoding, flag);
+            const ReadLesson read = readLesson(write("other.lesson.json", QByteArray(encode(text))));
+            QVERIFY2(sentences(read).contains("save it as UTF-8"), qPrintable(sentences(read)));
+        }
+    }
+    const ReadLesson latin = readLesson(write("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}")));
+    QVERIFY2(sentences(latin).contains("latin.lesson.json is not JSON") && sentences(latin).contains("as UTF-8"),
+             qPrintable(sentences(latin)));
+}
+
+/// What gives bytes without end is not waited for.
+void TestLessonReader::readsFilesAlone()
+{
+    QVERIFY(QFile::link("/dev/zero", m_folder->filePath("endless.stl")));
+    QJsonObject object = lesson();
+    object["tooth"] = QJsonObject{{"scan", "endless.stl"}};
+    QVERIFY2(sentences(readLesson(write("a.lesson.json", object))).contains("tooth.scan: there is no file"),
+             qPrintable(sentences(readLesson(write("a.lesson.json", object)))));
+    const ReadLesson read =
+        readLesson(write("b.lesson.json", QJsonObject{{"format", 1}, {"based_on", "endless.stl"}, {"id", "b"}}));
+    QVERIFY2(sentences(read).contains("it is no file"), qPrintable(sentences(read)));
+}
+
 void TestLessonReader::anExpertsRecordingLiesBeside()
 {
     QJsonObject object = lesson();
@@ -405,7 +530,7 @@ void TestLessonReader::theHashTellsContentApart()
     other["minutes"] = 1;
     QVERIFY(hashOf(QJsonDocument(other).toJson()) != first);
     // The rubric is a part of the lesson, as if it had been written out.
-    const auto rubric = readRubric(QStringLiteral("decay_removal"));
+    const auto rubric = shippedRubric(QStringLiteral("decay_removal"));
     QVERIFY(rubric.has_value());
     QFile shipped(QStringLiteral(":/lessons/decay_removal.rubric.json"));
     QVERIFY(shipped.open(QIODevice::ReadOnly));

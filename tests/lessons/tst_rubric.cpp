@@ -9,8 +9,8 @@
 
 #include "core/base/Rng.h"
 #include "lessons/ClassStanding.h"
-#include "lessons/LessonReader.h"
 #include "lessons/Rubric.h"
+#include "lessons/RubricReader.h"
 #include "lessons/ScoreSheetJson.h"
 
 using namespace lessons;
@@ -42,7 +42,7 @@ Rubric twoHalves()
 
 Rubric decayRemoval()
 {
-    auto shipped = readRubric(QStringLiteral("decay_removal"));
+    auto shipped = shippedRubric(QStringLiteral("decay_removal"));
     return shipped.value_or(Rubric{});
 }
 

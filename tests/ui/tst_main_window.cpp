@@ -147,7 +147,8 @@ private slots:
     void theTimeLineIsScrubbedAndTellsWhatWas();
     void anotherAttemptIsShownBeside();
     void theHandIsLedAlongOnRequest();
-    void theExpertIsOfferedWhereTheLessonHasOne();
+    void theExpertIsOfferedWhereSomethingIsCut();
+    void aLessonOfAPackIsUnpackedToBeEdited();
     void theUndoHistoryIsShownAndGoneThrough();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
@@ -1763,7 +1764,7 @@ void TestMainWindow::theHandIsLedAlongOnRequest()
     QVERIFY(!actions().along->isVisible());
 }
 
-void TestMainWindow::theExpertIsOfferedWhereTheLessonHasOne()
+void TestMainWindow::theExpertIsOfferedWhereSomethingIsCut()
 {
     QSignalSpy expert(m_window.get(), &MainWindow::expertWanted);
     press(Qt::Key_Y);
@@ -1771,15 +1772,38 @@ void TestMainWindow::theExpertIsOfferedWhereTheLessonHasOne()
     lessons::Assignment assignment;
     assignment.anatomy = support::syntheticMolar();
     assignment.lesson.emplace();
-    assignment.lesson->expert.emplace();
     m_window->setAssignment(assignment);
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
+    assignment.exercise = core::grading::ForceToHold{};
+    m_window->setAssignment(assignment);
+    QVERIFY(!actions().expert->isVisible());
+    assignment.lesson->expert.emplace();
+    m_window->setAssignment(assignment);
+    QVERIFY(actions().expert->isVisible());
     assignment.lesson->exam = true;
     m_window->setAssignment(assignment);
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
     QVERIFY(!actions().expert->isVisible());
+}
+
+void TestMainWindow::aLessonOfAPackIsUnpackedToBeEdited()
+{
+    QSignalSpy unpack(m_window.get(), &MainWindow::unpackWanted);
+    auto catalog = lessons::readCatalog({});
+    std::erase_if(catalog, [](const lessons::CatalogEntry& entry) { return entry.read.lesson->id != "class1-36"; });
+    catalog.front().isShipped = false;
+    catalog.front().pack = "/folder/course.cusplessons";
+    m_window->setLessons(catalog, {});
+    actions().lessons->trigger();
+    actions().editLesson->trigger();
+    QCOMPARE(unpack.size(), 1);
+    QCOMPARE(unpack.front()[0].toString(), QString("/folder/course.cusplessons"));
+    QCOMPARE(unpack.front()[1].toString(), QString("ideal-1-class1-1-36.lesson.json"));
+    QVERIFY(!m_window->findChild<ui::study::LessonEditor*>()->isVisible());
+    m_window->editLesson(catalog.front().read);
+    QVERIFY(m_window->findChild<ui::study::LessonEditor*>()->isVisible());
 }
 
 void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()

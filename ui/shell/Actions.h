@@ -63,7 +63,8 @@ public:
     QAction* faster = nullptr;
     QAction* beside = nullptr;   ///< checkable: another attempt is shown beside
     QAction* along = nullptr;    ///< checkable: the device leads the hand; hidden where it cannot lead one
-    QAction* expert = nullptr;   ///< also in practice; hidden where the lesson has none
+    QAction* expert = nullptr;   ///< also in practice; hidden in an exam, and where nothing is to be cut and no
+                                 ///< recording lies with the lesson
     QAction* section = nullptr;  ///< checkable: the cross-section is there
     QAction* turnSection = nullptr;
     QAction* radiograph = nullptr;

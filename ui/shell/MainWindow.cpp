@@ -254,7 +254,7 @@ void MainWindow::connectActions()
         askForFile(m_actions->openScan->text(), FileKind::Scan,
                    [this](const QString& path) { leaveWork([this, path] { emit scanChosen(path); }); });
     });
-    on(m_actions->editLesson, [this] { editLesson(); });
+    on(m_actions->editLesson, [this] { editChosenLesson(); });
     on(m_actions->saveReference, [this] {
         askForFile(
             m_actions->saveReference->text(), FileKind::Reference,
@@ -298,7 +298,7 @@ void MainWindow::connectActions()
     on(m_actions->quit, [this] { close(); });
 }
 
-void MainWindow::editLesson()
+void MainWindow::editChosenLesson()
 {
     if (isExamRunning()) {
         showMessage(
@@ -312,13 +312,16 @@ void MainWindow::editLesson()
             tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
         return;
     }
-    const QString folder = lessons::teachersFolder();
-    if (!entry->isShipped && QFileInfo(entry->read.file).absolutePath() != QDir(folder).absolutePath()) {
-        showMessage(tr("This lesson lies in a pack. Unpack it into your folder to change it (cusp lesson unpack)."));
-        return;
-    }
-    m_editor->edit(entry->read, folder);
-    emit knownAttemptsWanted(*entry->read.lesson);
+    if (entry->pack.isEmpty())
+        editLesson(entry->read);
+    else
+        emit unpackWanted(entry->pack, QFileInfo(entry->read.file).fileName());
+}
+
+void MainWindow::editLesson(const lessons::ReadLesson& lesson)
+{
+    m_editor->edit(lesson, lessons::teachersFolder());
+    emit knownAttemptsWanted(*lesson.lesson);
     goTo(m_editor);
 }
 
@@ -864,7 +867,9 @@ void MainWindow::enableActions()
         action->setVisible(m_replaying && (m_canLead || action != m_actions->along));
         action->setEnabled(inRoom && m_replaying && !m_busy->isWorking());
     }
-    const bool hasExpert = m_assignment && m_assignment->lesson && m_assignment->lesson->expert;
+    // Where no recording lies with the lesson, a simulated hand shows it, if anything is to be cut.
+    const bool hasExpert =
+        m_assignment && m_assignment->lesson && (m_assignment->lesson->expert || !m_assignment->exercise);
     m_actions->expert->setVisible(hasExpert && !m_assignment->lesson->exam);
     m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     if (m_beside != nullptr)  // there is no room for it
@@ -958,6 +963,12 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
                      {},
                      ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
                      exact});
+}
+
+void MainWindow::stopBusy()
+{
+    m_busy->done();
+    enableActions();
 }
 
 void MainWindow::showMessage(const QString& sentence)

@@ -89,6 +89,8 @@ public slots:
     void showBusy(const QString& what);
     /// @param file  its path, where there is one
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
+    /// What showBusy() told of came to nothing.
+    void stopBusy();
     void showMessage(const QString& sentence);
     /// The recording that recordingSaveRequested() asked for is in this file.
     void showSaved(const QString& path);
@@ -114,6 +116,8 @@ public slots:
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// What was measured of attempts at the lesson that is edited, as it is.
+    /// Opens the editor on a sound lesson.
+    void editLesson(const lessons::ReadLesson& lesson);
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
@@ -152,6 +156,9 @@ signals:
     /// The page of lessons opens: what it shows is to be brought up to date.
     void lessonsWanted();
     void lessonFolderWanted();
+    /// A lesson of a pack is to be edited: the pack is to be unpacked into the teacher's folder, and the lesson of that
+    /// name there given to editLesson().
+    void unpackWanted(const QString& pack, const QString& name);
     /// A lesson is edited: what is known of attempts at it is wanted, for setKnownAttempts().
     void knownAttemptsWanted(const lessons::Lesson& lesson);
     /// The attempt that was graded last is to be seen from this moment on, s since its beginning.
@@ -242,7 +249,7 @@ private:
     void enableActions();
     void placeOverlays();
     [[nodiscard]] QString workTitle() const;
-    void editLesson();
+    void editChosenLesson();
     void showIdeal();
     void layExercise();
     void markExercise();

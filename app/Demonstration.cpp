@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Demonstration.h"
+
+#include <algorithm>
+
+#include "core/drilling/Bur.h"
+#include "haptics/falcon/FalconFeel.h"
+#include "haptics/pointer/PointerDevice.h"
+#include "haptics/simulated/DemoHand.h"
+#include "haptics/simulated/GuidedFalcon.h"
+#include "haptics/simulated/IdealHand.h"
+
+namespace app {
+namespace {
+
+constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
+constexpr std::uint64_t kTicksPerDecision = 16;
+constexpr std::uint64_t kTicksAfterwards = 500;
+
+template <class Hand>
+core::Result<haptics::SimulationOutcome> letWork(Hand hand, const lessons::Assignment& assignment,
+                                                 const haptics::SimulationOptions& options, bool simulatedFalcon)
+{
+    core::rt::TripleBuffer<core::session::PointerInput> pointer;
+    const double stiffness = options.settings.force.stiffnessNPerMm;
+    haptics::PointerDevice plain(pointer, stiffness, 1.0 / options.rateHz);
+    haptics::GuidedFalcon guided(pointer, stiffness, 1.0 / options.rateHz);
+    haptics::HapticDevice& device = simulatedFalcon ? static_cast<haptics::HapticDevice&>(guided) : plain;
+    std::uint64_t doneAt = kMostTicks;
+    return haptics::simulate(assignment.anatomy, device, kMostTicks, options,
+                             [&](std::uint64_t tick, const core::session::ServoState& state,
+                                 const core::terrain::Tooth& now) -> std::optional<bool> {
+                                 if (tick % kTicksPerDecision == 0)
+                                     pointer.publish(hand.decide(state, now));
+                                 if (hand.isDone())
+                                     doneAt = std::min(doneAt, tick);
+                                 if (tick >= doneAt + kTicksAfterwards)
+                                     return std::nullopt;
+                                 return !hand.isDone();
+                             },
+                             {});
+}
+
+}  // namespace
+
+core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& assignment, bool simulatedFalcon)
+{
+    if (assignment.exercise)
+        return core::unexpected(core::ErrorCode::WrongKind,
+                                "nothing is to be cut in this exercise, so there is nothing to show; choose a lesson "
+                                "in which something is");
+    haptics::SimulationOptions options;
+    options.record = true;
+    options.settings = lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr, {});
+    if (simulatedFalcon)
+        haptics::falcon::addFalconFeel(options.settings.force);
+    if (assignment.lesson) {
+        options.lesson = assignment.lesson->json;
+        if (!assignment.lesson->burs.empty())
+            options.burIndex = core::drilling::findBur(assignment.lesson->burs.front()).value_or(options.burIndex);
+    }
+    if (!assignment.ideal)
+        return letWork(haptics::DemoHand(), assignment, options, simulatedFalcon);
+    return letWork(
+        haptics::IdealHand(*assignment.anatomy, *assignment.ideal->top, core::drilling::burs()[options.burIndex]),
+        assignment, options, simulatedFalcon);
+}
+
+}  // namespace app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/simulated/IdealHand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace haptics {
+namespace {
+
+using core::terrain::kEmptyTop;
+
+constexpr double kPushN = 1.2;
+constexpr float kLeftMm = 0.03F;  ///< what is left so thin is let be
+constexpr double kReachedMm = 0.01;
+constexpr double kClearMm = 0.3;    ///< over what stands in the way
+constexpr double kLeadMm = 0.6;     ///< the hand goes so far ahead of the bur into what is to be cut
+constexpr double kSinkMm = 0.8;     ///< and at most so far below it
+constexpr double kPress = 4.0;      ///< times what is missing sideways: a bur cuts from a threshold of force on
+constexpr int kMostPatience = 240;  ///< decisions before a column is given up
+constexpr int kThere = 6;           ///< a decision counts so many times where the bur stands and should be cutting
+
+}  // namespace
+
+IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
+                     const core::drilling::Bur& bur)
+    : m_grid(anatomy.grid), m_lowestMm(m_grid.count(), kEmptyTop), m_reachMm(anatomy.top), m_fromAt(m_grid.count()),
+      m_isGivenUp(m_grid.count())
+{
+    const int span = static_cast<int>(std::floor(bur.headRadiusMm / m_grid.cellMm));
+    std::vector<Part> head;
+    for (int j = -span; j <= span; ++j)
+        for (int i = -span; i <= span; ++i)
+            if (const double radius = m_grid.cellMm * std::sqrt(i * i + j * j); radius <= bur.headRadiusMm)
+                head.push_back({i, j, static_cast<float>(bur.undersideMm(radius))});
+    findLowest(idealTop, head);
+    findReach(head);
+}
+
+void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Part> head)
+{
+    for (int j = 0; j < m_grid.side; ++j)
+        for (int i = 0; i < m_grid.side; ++i) {
+            float& lowest = m_lowestMm[m_grid.index(i, j)];
+            for (const Part& part : head)
+                if (m_grid.contains(i + part.i, j + part.j))
+                    lowest = std::max(lowest, idealTop[m_grid.index(i + part.i, j + part.j)] - part.heightMm);
+        }
+}
+
+void IdealHand::findReach(std::span<const Part> head)
+{
+    for (std::size_t k = 0; k < m_grid.count(); ++k) {
+        m_fromAt[k] = k;
+        m_reachMm[k] = std::min(m_reachMm[k], m_lowestMm[k]);
+    }
+    for (int j = 0; j < m_grid.side; ++j)
+        for (int i = 0; i < m_grid.side; ++i) {
+            const std::size_t from = m_grid.index(i, j);
+            for (const Part& part : head) {
+                if (!m_grid.contains(i + part.i, j + part.j))
+                    continue;
+                const std::size_t column = m_grid.index(i + part.i, j + part.j);
+                if (const float reach = m_lowestMm[from] + part.heightMm; reach < m_reachMm[column]) {
+                    m_reachMm[column] = reach;
+                    m_fromAt[column] = from;
+                }
+            }
+        }
+}
+
+bool IdealHand::isWanting(const core::terrain::Tooth& tooth, std::size_t column) const
+{
+    return !m_isGivenUp[m_fromAt[column]] && tooth.isSolid(column) && tooth.top[column] > m_reachMm[column] + kLeftMm;
+}
+
+/// The deepest to begin with, then the nearest.
+std::optional<std::size_t> IdealHand::nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const
+{
+    std::optional<std::size_t> best;
+    double least = std::numeric_limits<double>::max();
+    const bool isFirst = tooth.top == tooth.anatomy->top;
+    for (std::size_t k = 0; k < m_grid.count(); ++k) {
+        if (!isWanting(tooth, k))
+            continue;
+        const glm::dvec2 apart = nodeMm(m_fromAt[k]) - burMm;
+        const double cost = isFirst ? m_reachMm[k] - static_cast<double>(tooth.top[k]) : glm::dot(apart, apart);
+        if (cost < least) {
+            least = cost;
+            best = k;
+        }
+    }
+    return best;
+}
+
+glm::dvec2 IdealHand::nodeMm(std::size_t node) const
+{
+    const auto side = static_cast<std::size_t>(m_grid.side);
+    return m_grid.nodeMm(static_cast<int>(node % side), static_cast<int>(node / side));
+}
+
+double IdealHand::lowestAt(glm::dvec2 placeMm) const
+{
+    const glm::dvec2 at = m_grid.latticeOf(placeMm);
+    const auto i = static_cast<int>(std::lround(at.x));
+    const auto j = static_cast<int>(std::lround(at.y));
+    return m_grid.contains(i, j) ? static_cast<double>(m_lowestMm[m_grid.index(i, j)]) : kEmptyTop;
+}
+
+double IdealHand::lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const
+{
+    const glm::dvec2 way = toMm - fromMm;
+    const int steps = 1 + static_cast<int>(std::sqrt(glm::dot(way, way)) / m_grid.cellMm);
+    double highest = kEmptyTop;
+    for (int k = 0; k <= steps; ++k)
+        highest = std::max(highest, lowestAt(fromMm + way * (static_cast<double>(k) / steps)));
+    return highest;
+}
+
+core::session::PointerInput IdealHand::decide(const core::session::ServoState& state, const core::terrain::Tooth& tooth)
+{
+    const glm::dvec2 bur(state.anchorMm.x, state.anchorMm.y);
+    if (m_column) {
+        const glm::dvec2 apart = nodeMm(m_fromAt[*m_column]) - bur;
+        m_patience += glm::dot(apart, apart) < m_grid.cellMm * m_grid.cellMm ? kThere : 1;
+        m_isGivenUp[m_fromAt[*m_column]] = m_patience > kMostPatience;
+    }
+    if (!m_column || !isWanting(tooth, *m_column)) {
+        m_column = nextColumn(tooth, bur);
+        m_patience = 0;
+    }
+    m_isDone = !m_column;
+    core::session::PointerInput want;
+    want.pushForceN = kPushN;
+    want.targetMm = bur;
+    if (m_isDone)
+        return want;
+
+    const std::size_t aim = m_fromAt[*m_column];
+    const double there = m_lowestMm[aim];
+    const glm::dvec2 way = nodeMm(aim) - bur;
+    const double distance = std::sqrt(glm::dot(way, way));
+    const double onTheWay = lowestOnTheWay(bur, nodeMm(aim));
+    const bool isThere = distance < 0.5 * m_grid.cellMm;
+    if (isThere) {
+        want.targetMm = nodeMm(aim) + kPress * way;
+        want.pushing = state.anchorMm.z > there + kReachedMm;
+        want.hoverMm = there;
+    } else if (onTheWay > std::max(there, lowestAt(bur)) + kClearMm && state.anchorMm.z < onTheWay) {
+        want.hoverMm = onTheWay + kClearMm;  // out first
+    } else {
+        want.targetMm = bur + way * (std::max(distance, kLeadMm) / distance);
+        want.hoverMm = std::max(onTheWay, state.anchorMm.z - kSinkMm);
+    }
+    return want;
+}
+
+}  // namespace haptics

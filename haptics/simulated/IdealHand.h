@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/drilling/Bur.h"
+#include "core/session/Links.h"
+#include "core/terrain/Tooth.h"
+
+namespace haptics {
+
+/// A patient expert: cuts an ideal and nothing beside it, with one bur. It plunges where most is to go, then mills on
+/// to the nearest column that is not yet cut, at depth where the way there is free. It steers a PointerDevice as a
+/// mouse would. What is much deeper than the bur's head is long it does not manage: the shank stands in its way.
+class IdealHand
+{
+public:
+    /// @param idealTop  as core::grading::IdealTop, of the anatomy that is cut
+    IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
+              const core::drilling::Bur& bur);
+
+    /// What the hand wants now, given the bur and the tooth. Call once every few ticks.
+    [[nodiscard]] core::session::PointerInput decide(const core::session::ServoState& state,
+                                                     const core::terrain::Tooth& tooth);
+
+    /// True when all is cut that this bur can reach, or what is left does not yield.
+    [[nodiscard]] bool isDone() const { return m_isDone; }
+
+private:
+    struct Part
+    {
+        int i = 0;
+        int j = 0;
+        float heightMm = 0.0F;
+    };
+
+    void findLowest(std::span<const float> idealTop, std::span<const Part> head);
+    void findReach(std::span<const Part> head);
+    [[nodiscard]] bool isWanting(const core::terrain::Tooth& tooth, std::size_t column) const;
+    [[nodiscard]] std::optional<std::size_t> nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const;
+    [[nodiscard]] glm::dvec2 nodeMm(std::size_t node) const;
+    [[nodiscard]] double lowestAt(glm::dvec2 placeMm) const;
+    [[nodiscard]] double lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const;
+
+    core::terrain::Grid m_grid;
+    std::vector<float> m_lowestMm;        ///< of the tip at each node, so that no column is cut below its ideal
+    std::vector<float> m_reachMm;         ///< to which this bur can cut each column
+    std::vector<std::size_t> m_fromAt;    ///< the node from which it does
+    std::vector<bool> m_isGivenUp;        ///< nodes where nothing yields any more
+    std::optional<std::size_t> m_column;  ///< the one that is cut now
+    int m_patience = 0;                   ///< decisions spent on it
+    bool m_isDone = false;
+};
+
+}  // namespace haptics

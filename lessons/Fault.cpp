@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/Fault.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+namespace lessons {
+
+QString Fault::sentence() const
+{
+    const QString where = QFileInfo(file).fileName();
+    return (key.isEmpty() ? where + QLatin1Char(' ') : where + QStringLiteral(", ") + key + QStringLiteral(": ")) +
+           what;
+}
+
+bool anyGrave(const std::vector<Fault>& faults)
+{
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) { return fault.grave; });
+}
+
+}  // namespace lessons

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/JsonFiles.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSet>
+
+namespace lessons {
+namespace {
+
+constexpr int kMostFiles = 8;
+const QString kBasedOn = QStringLiteral("based_on");
+const QString kFormat = QStringLiteral("format");
+
+/// Puts one object over another: what is null goes, objects are merged, everything else is replaced (RFC 7386).
+QJsonObject merged(QJsonObject base, const QJsonObject& over)
+{
+    for (auto entry = over.begin(); entry != over.end(); ++entry) {
+        if (entry.value().isNull())
+            base.remove(entry.key());
+        else if (entry.value().isObject())
+            base.insert(entry.key(), merged(base.value(entry.key()).toObject(), entry.value().toObject()));
+        else
+            base.insert(entry.key(), entry.value());
+    }
+    return base;
+}
+
+/// The keys that an object of a sound JSON text has twice, as it spells them: of two Qt keeps one, and says nothing.
+QStringList keysSaidTwice(const QByteArray& json)
+{
+    QStringList twice;
+    std::vector<QSet<QByteArray>> open;  // the keys of each object or list that we are in
+    QByteArray text;
+    for (qsizetype k = 0; k < json.size(); ++k) {
+        const char letter = json[k];
+        if (letter == '{' || letter == '[') {
+            open.emplace_back();
+        } else if (letter == '}' || letter == ']') {
+            open.pop_back();
+        } else if (letter == ':') {
+            if (open.back().contains(text))
+                twice << QString::fromUtf8(text);
+            open.back().insert(text);
+        } else if (letter == '"') {
+            const qsizetype begin = k + 1;
+            for (++k; json[k] != '"'; ++k)
+                k += json[k] == '\\' ? 1 : 0;
+            text = json.mid(begin, k - begin);
+        }
+    }
+    return twice;
+}
+
+/// Whether an object has such a key ("rubric.criteria[2].weight").
+bool has(const QJsonObject& object, const QString& key)
+{
+    QJsonValue value = object;
+    for (const QString& part : key.split(u'.')) {
+        value = value.toObject().value(part.section(u'[', 0, 0));
+        if (const qsizetype bracket = part.indexOf(u'['); bracket >= 0)
+            value = value.toArray().at(part.mid(bracket + 1).chopped(1).toInt());
+    }
+    return !value.isUndefined();
+}
+
+}  // namespace
+
+bool isNameBeside(const QString& name)
+{
+    return !name.isEmpty() && name.size() < 200 && QDir::isRelativePath(name) && !name.contains(QLatin1Char('\\')) &&
+           !name.contains(QChar(u'\0')) && !name.split(QLatin1Char('/')).contains(QStringLiteral("..")) &&
+           !name.startsWith(QLatin1Char(':'));
+}
+
+QString sizeWords(qint64 bytes)
+{
+    return bytes >= 1024 * 1024 ? QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1)
+                                : QStringLiteral("%1 bytes").arg(bytes);
+}
+
+QString newerFormat(double format)
+{
+    return QStringLiteral("is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson")
+        .arg(format)
+        .arg(kLessonFormat);
+}
+
+std::optional<QJsonObject> parseObject(QByteArray json, const QString& file, std::vector<Fault>& faults)
+{
+    const auto complain = [&](const QString& what) {
+        faults.push_back({file, {}, what, true});
+        return std::nullopt;
+    };
+    if (json.isEmpty())
+        return complain(QStringLiteral("is empty"));
+    if (json.size() > kLargestLessonBytes)
+        return complain(QStringLiteral("has %1; a lesson has at most %2")
+                            .arg(sizeWords(json.size()), sizeWords(kLargestLessonBytes)));
+    if (json.startsWith("\xFF\xFE") || json.startsWith("\xFE\xFF") || json.left(4).contains('\0'))
+        return complain(QStringLiteral("is written in UTF-16 or UTF-32; save it as UTF-8"));
+    if (json.startsWith("\xEF\xBB\xBF"))
+        json.remove(0, 3);
+    QJsonParseError error;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &error);
+    if (document.isNull()) {
+        const auto before = json.left(error.offset);
+        return complain(QStringLiteral("is not JSON: line %1, column %2: %3%4")
+                            .arg(before.count('\n') + 1)
+                            .arg(error.offset - before.lastIndexOf('\n'))
+                            .arg(error.errorString(), error.error == QJsonParseError::IllegalUTF8String
+                                                          ? QStringLiteral("; save the file as UTF-8")
+                                                          : QString()));
+    }
+    if (!document.isObject())
+        return complain(QStringLiteral("must be one JSON object in braces"));
+    if (const QStringList twice = keysSaidTwice(json); !twice.isEmpty()) {
+        for (const QString& key : twice)
+            faults.push_back({file, key.left(60), QStringLiteral("is said twice in one object; leave one out"), true});
+        return std::nullopt;
+    }
+    return document.object();
+}
+
+QString Gathered::fileThatSays(const QString& key) const
+{
+    for (const auto& [file, object] : parts)
+        if (has(object, key))
+            return file;
+    return parts.front().first;
+}
+
+void JsonFiles::note(const QString& file)
+{
+    if (!file.startsWith(QLatin1String(kShippedFolder)) && !m_uses.contains(file))
+        m_uses << file;
+}
+
+QString JsonFiles::find(const QString& file, const QString& key, const QString& name)
+{
+    if (!isNameBeside(name)) {
+        say(file, key,
+            QStringLiteral("\"%1\" leads out of the lesson's folder; name a file beside it").arg(name.left(80)));
+        return {};
+    }
+    const QString shipped = QLatin1String(kShippedFolder);
+    const QString beside = QFileInfo(file).dir().filePath(name);
+    return QFileInfo::exists(beside) || file.startsWith(shipped) || !QFileInfo::exists(shipped + name) ? beside
+                                                                                                       : shipped + name;
+}
+
+std::optional<Gathered> JsonFiles::gather(const QString& file, const QString& namedIn, QStringList way)
+{
+    std::vector<Fault> faults;
+    std::optional<QJsonObject> object;
+    if (way.contains(file))
+        faults.push_back(
+            {file, {}, QStringLiteral("is based on itself by way of %1").arg(QFileInfo(way.back()).fileName()), true});
+    else if (way.size() >= kMostFiles)
+        faults.push_back(
+            {file, {}, QStringLiteral("more than %1 files are based on one another").arg(kMostFiles), true});
+    else
+        object = read(file, faults);
+    for (Fault& fault : faults) {
+        // Who named the file has to mend what is wrong with all of it.
+        if (fault.key.isEmpty() && !namedIn.isEmpty())
+            fault = {namedIn, kBasedOn, QStringLiteral("%1: %2").arg(QFileInfo(file).fileName(), fault.what), true};
+        m_faults.push_back(std::move(fault));
+    }
+    way << file;
+    return object ? underlaid(*object, file, way) : std::nullopt;
+}
+
+std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QString& file, const QStringList& way)
+{
+    if (!object.contains(kBasedOn))
+        return Gathered{merged({}, object), {{file, object}}};
+    if (!object.value(kBasedOn).isString()) {
+        say(file, kBasedOn, QStringLiteral("must be the name of a file beside this one, or of one that is shipped"));
+        return std::nullopt;
+    }
+    const QString baseFile = find(file, kBasedOn, object.value(kBasedOn).toString());
+    if (baseFile.isEmpty())
+        return std::nullopt;
+    auto under = gather(baseFile, file, way);
+    if (!under)
+        return std::nullopt;
+    under->whole.remove(kFormat);  // each file says its own
+    for (auto& [name, part] : under->parts)
+        part.remove(kFormat);
+    under->whole = merged(under->whole, object);
+    under->whole.remove(kBasedOn);
+    under->parts.insert(under->parts.begin(), {file, object});
+    return under;
+}
+
+std::optional<QJsonObject> JsonFiles::read(const QString& name, std::vector<Fault>& faults)
+{
+    note(name);
+    const auto complain = [&](const QString& what) {
+        faults.push_back({name, {}, what, true});
+        return std::nullopt;
+    };
+    const QFileInfo info(name);
+    if (!info.exists())
+        return complain(QStringLiteral("there is no such file"));
+    QFile file(name);
+    if (!info.isFile() || !file.open(QIODevice::ReadOnly))
+        return complain(QStringLiteral("cannot be read (%1)")
+                            .arg(info.isFile()  ? file.errorString()
+                                 : info.isDir() ? QStringLiteral("it is a folder")
+                                                : QStringLiteral("it is no file")));
+    if (file.size() > kLargestLessonBytes)
+        return complain(QStringLiteral("has %1; a lesson has at most %2")
+                            .arg(sizeWords(file.size()), sizeWords(kLargestLessonBytes)));
+    auto object = parseObject(file.read(kLargestLessonBytes + 1), name, faults);
+    if (object && object->value(kFormat).toDouble() > kLessonFormat) {
+        faults.push_back({name, kFormat, newerFormat(object->value(kFormat).toDouble()), true});
+        return std::nullopt;
+    }
+    return object;
+}
+
+}  // namespace lessons

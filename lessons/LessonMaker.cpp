@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/LessonMaker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+
+#include "core/base/NumberField.h"
+#include "core/drilling/Bur.h"
+#include "core/mesh/Placement.h"
+#include "core/preparation/CapturedIdeal.h"
+#include "core/preparation/ToothDesign.h"
+#include "core/teeth/ToothTable.h"
+#include "core/terrain/Grid.h"
+#include "lessons/Assignment.h"
+#include "lessons/JsonKeys.h"
+#include "lessons/RubricReader.h"
+
+namespace lessons {
+namespace {
+
+constexpr qint64 kLargestScanBytes = qint64{1} << 30;
+constexpr int kMostSteps = 40;
+constexpr int kMostPointsToTouch = 40;
+constexpr double kFarthestPointMm = 30.0;
+constexpr qint64 kLargestSeed = qint64{1} << 53;
+constexpr int kNewestVersion = 1'000'000;
+const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
+                         QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("tell_layers")};
+
+bool checkFormat(JsonKeys& keys)
+{
+    if (!keys.has("format")) {
+        keys.fault("format", QStringLiteral("is missing; write \"format\": %1").arg(kLessonFormat));
+        return false;
+    }
+    const qint64 format = keys.whole("format", 1, kNewestVersion, 0);
+    if (format > kLessonFormat)
+        keys.fault("format", newerFormat(static_cast<double>(format)));
+    return format == kLessonFormat;
+}
+
+/// SHA-256 of a file beside the lesson; empty, and a fault, if it cannot be read.
+std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!QFileInfo(path).isFile()) {
+        keys.fault(key, QStringLiteral("there is no file \"%1\" beside the lesson").arg(QFileInfo(path).fileName()));
+        return {};
+    }
+    if (QFileInfo(path).size() > kLargestScanBytes || !file.open(QIODevice::ReadOnly) || !hash.addData(&file)) {
+        keys.fault(key, QStringLiteral("\"%1\" cannot be read").arg(QFileInfo(path).fileName()));
+        return {};
+    }
+    return hash.result().toHex().toStdString();
+}
+
+/// Turns the whole object of a lesson into a Lesson.
+class LessonMaker
+{
+public:
+    LessonMaker(const QJsonObject& whole, const QString& file, JsonFiles* files, std::vector<Fault>& faults)
+        : m_whole(whole), m_file(file), m_files(files), m_faults(faults), m_keys(whole, file, {}, faults)
+    {}
+
+    Lesson make(const QString& rubricFile)
+    {
+        Lesson lesson;
+        static_cast<void>(m_keys.has("$schema"));  // editors look there
+        if (!checkFormat(m_keys))
+            return lesson;
+        lesson.id = takeId(m_keys);
+        lesson.version = static_cast<int>(m_keys.whole("version", 1, kNewestVersion, 1));
+        lesson.title = m_keys.local("title", true);
+        lesson.goal = m_keys.local("goal", true);
+        lesson.notModelled = m_keys.local("not_modelled", false);
+        if (!m_keys.has("task"))
+            m_keys.fault("task", QStringLiteral("is missing; there are %1").arg(kTasks.join(QStringLiteral(", "))));
+        lesson.task = static_cast<Task>(std::max(0, m_keys.choice("task", kTasks)));
+        takeTooth(lesson);
+        lesson.gridSide = static_cast<int>(m_keys.whole("grid", core::terrain::kMinGridSide,
+                                                        core::terrain::kMaxGridSide, core::terrain::kDefaultGridSide));
+        takeWork(lesson);
+        takeTools(lesson);
+        takeRules(lesson);
+        takeExpert(lesson);
+        m_keys.objects("steps", kMostSteps, [&](JsonKeys& step) {
+            lesson.steps.push_back({step.local("text", true), step.local("hint", false)});
+            step.nameTheRest();
+        });
+        lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);
+        lesson.exam = m_keys.flag("exam", false);
+        if (!m_keys.has("rubric"))
+            m_keys.fault("rubric", QStringLiteral("is missing"));
+        else if (m_keys.object("rubric"))
+            lesson.rubric = rubricFrom(m_whole.value(QStringLiteral("rubric")).toObject(), rubricFile,
+                                       rubricFile == m_file ? QStringLiteral("rubric") : QString(), m_faults);
+        m_keys.nameTheRest();
+        checkWhole(lesson);
+        lesson.json = QJsonDocument(m_whole).toJson(QJsonDocument::Compact).toStdString();
+        if (lesson.json.size() > static_cast<std::size_t>(kLargestLessonBytes))
+            m_keys.fault("",
+                         QStringLiteral("has %1 with all that it names; a recording takes at most %2 along. Shorten "
+                                        "its texts")
+                             .arg(sizeWords(static_cast<qint64>(lesson.json.size())), sizeWords(kLargestLessonBytes)));
+        lesson.hash = QCryptographicHash::hash(QByteArray::fromStdString(lesson.json), QCryptographicHash::Sha256)
+                          .toHex()
+                          .toStdString();
+        return lesson;
+    }
+
+private:
+    void takeTooth(Lesson& lesson)
+    {
+        auto tooth = m_keys.object("tooth");
+        if (!tooth) {
+            m_keys.fault("tooth", QStringLiteral("is missing; write {\"fdi\": 36}, {\"block\": \"line\"} or "
+                                                 "{\"scan\": \"tooth.stl\"}"));
+            return;
+        }
+        const int named = (tooth->has("block") ? 1 : 0) + (tooth->has("scan") ? 1 : 0);
+        if (named > 1 || (named == 0 && !tooth->has("fdi")))
+            tooth->fault("", QStringLiteral("must name one of \"fdi\", \"block\" and \"scan\""));
+        else if (tooth->has("block"))
+            lesson.tooth = takeBlock(*tooth);
+        else if (tooth->has("scan"))
+            lesson.tooth = takeScan(*tooth);
+        else
+            lesson.tooth = MadeTooth{fdiOf(*tooth), seedOf(*tooth)};
+        tooth->nameTheRest();
+    }
+
+    static Block takeBlock(JsonKeys& keys)
+    {
+        Block block{keys.neededText("block", 40), {}, {}};
+        if (keys.has("seed"))
+            block.seed = seedOf(keys);
+        block.sizes = sizesOf(keys, core::teeth::blockFields());
+        if (const auto design = designOf(block); !design)
+            keys.fault("block", QString::fromStdString(design.error().detail));
+        return block;
+    }
+
+    /// The numbers that a lesson sets otherwise than usual, each within its range.
+    template <class Design>
+    static std::map<std::string, double> sizesOf(JsonKeys& owner, std::span<const core::NumberField<Design>> fields)
+    {
+        std::map<std::string, double> sizes;
+        auto keys = owner.object("sizes");
+        if (!keys)
+            return sizes;
+        for (const core::NumberField<Design>& field : fields) {
+            const auto value = keys->number(field.id, field.minimum, field.maximum, field.unit);
+            if (value && field.whole && *value != std::floor(*value))
+                keys->fault(field.id, QStringLiteral("is %1, it must be a whole number").arg(*value));
+            else if (value)
+                sizes.emplace(field.id, *value);
+        }
+        keys->nameTheRest();
+        return sizes;
+    }
+
+    static std::uint64_t seedOf(JsonKeys& keys)
+    {
+        return static_cast<std::uint64_t>(keys.whole("seed", 0, kLargestSeed, 0));
+    }
+
+    static int fdiOf(JsonKeys& keys)
+    {
+        const int fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
+        if (fdi != 0 && !core::teeth::findToothSizes(fdi))
+            keys.fault("fdi",
+                       QStringLiteral("there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38")
+                           .arg(fdi));
+        return fdi;
+    }
+
+    Scan takeScan(JsonKeys& keys)
+    {
+        Scan scan;
+        const QString name = QString::fromStdString(keys.neededText("scan"));
+        scan.unit = keys.text("unit", 20);
+        scan.up = keys.text("up", 4);
+        scan.fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
+        if (!scan.unit.empty() && !core::mesh::parseUnit(scan.unit))
+            keys.fault("unit", QStringLiteral("\"%1\" is no unit; write mm, cm, m or the millimetres of one unit")
+                                   .arg(QString::fromStdString(scan.unit)));
+        if (!scan.up.empty() && !core::mesh::parseAxis(scan.up))
+            keys.fault("up", QStringLiteral("\"%1\" is no direction; write +x, -x, +y, -y, +z or -z")
+                                 .arg(QString::fromStdString(scan.up)));
+        takeFile(keys, "scan", QStringLiteral("tooth"), name, scan.file, scan.hash);
+        return scan;
+    }
+
+    /// Where a file that the lesson names lies, and its hash, which goes into the lesson's own.
+    void takeFile(JsonKeys& keys, const char* key, const QString& parent, const QString& name, std::string& path,
+                  std::string& hash)
+    {
+        if (m_files == nullptr) {
+            path = name.toStdString();
+            hash = keys.text("content", 64);
+            return;
+        }
+        static_cast<void>(keys.has("content"));
+        const QString found = m_files->find(m_file, keys.pathOf(QLatin1String(key)), name);
+        if (found.isEmpty())
+            return;
+        m_files->note(found);
+        path = QFileInfo(found).absoluteFilePath().toStdString();
+        hash = hashOf(found, keys, key);
+        putInto(parent, QStringLiteral("content"), QString::fromStdString(hash));
+    }
+
+    void putInto(const QString& parent, const QString& key, const QString& text)
+    {
+        QJsonObject owner = m_whole.value(parent).toObject();
+        owner.insert(key, text);
+        m_whole.insert(parent, owner);
+    }
+
+    Ideal takeIdeal(JsonKeys& keys)
+    {
+        Ideal asked;
+        const bool isCaptured = keys.has("captured");
+        if (isCaptured && (keys.has("kind") || keys.has("sizes")))
+            keys.fault(
+                "captured",
+                QStringLiteral("an ideal is captured, or has a kind and sizes; leave one out (where the lesson is "
+                               "based on another, with \"kind\": null, \"sizes\": null)"));
+        else if (isCaptured)
+            asked.captured = takeCaptured(keys);
+        else if (!keys.has("kind"))
+            keys.fault("kind", QStringLiteral("is missing; name the preparation, or a file \"captured\""));
+        else
+            asked.kind = keys.neededText("kind", 40);
+        for (const char* const ours : {"sizes", "content", "data"})
+            static_cast<void>(keys.has(ours));
+        if (const auto kind = core::preparation::findKind(asked.kind); kind) {
+            const auto fields = core::preparation::fieldsOf(*kind);
+            asked.sizes = sizesOf(keys, std::span(fields));
+        } else if (!asked.kind.empty()) {
+            keys.fault("kind", QString::fromStdString(kind.error().detail));
+        }
+        keys.nameTheRest();
+        return asked;
+    }
+
+    /// The file goes into the text of the lesson, so that a recording can be marked again wherever it is.
+    Captured takeCaptured(JsonKeys& keys)
+    {
+        Captured captured;
+        const QString name = QString::fromStdString(keys.neededText("captured"));
+        takeFile(keys, "captured", QStringLiteral("ideal"), name, captured.file, captured.hash);
+        if (captured.file.empty() || captured.hash.empty())
+            return captured;
+        if (m_files == nullptr) {
+            const QByteArray data = QByteArray::fromStdString(keys.text("data", kLargestLessonBytes));
+            captured.bytes = QByteArray::fromBase64(data).toStdString();
+        } else {
+            QFile file(QString::fromStdString(captured.file));
+            if (file.size() > kLargestIdealBytes) {
+                keys.fault("captured",
+                           QStringLiteral("\"%1\" has %2; a lesson takes at most %3. Capture it on a coarser "
+                                          "grid")
+                               .arg(name, sizeWords(file.size()), sizeWords(kLargestIdealBytes)));
+                return captured;
+            }
+            const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+            captured.bytes = bytes.toStdString();
+            putInto(QStringLiteral("ideal"), QStringLiteral("data"), QString::fromLatin1(bytes.toBase64()));
+        }
+        if (const auto ideal = core::preparation::capturedFrom(captured.bytes); !ideal)
+            keys.fault("captured",
+                       QStringLiteral("\"%1\": %2").arg(name, QString::fromStdString(ideal.error().detail)));
+        return captured;
+    }
+
+    void takeWork(Lesson& lesson)
+    {
+        if (auto lesion = m_keys.object("lesion")) {
+            lesson.lesion = Lesion{lesion->number("extent", 0.0, 1.0, "", 0.5)};
+            lesion->nameTheRest();
+        }
+        if (auto ideal = m_keys.object("ideal"))
+            lesson.ideal = takeIdeal(*ideal);
+        if (auto leeway = m_keys.object("leeway")) {
+            lesson.leeway = LeewayZone{leeway->number("sides_mm", 0.0, 3.0, "mm", 0.3),
+                                       leeway->number("bottom_mm", 0.0, 3.0, "mm", 0.3)};
+            leeway->nameTheRest();
+        }
+        if (auto touch = m_keys.object("touch")) {
+            lesson.touch.emplace();
+            lesson.touch->pointsMm = touch->places("points", kMostPointsToTouch, kFarthestPointMm);
+            lesson.touch->reachMm = touch->number("reach_mm", 0.1, 3.0, "mm", lesson.touch->reachMm);
+            touch->nameTheRest();
+        }
+        if (auto hold = m_keys.object("hold")) {
+            lesson.hold.emplace();
+            lesson.hold->forceN = hold->number("force_n", 0.2, 5.0, "N", lesson.hold->forceN);
+            lesson.hold->withinN = hold->number("within_n", 0.02, 2.0, "N", lesson.hold->withinN);
+            lesson.hold->seconds = hold->number("seconds", 1.0, 120.0, "s", lesson.hold->seconds);
+            hold->nameTheRest();
+        }
+    }
+
+    /// "natural", or one of those with other figures for some of its materials.
+    void takeHardness(Lesson& lesson)
+    {
+        if (m_whole.value(QStringLiteral("hardness")).isString()) {
+            const std::string name = m_keys.text("hardness");
+            if (const auto known = core::settings::findHardnessPreset(name))
+                lesson.hardness = *known;
+            else
+                m_keys.fault("hardness", QString::fromStdString(known.error().detail));
+            return;
+        }
+        auto keys = m_keys.object("hardness");
+        if (!keys)
+            return;
+        const std::string base = keys->has("like") ? keys->text("like") : lesson.hardness.name;
+        if (const auto known = core::settings::findHardnessPreset(base))
+            lesson.hardness = *known;
+        else
+            keys->fault("like", QString::fromStdString(known.error().detail));
+        lesson.hardness.name = keys->neededText("name", 60);
+        static constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin",
+                                                                                           "pulp"};
+        for (std::size_t m = 0; m < kMaterials.size(); ++m) {
+            auto material = keys->object(kMaterials[m]);
+            if (!material)
+                continue;
+            core::settings::MaterialHardness& hardness = lesson.hardness.material[m];
+            hardness.rateMm3PerNs =
+                material->number("rate_mm3_per_ns", core::settings::kMinRateMm3PerNs, core::settings::kMaxRateMm3PerNs,
+                                 "mm³/(N s)", hardness.rateMm3PerNs);
+            hardness.thresholdN =
+                material->number("threshold_n", 0.0, core::settings::kMaxThresholdN, "N", hardness.thresholdN);
+            material->nameTheRest();
+        }
+        lesson.hardness.axialShare = keys->number("axial_share", 0.01, 1.0, "", lesson.hardness.axialShare);
+        keys->nameTheRest();
+    }
+
+    void takeTools(Lesson& lesson)
+    {
+        takeHardness(lesson);
+        lesson.breakOff = m_keys.flag("breaks_off", lesson.breakOff);
+        for (const QString& name : m_keys.names("handpieces")) {
+            const auto known = core::settings::findHandpiece(name.toStdString());
+            if (!known)
+                m_keys.fault("handpieces", QString::fromStdString(known.error().detail));
+            else if (std::find(lesson.handpieces.begin(), lesson.handpieces.end(), *known) == lesson.handpieces.end())
+                lesson.handpieces.push_back(*known);
+        }
+        for (const QString& bur : m_keys.names("burs")) {
+            if (const auto known = core::drilling::findBur(bur.toStdString()); !known)
+                m_keys.fault("burs", QString::fromStdString(known.error().detail));
+            lesson.burs.push_back(bur.toStdString());
+        }
+        const bool isUnseen = lesson.task == Task::TellLayers;
+        if (isUnseen || m_keys.has("aids"))
+            lesson.aids = Aids::none();
+        for (const QString& name : m_keys.names("aids")) {
+            if (bool* const aid = aidNamed(lesson.aids, name))
+                *aid = true;
+            else
+                m_keys.fault("aids", QStringLiteral("\"%1\" is no aid; there are section, depth_gauge, radiograph, "
+                                                    "heat_map, mirror, ideal, bur_colour, fixture")
+                                         .arg(name.left(40)));
+        }
+    }
+
+    static bool* aidNamed(Aids& aids, const QString& name)
+    {
+        const std::pair<const char*, bool*> known[] = {
+            {"section", &aids.section},      {"depth_gauge", &aids.depthGauge}, {"radiograph", &aids.radiograph},
+            {"heat_map", &aids.heatMap},     {"mirror", &aids.mirror},          {"ideal", &aids.ideal},
+            {"bur_colour", &aids.burColour}, {"fixture", &aids.fixture}};
+        for (const auto& [id, aid] : known)
+            if (name == QLatin1String(id))
+                return aid;
+        return nullptr;
+    }
+
+    void takeExpert(Lesson& lesson)
+    {
+        auto keys = m_keys.object("expert");
+        if (!keys)
+            return;
+        Expert expert;
+        const QString name = QString::fromStdString(keys->neededText("recording"));
+        takeFile(*keys, "recording", QStringLiteral("expert"), name, expert.file, expert.hash);
+        lesson.expert = expert;
+        keys->nameTheRest();
+    }
+
+    void takeRules(Lesson& lesson)
+    {
+        auto rules = m_keys.object("rules");
+        if (!rules)
+            return;
+        Rules& set = lesson.rules;
+        set.pulpExposed = rules->flag("pulp_exposed", set.pulpExposed);
+        set.perforated = rules->flag("perforated", set.perforated);
+        set.neighbourHit = rules->flag("neighbour_hit", set.neighbourHit);
+        if (set.neighbourHit && !std::holds_alternative<MadeTooth>(lesson.tooth))
+            rules->fault("neighbour_hit", QStringLiteral("only a tooth of ours has neighbours; write false"));
+        set.depthLimitMm = rules->number("depth_limit_mm", 0.1, 10.0, "mm");
+        set.ridgeLimitMm = rules->number("ridge_limit_mm", 0.1, 5.0, "mm");
+        set.besideMm = rules->number("beside_mm", 0.0, 10.0, "mm");
+        set.forceLimitN = rules->number("force_limit_n", 0.1, 10.0, "N");
+        set.airLimitS = rules->number("air_limit_s", 1.0, 600.0, "s");
+        rules->nameTheRest();
+    }
+
+    /// What no single key tells.
+    void checkWhole(const Lesson& lesson)
+    {
+        const bool isBlock = std::holds_alternative<Block>(lesson.tooth);
+        if (lesson.task == Task::RemoveDecay && (isBlock || !lesson.lesion || lesson.lesion->extent <= 0.0))
+            m_keys.fault("lesion",
+                         QStringLiteral("to remove decay there must be some: write \"lesion\": {\"extent\": 0.5} for a "
+                                        "tooth"));
+        if (lesson.task == Task::CutIdeal && !lesson.ideal)
+            m_keys.fault("ideal", QStringLiteral("is missing; it says which preparation is to be cut"));
+        else if (lesson.task == Task::CutIdeal)
+            checkKind(lesson);
+        if (lesson.task == Task::TraceShape && !isBlock)
+            m_keys.fault("tooth", QStringLiteral("a shape is traced in a block: write {\"block\": \"line\"}"));
+        if (lesson.task == Task::TouchPoints && !lesson.touch)
+            m_keys.fault("touch", QStringLiteral("is missing; it says which points are to be touched: {\"points\": "
+                                                 "[[x, y], ...]}"));
+        if (lesson.task == Task::HoldForce && !lesson.hold)
+            m_keys.fault("hold", QStringLiteral("is missing; it says which force is to be held: {\"force_n\": 1}"));
+        if (lesson.task == Task::TellLayers && (!isBlock || std::get<Block>(lesson.tooth).shape != "layers"))
+            m_keys.fault("tooth", QStringLiteral("layers are told apart in a block of them: write {\"block\": "
+                                                 "\"layers\"}"));
+        if (lesson.task == Task::TellLayers && lesson.aids != Aids::none())
+            m_keys.fault("aids", QStringLiteral("layers are told apart without any; leave the key out"));
+    }
+
+    /// Whether this ideal can be made on this tooth.
+    void checkKind(const Lesson& lesson)
+    {
+        const auto kind = core::preparation::findKind(lesson.ideal->kind);
+        if (!kind)
+            return;
+        const auto* const made = std::get_if<MadeTooth>(&lesson.tooth);
+        if (made == nullptr)
+            m_keys.fault("ideal", QStringLiteral("is made by rule for a tooth of ours only, \"tooth\": {\"fdi\": 36}; "
+                                                 "for a scan name a captured one: {\"captured\": \"mine.cuspideal\"}"));
+        else if (const auto usual = core::preparation::usualDesign(*kind, made->fdi); !usual && made->fdi != 0)
+            m_keys.fault("ideal.kind", QString::fromStdString(usual.error().detail));
+    }
+
+    QJsonObject m_whole;
+    QString m_file;
+    JsonFiles* m_files;
+    std::vector<Fault>& m_faults;
+    JsonKeys m_keys;
+};
+
+}  // namespace
+
+Lesson lessonFrom(const QJsonObject& whole, const QString& file, const QString& rubricFile, JsonFiles* files,
+                  std::vector<Fault>& faults)
+{
+    return LessonMaker(whole, file, files, faults).make(rubricFile);
+}
+
+}  // namespace lessons
