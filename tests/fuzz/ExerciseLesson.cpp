@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "lessons/JsonFiles.h"
 #include "lessons/LessonPack.h"
 #include "lessons/LessonReader.h"
 

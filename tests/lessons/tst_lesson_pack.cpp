@@ -39,7 +39,6 @@ private slots:
     void anExpertsRecordingGoesAlong();
     void corpusOfTheFuzzerIsHarmless();
     void aPackInTheFolderIsOffered();
-    void anExpertsRecordingGoesAlong();
     void whatWasUnpackedStandsForThePack();
     void aFaultNamesThePack();
     void theCacheIsNotTrusted();
@@ -327,21 +326,6 @@ void TestLessonPack::aPackInTheFolderIsOffered()
     // Unpacked beside its pack, it is there once.
     QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
     QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
-}
-
-void TestLessonPack::anExpertsRecordingGoesAlong()
-{
-    QJsonObject object = lesson();
-    object["ideal"] = QJsonObject{{"kind", "class1"}};
-    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
-    write("expert.cusprec", QByteArray("an attempt"));
-    const auto bytes = packLessons({write("own.lesson.json", object)});
-    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
-    QTemporaryDir elsewhere;
-    QVERIFY(putInto(elsewhere.path(), *unpackLessons(*bytes)));
-    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
-    QVERIFY2(there.lesson && QFile::exists(QString::fromStdString(there.lesson->expert->file)),
-             qPrintable(sentences(there)));
 }
 
 void TestLessonPack::whatWasUnpackedStandsForThePack()

@@ -74,6 +74,15 @@ Faulty faulty(const std::string& id)
     return made;
 }
 
+core::grading::Process conducted()
+{
+    core::grading::Process process;
+    process.totalS = 133.0;
+    process.cuttingS = 62.0;
+    process.undos = 3;
+    return process;
+}
+
 /// Each criterion's loss in five parts, the first never earned.
 std::vector<std::vector<Moment>> parts(const lessons::ScoreSheet& sheet)
 {
@@ -268,7 +277,7 @@ void TestScorePage::breachesLeadToTheirMoments()
     show(made);
     auto* facts = m_page->findChild<QLabel*>("conduct");
     QVERIFY(!facts->isVisible());  // nobody saw how it came about
-    made.work.measured.process = core::grading::Process{.totalS = 133.0, .cuttingS = 62.0, .undos = 3};
+    made.work.measured.process = conducted();
     show(made);
     QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("no breach"));
     QVERIFY2(facts->text().contains("2:13") && facts->text().contains("1:02") && facts->text().contains("3 steps") &&
@@ -364,7 +373,7 @@ void TestScorePage::theFirstViewNeedsNoScrolling()
     m_window->resize(size);
     m_page->resize(size);
     Faulty made = faulty(lesson.toStdString());
-    made.work.measured.process = core::grading::Process{.totalS = 133.0, .cuttingS = 62.0, .undos = 3};
+    made.work.measured.process = conducted();
     made.work.aids = core::session::kSectionAid | core::session::kIdealAid | core::session::kRadiographAid;
     for (int n = 0; n < 9; ++n)
         made.work.infractions.push_back({core::grading::Breach::BurInAir, 1000ULL * n, 20.0 * n, {}, 0, 20});

@@ -24,6 +24,7 @@
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/study/LessonsPage.h"
+#include "ui/study/Expectation.h"
 #include "ui/study/ScoredWork.h"
 #include "ui/study/ToleranceSweep.h"
 #include "ui/text/Texts.h"
