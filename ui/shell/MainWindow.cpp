@@ -141,7 +141,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         emit takeBackWanted(m_infractionTick);
         workOn();
     });
-    connect(m_exerciseCard, &study::ExerciseCard::changed, this, &MainWindow::placeOverlays);
+    m_room->setExercise(m_exerciseCard);
     connect(m_exerciseCard, &study::ExerciseCard::answered, this,
             [this](std::size_t pad, core::terrain::Material said) {
                 send(core::session::AddNote{core::grading::answerNote(pad, said)});
@@ -224,7 +224,11 @@ void MainWindow::connectActions()
     });
     on(m_actions->reload, [this] {
         goTo(m_room);
-        if (send(core::session::Reload{}))
+        m_isGraded = false;
+        if (m_exerciseCard->isVisibleTo(m_room)) {
+            emit exerciseAgainWanted();
+            showMessage(tr("The exercise begins anew."));
+        } else if (send(core::session::Reload{}))
             m_messages->say(
                 {MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
                      send(core::session::Undo{});
@@ -677,7 +681,8 @@ void MainWindow::tellAids()
     const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
     const std::uint8_t aids = static_cast<std::uint8_t>(
         inUse(m_actions->section->isChecked(), kSectionAid) |
-        inUse(m_aids.depthGauge && m_actions->panel->isChecked(), kDepthGaugeAid) |
+        inUse(m_aids.depthGauge && m_actions->panel->isChecked() && !(m_assignment && m_assignment->exercise),
+              kDepthGaugeAid) |
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
         inUse(m_actions->mirror->isChecked(), kMirrorAid) |
@@ -862,7 +867,6 @@ void MainWindow::placeOverlays()
     const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
-    m_exerciseCard->placeIn(area);
     m_messages->placeIn(area);
     m_busy->placeIn(area);
 }
@@ -968,6 +972,7 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
                            std::optional<int> expectedTenths, const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
+    m_isGraded = true;
     if (m_exerciseCard->isVisibleTo(m_room)) {
         m_exerciseCard->conclude();
         markExercise();
@@ -1012,8 +1017,12 @@ QString MainWindow::workTitle() const
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
+    m_isGraded = false;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
-    m_room->panel().setAsked(!assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay);
+    m_room->panel().setAsked(assignment.exercise ? SidePanel::Asked::Nothing
+                             : !assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay
+                                 ? SidePanel::Asked::Decay
+                                 : SidePanel::Asked::Ideal);
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);

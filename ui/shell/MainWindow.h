@@ -144,6 +144,8 @@ public slots:
 signals:
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
+    /// The exercise on the table is to begin anew, with nothing done.
+    void exerciseAgainWanted();
     /// The tooth is to be put back to before this tick of the attempt.
     void takeBackWanted(std::uint64_t tick);
     /// The page of lessons opens: what it shows is to be brought up to date.
@@ -297,6 +299,7 @@ private:
     bool m_drillWasOn = false;           ///< before an exercise for which it rests
     bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
+    bool m_isGraded = false;             ///< the student's work has been, as it stood
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;

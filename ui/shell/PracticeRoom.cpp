@@ -56,8 +56,11 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
 
     m_middle = new QHBoxLayout;
     m_middle->setSpacing(1);
+    m_viewColumn = new QVBoxLayout;
+    m_viewColumn->setSpacing(1);
+    m_viewColumn->addWidget(view, 1);
     m_middle->addWidget(m_section);
-    m_middle->addWidget(view, 1);
+    m_middle->addLayout(m_viewColumn, 1);
     m_middle->addWidget(m_panel);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -90,13 +93,18 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     }
 }
 
+void PracticeRoom::setExercise(QWidget* card)
+{
+    m_viewColumn->addWidget(card);
+}
+
 void PracticeRoom::setBeside(QWidget* view, const QString& name, const QString& ours)
 {
     if (m_beside != nullptr)
         m_beside->removeEventFilter(this);
     m_beside = view;
     if (view != nullptr) {
-        m_middle->insertWidget(m_middle->indexOf(m_view) + 1, view, 1);
+        m_middle->insertWidget(m_middle->indexOf(m_viewColumn) + 1, view, 1);
         view->installEventFilter(this);
         view->show();
     }

@@ -8,6 +8,7 @@ class QFrame;
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
+class QVBoxLayout;
 
 namespace ui::inside {
 class SectionView;
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] replay::ReplayBar& replay() { return *m_replay; }
     /// Over the tooth; hidden until it is wanted.
     [[nodiscard]] replay::HistoryPanel& history() { return *m_history; }
+    /// Has its place beneath the tooth while it is visible.
+    void setExercise(QWidget* card);
     /// Shows another tooth to the right of ours, each with its name above it; null: none, and no names.
     void setBeside(QWidget* view, const QString& name = {}, const QString& ours = {});
     /// @param title  "Tooth 36", or the file
@@ -87,6 +90,7 @@ private:
     QLabel* m_name = nullptr;
     QToolButton* m_saveReference = nullptr;
     QHBoxLayout* m_middle = nullptr;
+    QVBoxLayout* m_viewColumn = nullptr;
     QWidget* m_beside = nullptr;
     QLabel* m_besideName = nullptr;  ///< above the tooth beside
     QLabel* m_ourName = nullptr;     ///< above ours, while there is one beside

@@ -126,9 +126,11 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     volumes->addSpacing(kSpace1);
     column->addWidget(m_removedBlock);
     const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
-        auto* row = new QHBoxLayout;
+        auto* block = new QWidget(m_removedBlock);
+        auto* row = new QHBoxLayout(block);
+        row->setContentsMargins(0, 0, 0, 0);
         row->setSpacing(kSpace2);
-        auto* value = new TabularLabel(content);
+        auto* value = new TabularLabel(block);
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
         value->setObjectName(QString::fromLatin1(objectName));
@@ -136,7 +138,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
         row->addWidget(words);
         row->addStretch(1);
         row->addWidget(value);
-        volumes->addLayout(row);
+        volumes->addWidget(block);
         return value;
     };
     const auto addMaterial = [&](Material material, const char* objectName) {
@@ -151,9 +153,10 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     addMaterial(Material::Dentin, "dentinRemoved");
     auto* indent = new QWidget(content);
     indent->setFixedWidth(kSwatchPx);
-    //: Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
+    // Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
     m_overcutWords = quietLabel({}, content);
     m_overcut = addVolume(indent, m_overcutWords, "overcut");
+    m_overcutRow = m_overcut->parentWidget();
     addMaterial(Material::Pulp, "pulpRemoved")
         ->setToolTip(
             brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
@@ -202,8 +205,7 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     fill->addWidget(new ScrollPane(content, QPalette::Base, this));
 
     setPushForce(1.0);
-    setAsked(true);
-    setGuide({}, {});
+    setAsked(Asked::Decay);
     setFigures({}, {}, {});
 }
 
@@ -245,16 +247,24 @@ void SidePanel::setColours(render::Palette colours)
 void SidePanel::setDepthGauge(bool shown)
 {
     m_depthGauge = shown;
-    setBlindfold(m_blindfold);
+    showFigures();
 }
 
 void SidePanel::setBlindfold(bool on)
 {
     m_blindfold = on;
-    for (QWidget* telling : {m_material.block, m_decay.block, m_margin.block, m_removedBlock})
-        telling->setVisible(!on);
+    showFigures();
+}
+
+/// Those that may be told, and that mean something.
+void SidePanel::showFigures()
+{
+    for (QWidget* telling : {m_material.block, m_removedBlock})
+        telling->setVisible(!m_blindfold);
     for (QWidget* depth : {m_depth.block, m_dentin.block})
-        depth->setVisible(m_depthGauge && !on);
+        depth->setVisible(m_depthGauge && m_asked != Asked::Nothing && !m_blindfold);
+    for (QWidget* aim : {m_decay.block, m_margin.block, m_overcutRow})
+        aim->setVisible(m_asked != Asked::Nothing && !m_blindfold);
 }
 
 void SidePanel::setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
@@ -305,7 +315,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 
     const double decay = session.wholeMm3.at(at(Material::Caries));
-    if (!m_isDecay) {
+    if (m_asked != Asked::Decay) {
         // setGuide() tells
     } else if (decay > 0.0) {
         const double left = 100.0 * std::max(0.0, decay - session.removedMm3.at(at(Material::Caries))) / decay;
@@ -320,7 +330,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
         value->setText(text::number(removed, 2), QStringLiteral("mm³"));
         value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
     }
-    if (m_isDecay)
+    if (m_asked == Asked::Decay)
         m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 
     // The figure tells of a clamped force; a sentence would come and go many times a second.
@@ -337,14 +347,16 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     }
 }
 
-void SidePanel::setAsked(bool isDecay)
+void SidePanel::setAsked(Asked asked)
 {
-    m_isDecay = isDecay;
+    m_asked = asked;
+    const bool isDecay = asked == Asked::Decay;
     //: Of what is to be taken away: decay, or the preparation that is asked for
     m_decay.caption = isDecay ? tr("Decay left") : tr("Still to cut");
     m_decay.words->setText(m_decay.caption);
     m_overcutWords->setText(isDecay ? tr("beside the decay") : tr("beyond the ideal"));
     m_overcut->setToolTip(isDecay ? brokenIntoLines(text::soundTissueCounted()) : QString());
+    showFigures();
     setGuide({}, {});
 }
 
@@ -360,7 +372,7 @@ void SidePanel::setGuide(const std::optional<double>& marginMm, const std::optio
                                                     : QColor());
     else
         setFigure(m_margin, dash(), mm, quiet);
-    if (m_isDecay)
+    if (m_asked == Asked::Decay)
         return;
     if (progress && progress->askedMm3 > 0.0) {
         const double left = 100.0 * progress->leftMm3 / progress->askedMm3;

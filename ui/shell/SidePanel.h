@@ -33,8 +33,9 @@ public:
     /// Takes the newest figures. Call as often as frames come; words change at a pace that can be read.
     void setFigures(const core::session::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
-    /// What is asked for: decay to come out, or a preparation to be cut.
-    void setAsked(bool isDecay);
+    /// What is asked for: decay to come out, a preparation to be cut, or nothing that is cut.
+    enum class Asked { Decay, Ideal, Nothing };
+    void setAsked(Asked asked);
     /// How near the bur is to what is to be kept, and how far the work has come against the ideal; nothing where it is
     /// not to be told.
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
@@ -53,6 +54,7 @@ signals:
     void pushForceChosen(double newtons);
 
 private:
+    void showFigures();
     struct Figure
     {
         QWidget* block;
@@ -72,12 +74,13 @@ private:
     Figure m_decay{};
     Figure m_margin{};
     QLabel* m_overcutWords = nullptr;
-    bool m_isDecay = true;
+    Asked m_asked = Asked::Decay;
     MaterialSwatch* m_swatch = nullptr;
     ForceBar* m_forceBar = nullptr;
     std::array<TabularLabel*, core::terrain::kMaterialCount> m_removed{};
     TabularLabel* m_rpm = nullptr;
     TabularLabel* m_overcut = nullptr;
+    QWidget* m_overcutRow = nullptr;
     QLabel* m_health = nullptr;
     QWidget* m_removedBlock = nullptr;
     bool m_depthGauge = true;

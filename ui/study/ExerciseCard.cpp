@@ -2,20 +2,19 @@
 #include "ui/study/ExerciseCard.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include <QAction>
 #include <QButtonGroup>
 #include <QCoreApplication>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
+#include "ui/shell/Announce.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/HoldGauge.h"
@@ -28,7 +27,8 @@ using namespace ui::shell;
 using namespace core::grading;
 using core::terrain::Material;
 
-constexpr int kWidthPx = 460;
+constexpr int kWidestPx = 760;
+constexpr int kNarrowWordsPx = 150;
 constexpr std::array kTissues{Material::Enamel, Material::Dentin, Material::Caries};
 
 int idOf(Material material)
@@ -48,33 +48,39 @@ QString padName(std::size_t pad)
 
 ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
 {
-    setProperty("kind", "card");
+    setProperty("kind", "bar");
     setObjectName(QStringLiteral("exerciseCard"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
-    column->setSpacing(kSpace2);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(kSpace4);
+    auto* block = new QWidget(this);
+    block->setMaximumWidth(kWidestPx);
+    auto* outer = new QHBoxLayout(this);
+    outer->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
+    outer->addWidget(block, 1000);
+    outer->addStretch(1);
+    auto* row = new QHBoxLayout(block);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpace4);
     auto* words = new QVBoxLayout;
-    words->setSpacing(0);
-    m_title = new QLabel(this);
+    words->setSpacing(kSpace1);
+    m_title = new QLabel(block);
     m_title->setFont(typeface(kTitle, QFont::DemiBold));
-    m_title->setWordWrap(true);
     m_title->setObjectName(QStringLiteral("exerciseTitle"));
-    m_advice = new QLabel(this);
-    m_advice->setWordWrap(true);
+    m_advice = new QLabel(block);
     m_advice->setObjectName(QStringLiteral("exerciseAdvice"));
-    words->addWidget(m_title);
-    words->addWidget(m_advice);
-    head->addLayout(words, 1);
-    m_grade = pageButton(grade, "filled", this);
+    words->addStretch(1);
+    for (QLabel* line : {m_title, m_advice}) {
+        line->setWordWrap(true);
+        line->setMinimumWidth(kNarrowWordsPx);
+        words->addWidget(line);
+    }
+    m_grade = pageButton(grade, "filled", block);
     m_grade->setObjectName(QStringLiteral("exerciseGrade"));
-    head->addWidget(m_grade, 0, Qt::AlignVCenter);
+    words->addWidget(m_grade, 0, Qt::AlignLeft);
+    words->addStretch(1);
+    row->addLayout(words, 1);
     m_hold = makeHold();
     m_choices = makeChoices();
-    column->addLayout(head);
-    column->addWidget(m_hold);
-    column->addWidget(m_choices);
+    row->addWidget(m_hold, 1);
+    row->addWidget(m_choices);
     hide();
 }
 
@@ -103,15 +109,22 @@ QWidget* ExerciseCard::makeHold()
 QWidget* ExerciseCard::makeChoices()
 {
     auto* whole = new QWidget(this);
-    auto* grid = new QGridLayout(whole);
-    grid->setContentsMargins(0, kSpace1, 0, 0);
-    grid->setHorizontalSpacing(kSpace2);
-    grid->setVerticalSpacing(kSpace1);
+    auto* names = new QVBoxLayout;
+    auto* rows = new QVBoxLayout;
+    auto* both = new QHBoxLayout(whole);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->setSpacing(kSpace2);
+    both->addLayout(names);
+    both->addLayout(rows);
+    for (QVBoxLayout* column : {names, rows})
+        column->setSpacing(kSpace1);
     for (std::size_t pad = 0; pad < kPads; ++pad) {
-        const int row = static_cast<int>(pad);
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace2);
+        rows->addLayout(row);
         auto* name = new QLabel(padName(pad), whole);
         name->setFont(typeface(kBody, QFont::Medium));
-        grid->addWidget(name, row, 0);
+        names->addWidget(name);
         m_pads[pad] = new QButtonGroup(whole);
         for (std::size_t k = 0; k < kTissues.size(); ++k) {
             const QString tissue = text::capitalised(text::materialName(kTissues[k]));
@@ -126,13 +139,12 @@ QWidget* ExerciseCard::makeChoices()
             choice->setToolTip(tr("Say that this pad is made of this; you can change it until you are graded"));
             choice->setObjectName(QStringLiteral("pad%1%2").arg(pad).arg(idOf(kTissues[k])));
             m_pads[pad]->addButton(choice, idOf(kTissues[k]));
-            grid->addWidget(choice, row, 1 + static_cast<int>(k));
-            grid->setColumnStretch(1 + static_cast<int>(k), 1);
+            row->addWidget(choice, 1);
         }
         m_truth[pad] = new QLabel(whole);
         m_truth[pad]->setFont(typeface(kBody, QFont::Medium));
         m_truth[pad]->setObjectName(QStringLiteral("padTruth%1").arg(pad));
-        grid->addWidget(m_truth[pad], row, 4);
+        row->addWidget(m_truth[pad], 1);
         connect(m_pads[pad], &QButtonGroup::idClicked, this, [this, pad](int tissue) {
             m_hasChosen = true;
             std::get<Named>(m_practised).saidToBe[pad] = static_cast<Material>(tissue);
@@ -164,6 +176,7 @@ void ExerciseCard::begin(const Exercise& exercise)
         for (QAbstractButton* choice : m_pads[pad]->buttons()) {
             choice->setChecked(false);
             choice->setEnabled(true);
+            choice->show();
         }
         m_pads[pad]->setExclusive(true);
     }
@@ -201,11 +214,15 @@ void ExerciseCard::setServo(const core::session::ServoState& servo)
 void ExerciseCard::conclude()
 {
     m_isConcluded = true;
+    int widest = 0;
     if (const auto* pads = std::get_if<PadsToName>(&m_exercise)) {
         const Tones tone = tones(palette());
         for (std::size_t pad = 0; pad < kPads; ++pad) {
-            for (QAbstractButton* choice : m_pads[pad]->buttons())
+            // What was not said makes room for what is true.
+            for (QAbstractButton* choice : m_pads[pad]->buttons()) {
                 choice->setEnabled(false);
+                choice->setVisible(choice->isChecked());
+            }
             const bool isRight = std::get<Named>(m_practised).saidToBe[pad] == pads->madeOf[pad];
             const QString tissue = text::materialName(pads->madeOf[pad]);
             //: Beside what the student took a pad for; %1 is the tissue that it is
@@ -214,7 +231,10 @@ void ExerciseCard::conclude()
             colours.setColor(QPalette::WindowText, isRight ? palette().color(QPalette::Link) : tone.attentionText);
             m_truth[pad]->setPalette(colours);
             m_truth[pad]->show();
+            widest = std::max(widest, m_truth[pad]->sizeHint().width());
         }
+        for (QLabel* truth : m_truth)
+            truth->setMinimumWidth(widest);
     }
     showProgress();
 }
@@ -244,7 +264,10 @@ void ExerciseCard::showProgress()
                                        : tr("What is each pad made of?"));
     }
     m_grade->setVisible(isAllDone && !m_isConcluded);
-    setAccessibleName(m_title->text());
+    if (accessibleName() != m_title->text()) {
+        setAccessibleName(m_title->text());
+        announce(*m_title);
+    }
     showAdvice();
 }
 
@@ -276,15 +299,6 @@ void ExerciseCard::showAdvice()
     colours.setColor(QPalette::WindowText, mustChange && !m_isConcluded ? tones(palette()).attentionText
                                                                         : palette().color(QPalette::PlaceholderText));
     m_advice->setPalette(colours);
-    emit changed();
-}
-
-void ExerciseCard::placeIn(const QRect& area)
-{
-    const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
-    layout()->activate();  // words that have just changed may take another line
-    resize(width, layout()->totalHeightForWidth(width));
-    move(area.center().x() - width / 2, area.bottom() - kSpace2 - height());
 }
 
 }  // namespace ui::study

@@ -21,8 +21,9 @@ namespace ui::study {
 
 class HoldGauge;
 
-/// Over the tooth while an exercise of the first minutes goes on: how far it has come, the force against its band, or
-/// the choice of a tissue for each pad. When all is done it says so and offers the grade.
+/// Beneath the tooth while an exercise of the first minutes goes on: how far it has come, the force against its band,
+/// or the choice of a tissue for each pad. When all is done it says so and offers the grade. Low and wide, so that the
+/// tooth keeps its room.
 class ExerciseCard final : public QFrame
 {
     Q_OBJECT
@@ -39,13 +40,9 @@ public:
     /// It has been graded: choices rest, and the right ones are told.
     void conclude();
     [[nodiscard]] bool isConcluded() const { return m_isConcluded; }
-    /// In the middle of the lower part of `area`.
-    void placeIn(const QRect& area);
 
 signals:
     void answered(std::size_t pad, core::terrain::Material said);
-    /// Its height is another one.
-    void changed();
 
 private:
     QWidget* makeHold();
