@@ -110,6 +110,11 @@ private slots:
     void aBreachStopsTheBurAndIsExplained();
     void whatALessonLocksRests();
     void whatIsToBeFeltIsNotShown();
+    void anExerciseHasNoFiguresOfACut();
+    void theCardOfAnExerciseLeavesTheToothItsRoom();
+    void anExamTellsNothingByAReplay();
+    void aLessonsTimeEndsWithTheLesson();
+    void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void spaceOnAFocusedButtonPressesIt();
@@ -835,6 +840,18 @@ void TestMainWindow::whatIsToBeFeltIsNotShown()
         QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
     QVERIFY(m_window->view().picture() == m_window->view().picture());
 
+    // A recording of such a block, one's own for one, tells no more.
+    m_window->setReplaying(true, 10.0);
+    const auto replayed = std::make_shared<core::terrain::ToothAnatomy>(*first.anatomy);
+    m_window->showTooth(replayed, 7, {});
+    QTest::qWait(100);
+    const QImage played = m_window->view().picture();
+    m_window->view().setHeights(std::vector<float>(replayed->top.size(), -1.5F));
+    QVERIFY(m_window->view().picture() == played);
+    QVERIFY(!child<TabularLabel>("materialFigure")->isVisible());
+    m_window->setReplaying(false);
+    m_window->showTooth(first.anatomy, 6, {});
+
     // By keys: Tab leads to the choices, the space bar takes one, and the last answer is the one that is sent.
     static_cast<void>(sent());
     auto* enamel = child<QPushButton>("pad01");
@@ -858,6 +875,160 @@ void TestMainWindow::whatIsToBeFeltIsNotShown()
     QVERIFY(!dentin->isEnabled());
     QVERIFY(child<QLabel>("padTruth0")->isVisible());
     QVERIFY(m_window->grab().toImage() != one);
+}
+
+void TestMainWindow::anExerciseHasNoFiguresOfACut()
+{
+    const auto told = [this](const char* figure) { return child<TabularLabel>(figure)->isVisible(); };
+    QVERIFY(told("decayFigure") && told("marginFigure") && told("overcut") && told("depthFigure"));
+    std::uint64_t generation = 2;
+    for (const lessons::Task task : {lessons::Task::TouchPoints, lessons::Task::HoldForce}) {
+        const auto exercise = lessons::assign(*shippedOf(task).lesson).value().assignment;
+        m_window->setAssignment(exercise);
+        m_window->showTooth(exercise.anatomy, generation++, {});
+        for (const char* figure : {"decayFigure", "marginFigure", "overcut", "depthFigure", "dentinFigure"})
+            QVERIFY2(!told(figure), figure);
+        QVERIFY2(told("enamelRemoved") && told("forceFigure"), "a scratch is told all the same");
+        // R begins it anew, and no stroke is to be brought back.
+        QSignalSpy again(m_window.get(), &MainWindow::exerciseAgainWanted);
+        static_cast<void>(sent());
+        press(Qt::Key_R);
+        QCOMPARE(again.size(), 1);
+        QVERIFY(sent().isEmpty());
+        QVERIFY2(message().contains("begins anew"), qPrintable(message()));
+    }
+    const auto ideal = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    m_window->setAssignment(ideal);
+    m_window->showTooth(ideal.anatomy, generation, {});
+    QVERIFY(told("decayFigure") && told("marginFigure") && told("overcut") && told("depthFigure"));
+}
+
+void TestMainWindow::theCardOfAnExerciseLeavesTheToothItsRoom()
+{
+    m_window->resize(853, 533);
+    std::uint64_t generation = 2;
+    for (const lessons::Task task : {lessons::Task::TouchPoints, lessons::Task::HoldForce, lessons::Task::TellLayers}) {
+        const auto exercise = lessons::assign(*shippedOf(task).lesson).value().assignment;
+        m_window->setAssignment(exercise);
+        m_window->showTooth(exercise.anatomy, generation++, {});
+        const auto* card = child<QFrame>("exerciseCard");
+        QTRY_VERIFY(card->isVisible() && card->y() >= m_window->view().geometry().bottom());
+        QTRY_VERIFY2(m_window->view().height() > card->height(),
+                     qPrintable(QString("%1 and %2").arg(m_window->view().height()).arg(card->height())));
+    }
+    // All of the pads can be seen.
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) {
+            const glm::dvec3 corner(x * (core::teeth::kPadX[2] + 0.5 * core::teeth::kPadWidthMm),
+                                    y * 0.5 * core::teeth::kPadLengthMm, 0.0);
+            const glm::dvec2 at = m_window->view().camera().pixelOf(corner);
+            QVERIFY2(QRectF(m_window->view().rect()).contains(QPointF(at.x, at.y)),
+                     qPrintable(QString("%1 %2").arg(at.x).arg(at.y)));
+        }
+    m_window->setAssignment(lessons::practiceOn(support::syntheticMolar()).value());
+    m_window->showTooth(support::syntheticMolar(), generation, {});
+    QVERIFY(!child<QFrame>("exerciseCard")->isVisible());
+}
+
+/// One's own attempt, saved and played while the exam goes on, would tell what went wrong.
+void TestMainWindow::anExamTellsNothingByAReplay()
+{
+    lessons::Assignment exam = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    exam.lesson->exam = true;
+    const auto* line = child<ui::replay::TimeLine>("timeLine");
+    const auto links = std::make_unique<UiLinks>();
+    std::uint64_t generation = 2;
+    const auto breachesTold = [&] {
+        m_window->setReplaying(true, 60.0);
+        m_window->setReplayCourse(course());
+        m_window->showTooth(support::syntheticMolar(), ++generation, {});
+        m_window->showBeside(*links, support::syntheticMolar(), 1, {}, "Before");
+        m_window->setBesideCourse(course());
+        // The pulp is opened while it is played.
+        SessionState session;
+        session.toothGeneration = generation;
+        publish({}, session);
+        QTest::qWait(150);
+        session.removedMm3[static_cast<std::size_t>(Material::Pulp)] = 0.5;
+        publish({}, session);
+        QTest::qWait(150);
+        QStringList told;
+        for (const int y : {12, 12 + 32})
+            told << line->saidAt({qRound(line->xOf(20.5)), y});
+        told = told.filter("pulp is open");
+        if (child<QLabel>("notice")->isVisible())
+            told << child<QLabel>("notice")->text();
+        if (!line->saidAt({qRound(line->xOf(40.0)), 12}).join(' ').contains("Undone"))
+            told << "the rest of the course is missing";
+        m_window->hideBeside();
+        m_window->setReplaying(false);
+        m_window->showTooth(exam.anatomy, 2, {});
+        return told;
+    };
+    m_window->setAssignment(exam);
+    m_window->showTooth(exam.anatomy, 2, {});
+    QCOMPARE(breachesTold(), QStringList());
+    // Nor is a lesson's ideal looked at in the editor.
+    m_window->setLessons(lessons::readCatalog({}), {});
+    actions().lessons->trigger();
+    actions().editLesson->trigger();
+    QVERIFY(!child<ui::study::LessonEditor>()->isVisible());
+    QVERIFY2(message().contains("exam"), qPrintable(message()));
+    actions().back->trigger();
+    // Graded, it is over.
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    actions().back->trigger();
+    const QStringList all{"0:20  The pulp is open", "0:20  The pulp is open", "Pulp opened"};
+    QCOMPARE(breachesTold(), all);
+    // In practice nothing is hidden.
+    exam.lesson->exam = false;
+    m_window->setAssignment(exam);
+    m_window->showTooth(exam.anatomy, 2, {});
+    QCOMPARE(breachesTold(), all);
+}
+
+void TestMainWindow::aLessonsTimeEndsWithTheLesson()
+{
+    lessons::Assignment assignment;
+    assignment.anatomy = support::syntheticMolar();
+    assignment.lesson = shippedOf(lessons::Task::TouchPoints).lesson;
+    assignment.lesson->minutes = 1.0;
+    m_window->setAssignment(assignment);
+    m_window->showTooth(assignment.anatomy, 2, {});
+    const auto workFor = [this](std::uint64_t generation, double seconds) {
+        SessionState session;
+        session.toothGeneration = generation;
+        session.recordedS = seconds;
+        publish({}, session);
+        QTest::qWait(150);
+    };
+    workFor(2, 30.0);
+    // A tooth that is practised on freely has all the time there is.
+    m_window->setAssignment(lessons::practiceOn(assignment.anatomy).value());
+    m_window->showTooth(assignment.anatomy, 3, {});
+    workFor(3, 100.0);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_window->setAssignment(assignment);
+    m_window->showTooth(assignment.anatomy, 4, {});
+    workFor(4, 100.0);
+    QVERIFY2(message().contains("time of this lesson is over"), qPrintable(message()));
+}
+
+/// A bur that was left running in the air is noticed while somebody reads on.
+void TestMainWindow::aBreachWaitsForWhoReadsAnotherPage()
+{
+    core::grading::Infraction infraction;
+    infraction.breach = core::grading::Breach::BurInAir;
+    infraction.limit = 10.0;
+    m_window->setLessons(lessons::readCatalog({}), {});
+    actions().lessons->trigger();
+    m_window->tellInfraction(infraction, false);
+    QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+    actions().back->trigger();
+    QVERIFY(child<ui::study::InfractionCard>()->isVisible());
+    QVERIFY(child<QPushButton>("goOn")->hasFocus());
+    press(Qt::Key_Return);
+    QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
 }
 
 void TestMainWindow::theAidsInUseAreNoted()

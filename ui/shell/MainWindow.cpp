@@ -300,6 +300,12 @@ void MainWindow::connectActions()
 
 void MainWindow::editLesson()
 {
+    if (isExamRunning()) {
+        showMessage(
+            tr("You are in an exam, and a lesson's ideal is shown in the editor. Finish the exam first: press G "
+               "for the grade, or take another lesson."));
+        return;
+    }
     const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
     if (entry == nullptr || !entry->read.lesson) {
         showMessage(
@@ -379,6 +385,7 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
     m_beside->setSettings(m_view->settings());
     m_beside->setTooth(std::move(tooth), generation);
     m_beside->setIdeal(ideal);
+    markExercise();
     m_room->setBeside(m_beside, name, tr("This attempt"));
     m_room->setSectionVisible(false);
     connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
@@ -391,7 +398,7 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
 
 void MainWindow::setBesideCourse(const replay::Course& course)
 {
-    m_room->replay().setBeside(course);
+    m_room->replay().setBeside(asMayBeTold(course));
 }
 
 void MainWindow::hideBeside()
@@ -500,16 +507,21 @@ void MainWindow::markExercise()
         marks.showsHeight = !m_actions->bringHome->isVisible();  // a device that leads a hand is felt by it
     }
     m_view->setExercise(marks);
+    if (m_beside != nullptr)
+        m_beside->setExercise(isUnseen ? marks : tooth::ExerciseMarks{});
     m_room->panel().setBlindfold(isUnseen);
     m_room->history().setVisible(!m_replaying && !isUnseen && m_actions->history->isChecked());
     enableActions();
 }
 
-/// Tissues are to be told by feel, and have not been graded yet.
+/// Tissues are to be told by feel, and have not been graded yet: neither here nor in a replay of such a block.
 bool MainWindow::isBlindfolded() const
 {
-    return m_exerciseCard->isVisibleTo(m_room) && !m_exerciseCard->isConcluded() &&
-           std::holds_alternative<core::grading::PadsToName>(*m_assignment->exercise);
+    const bool areUnnamed = m_assignment && m_assignment->exercise && m_exerciseGeneration == m_ownGeneration &&
+                            std::holds_alternative<core::grading::PadsToName>(*m_assignment->exercise) &&
+                            !m_exerciseCard->isConcluded();
+    return areUnnamed && (m_exerciseCard->isVisibleTo(m_room) ||
+                          (m_replaying && m_tooth != nullptr && m_tooth->name == m_assignment->anatomy->name));
 }
 
 void MainWindow::showPractised(const core::grading::Practised& practised)
@@ -696,8 +708,8 @@ void MainWindow::tellAids()
 /// Told when it happens, not when a tooth is shown to which it has happened before.
 void MainWindow::tellHarm(const core::session::SessionState& now)
 {
-    // A lesson says by its rules what is told, and an exam tells nothing.
-    const bool inLesson = m_assignment && m_assignment->lesson && !m_replaying;
+    // A lesson says by its rules what is told, and an exam tells nothing, of no attempt.
+    const bool inLesson = m_assignment && m_assignment->lesson && (!m_replaying || isExamRunning());
     if (now.toothGeneration != m_session.toothGeneration || inLesson)
         return;
     const auto isOpen = [](const core::session::SessionState& state) {
@@ -1067,7 +1079,20 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
 
 void MainWindow::setReplayCourse(const replay::Course& course)
 {
-    m_room->replay().setCourse(course);
+    m_room->replay().setCourse(asMayBeTold(course));
+}
+
+/// One's own attempt so far, saved and played, would tell what went wrong.
+replay::Course MainWindow::asMayBeTold(replay::Course course) const
+{
+    if (isExamRunning())
+        course.infractions.clear();
+    return course;
+}
+
+bool MainWindow::isExamRunning() const
+{
+    return m_assignment && m_assignment->lesson && m_assignment->lesson->exam && !m_isGraded;
 }
 
 void MainWindow::showReplayPaused(bool paused)

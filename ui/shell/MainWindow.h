@@ -246,6 +246,9 @@ private:
     void layExercise();
     void markExercise();
     [[nodiscard]] bool isBlindfolded() const;
+    /// The student's lesson is an exam, and has not been graded yet.
+    [[nodiscard]] bool isExamRunning() const;
+    [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
     void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
