@@ -57,6 +57,8 @@ private slots:
     void isAnEmptyRoomWithoutATooth();
     void theGizmoTurnsWithTheTooth();
     void theToothIsTurnedUnderTheHandpiece();
+    void marksLieOnThePictureHoweverItIsTurnedOver_data();
+    void marksLieOnThePictureHoweverItIsTurnedOver();
 
 private:
     [[nodiscard]] PointerInput pointer() { return m_links->pointer.latest(); }
@@ -652,6 +654,54 @@ void TestToothView::theToothIsTurnedUnderTheHandpiece()
     QTest::keyClick(m_view.get(), Qt::Key_Home);
     m_view->setCamera(0.0, 30.0, 2.0 * m_view->camera().fittingMm());
     QVERIFY(pictures::difference(before, picture(), 20).pixels < 100);
+}
+
+void TestToothView::marksLieOnThePictureHoweverItIsTurnedOver_data()
+{
+    QTest::addColumn<bool>("leftRight");
+    QTest::addColumn<bool>("upDown");
+    QTest::newRow("plain") << false << false;
+    QTest::newRow("left and right") << true << false;
+    QTest::newRow("up and down") << false << true;
+    QTest::newRow("both") << true << true;
+}
+
+/// Mark and tooth are one picture: a mark is where the picture turned over has it.
+void TestToothView::marksLieOnThePictureHoweverItIsTurnedOver()
+{
+    QFETCH(bool, leftRight);
+    QFETCH(bool, upDown);
+    ui::tooth::ExerciseMarks marks;
+    marks.points = {{{2.6, 1.4}, 0.6, true}};
+    m_view->setExercise(marks);
+    const QImage plain = picture();
+    ui::tooth::ViewSettings settings = m_view->settings();
+    settings.presentation.flipLeftRight = leftRight;
+    settings.presentation.flipUpDown = upDown;
+    m_view->setSettings(settings);
+    const QImage turned = picture().mirrored(leftRight, upDown);
+    // What a touched point is filled with.
+    const auto middleOfMark = [](const QImage& image) {
+        QPointF sum;
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (const QColor colour = image.pixelColor(x, y);
+                    colour.green() - colour.red() > 90 && colour.blue() - colour.red() > 90) {
+                    sum += QPointF(x, y);
+                    ++count;
+                }
+        return count > 40 ? sum / count : QPointF(-1000.0, -1000.0);
+    };
+    const QPointF wanted = middleOfMark(plain);
+    QVERIFY(QRectF(plain.rect()).contains(wanted));
+    const QPoint place =
+        pixelOf({2.6, 1.4,
+                 static_cast<double>(m_tooth->top[m_tooth->grid.index(
+                     qRound(m_tooth->grid.latticeOf({2.6, 1.4}).x), qRound(m_tooth->grid.latticeOf({2.6, 1.4}).y))])});
+    QVERIFY((wanted - place).manhattanLength() < 4.0);
+    QVERIFY2((middleOfMark(turned) - wanted).manhattanLength() < 3.0,
+             qPrintable(QString("%1, %2").arg(middleOfMark(turned).x()).arg(middleOfMark(turned).y())));
 }
 
 QTEST_MAIN(TestToothView)
