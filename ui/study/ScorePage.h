@@ -14,7 +14,6 @@
 #include "ui/shell/Page.h"
 #include "ui/study/ScoredWork.h"
 
-class QBoxLayout;
 class QGridLayout;
 class QLabel;
 class QProgressBar;
@@ -80,7 +79,6 @@ private:
     std::optional<ScoredWork> m_scored;
     QGridLayout* m_cards = nullptr;
     QWidget* m_resultCard = nullptr;
-    QBoxLayout* m_result = nullptr;
     QWidget* m_criteriaCard = nullptr;
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
