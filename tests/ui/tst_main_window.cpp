@@ -2414,7 +2414,7 @@ void TestMainWindow::nothingIsClipped()
     scored.tooth = std::make_shared<const core::terrain::Tooth>(assignment.anatomy);
     scored.ideal = assignment.shownIdeal();
     scored.measured.measures = core::grading::measure(*scored.tooth);
-    window.showScore(sheet(3.2, 40, 0.5), {}, 900, scored);
+    window.showScore(sheet(3.2, 40, 0.5), {}, ui::study::Expectation{900, "caries_left"}, scored);
     const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
     const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
     window.scorePage().setMoments({{never, moment}, {moment}, {moment}});

@@ -84,6 +84,28 @@ QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
     return picture;
 }
 
+PictureKey keyOf(const OutlineScene& scene)
+{
+    PictureKey key;
+    key.add(QCoreApplication::translate("Section", "ideal preparation"), 20.0, [](QPainter& on, const QRectF& box) {
+        on.setPen(QPen(QColor(kIdeal), 2.0));
+        on.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+    });
+    const auto filled = [&key](const QString& name, const QBrush& brush, const QBrush& hatch) {
+        key.add(name, PictureKey::kSignPx, [brush, hatch](QPainter& on, const QRectF& box) {
+            on.fillRect(box, brush);
+            on.fillRect(box, hatch);
+        });
+    };
+    if (scene.toleranceMm > 0.0)
+        filled(QCoreApplication::translate("Section", "within tolerance"), QColor::fromRgba(kBand),
+               QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+    if (scene.spanMm > 0.0)
+        //: In the key of a picture: farther out, all points of this criterion are lost
+        filled(QCoreApplication::translate("Section", "costs points"), QColor::fromRgba(kSpan), Qt::NoBrush);
+    return key;
+}
+
 }  // namespace
 
 FromAbove fromAbove(const core::terrain::ToothAnatomy& anatomy, const std::vector<float>& idealTop)
@@ -145,12 +167,16 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     painter.strokePath(outline, QPen(QColor::fromRgba(kUnderIdeal), 4.0, Qt::SolidLine, Qt::RoundCap));
     painter.strokePath(outline, QPen(QColor(kIdeal), 2.0, Qt::SolidLine, Qt::RoundCap));
 
+    const PictureKey key = keyOf(scene);
+    const double wide = area.width() - 16.0;
+    const double keyTop = area.bottom() - key.heightFor(wide) - 4.0;
     if (scene.plane) {
         const glm::dvec2 way = scene.plane->direction();
         const glm::dvec2 through = scene.plane->throughMm;
         const double far = above.shownMm.width() + above.shownMm.height();
         painter.save();
-        painter.setClipRect(area.adjusted(0.0, kMarginPx, 0.0, -2.0 * kMarginPx), Qt::IntersectClip);
+        painter.setClipRect(QRectF(QPointF(area.left(), area.top() + kMarginPx), QPointF(area.right(), keyTop)),
+                            Qt::IntersectClip);
         painter.setPen(QPen(QColor(kPlane), 1.4, Qt::DashLine));
         painter.drawLine(fit.at({through.x - far * way.x, through.y - far * way.y}),
                          fit.at({through.x + far * way.x, through.y + far * way.y}));
@@ -165,25 +191,7 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     painter.drawText(words, Qt::AlignTop | Qt::AlignHCenter, QChar(0x2191) + QStringLiteral(" ") + side(0.5 * pi));
     painter.drawText(words, Qt::AlignTop | Qt::AlignLeft, QChar(0x2190) + QStringLiteral(" ") + side(pi));
     painter.drawText(words, Qt::AlignTop | Qt::AlignRight, side(0.0) + QStringLiteral(" ") + QChar(0x2192));
-    PictureKey key;
-    key.add(QCoreApplication::translate("Section", "ideal preparation"), 20.0, [](QPainter& on, const QRectF& box) {
-        on.setPen(QPen(QColor(kIdeal), 2.0));
-        on.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
-    });
-    const auto filled = [&key](const QString& name, const QBrush& brush, const QBrush& hatch) {
-        key.add(name, PictureKey::kSignPx, [brush, hatch](QPainter& on, const QRectF& box) {
-            on.fillRect(box, brush);
-            on.fillRect(box, hatch);
-        });
-    };
-    if (scene.toleranceMm > 0.0)
-        filled(QCoreApplication::translate("Section", "within tolerance"), QColor::fromRgba(kBand),
-               QBrush(QColor(kBandEdge), Qt::BDiagPattern));
-    if (scene.spanMm > 0.0)
-        //: In the key of a picture: farther out, all points of this criterion are lost
-        filled(QCoreApplication::translate("Section", "costs points"), QColor::fromRgba(kSpan), Qt::NoBrush);
-    const double wide = area.width() - 16.0;
-    key.paint(painter, QRectF(area.left() + 8.0, area.bottom() - key.heightFor(wide) - 4.0, wide, 0.0), QColor(kWords));
+    key.paint(painter, QRectF(area.left() + 8.0, keyTop, wide, 0.0), QColor(kWords));
     painter.restore();
 }
 

@@ -15,7 +15,6 @@
 #include "ui/study/Expectation.h"
 #include "ui/study/ScoredWork.h"
 
-class QBoxLayout;
 class QGridLayout;
 class QLabel;
 class QProgressBar;
@@ -82,7 +81,6 @@ private:
     std::optional<ScoredWork> m_scored;
     QGridLayout* m_cards = nullptr;
     QWidget* m_resultCard = nullptr;
-    QBoxLayout* m_result = nullptr;
     QWidget* m_criteriaCard = nullptr;
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
