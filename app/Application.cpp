@@ -144,7 +144,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     m_window->setHistorySource({[this] { return m_session.historySoFar(); },
                                 [this](core::session::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
-    connect(m_window.get(), &MainWindow::exerciseAgainWanted, this,
+    connect(m_window.get(), &MainWindow::attemptAgainWanted, this,
             [this] { begin(lessons::Assignment(m_assignment), {}, false); });
     connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
     connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);

@@ -219,6 +219,8 @@ void TestReferee::withoutADeviceNothingIsBroken()
     rules.forceLimitN = 3.0;
     Referee referee(rules, m_anatomy, nullptr);
     m_state.drillOn = true;
+    QVERIFY(cut(referee, m_middle, m_middle, 0.2F).empty());
+    m_state.touching = false;
     QVERIFY(wait(referee, 1500).empty());
     m_state.health = session::kDeviceLost;
     QVERIFY(wait(referee, 60'000).empty());

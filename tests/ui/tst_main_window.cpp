@@ -113,6 +113,9 @@ private slots:
     void anExerciseHasNoFiguresOfACut();
     void theCardOfAnExerciseLeavesTheToothItsRoom();
     void anExamTellsNothingByAReplay();
+    void anExamEndsOnce();
+    void theBurRestsWhileAnotherPageIsRead();
+    void aLessonBeginsWithItsOwnColours();
     void aLessonsTimeEndsWithTheLesson();
     void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
@@ -891,7 +894,7 @@ void TestMainWindow::anExerciseHasNoFiguresOfACut()
             QVERIFY2(!told(figure), figure);
         QVERIFY2(told("enamelRemoved") && told("forceFigure"), "a scratch is told all the same");
         // R begins it anew, and no stroke is to be brought back.
-        QSignalSpy again(m_window.get(), &MainWindow::exerciseAgainWanted);
+        QSignalSpy again(m_window.get(), &MainWindow::attemptAgainWanted);
         static_cast<void>(sent());
         press(Qt::Key_R);
         QCOMPARE(again.size(), 1);
@@ -1786,6 +1789,110 @@ void TestMainWindow::theExpertIsOfferedWhereSomethingIsCut()
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
     QVERIFY(!actions().expert->isVisible());
+}
+
+/// By its time or by its score: then nothing is cut any more, and another attempt is another attempt.
+void TestMainWindow::anExamEndsOnce()
+{
+    lessons::Assignment exam = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    exam.lesson->exam = true;
+    QSignalSpy again(m_window.get(), &MainWindow::attemptAgainWanted);
+    QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
+    std::uint64_t generation = 1;
+    const auto begin = [&] {
+        m_window->setAssignment(exam);
+        m_window->showTooth(exam.anatomy, ++generation, {});
+    };
+    const auto work = [&](double seconds) {
+        SessionState session;
+        session.toothGeneration = generation;
+        session.undoSteps = 3;
+        session.redoSteps = 1;
+        session.recordedS = seconds;
+        ServoState servo;
+        servo.tick = 1;
+        publish(servo, session);
+        QTest::qWait(150);
+    };
+    const auto mayCut = [&] { return actions().drill->isEnabled() && actions().burs[0]->isEnabled(); };
+    for (const bool byTime : {true, false}) {
+        begin();
+        work(30.0);
+        QVERIFY(mayCut());
+        // As in a clinic, no step is taken back; and nobody looks at the work with other means.
+        for (QAction* locked : {actions().undo, actions().redo, actions().history, actions().reload,
+                                actions().saveRecording, actions().saveReference})
+            QVERIFY2(!locked->isEnabled(), qPrintable(locked->text()));
+        if (byTime) {
+            work(60.0 * exam.lesson->minutes + 1.0);
+            QCOMPARE(grade.count(), 1);
+        } else {
+            m_window->showScore(sheet(3.2, 40, 0.5), {});
+        }
+        actions().back->trigger();
+        QVERIFY(!mayCut());
+        QVERIFY(!actions().undo->isEnabled() && !actions().history->isEnabled());
+        if (byTime) {
+            QVERIFY(!actions().saveRecording->isEnabled());
+            m_window->showScore(sheet(3.2, 40, 0.5), {});
+            actions().back->trigger();
+        }
+        QVERIFY(!mayCut());
+        QVERIFY(actions().saveRecording->isEnabled());
+        actions().reload->trigger();
+        QCOMPARE(again.count(), byTime ? 1 : 2);
+    }
+    exam.lesson->exam = false;
+    begin();
+    work(30.0);
+    QVERIFY(mayCut() && actions().undo->isEnabled() && actions().reload->isEnabled());
+}
+
+void TestMainWindow::theBurRestsWhileAnotherPageIsRead()
+{
+    const auto drills = [&] {
+        QList<bool> told;
+        for (SessionCommand command; m_links->commands.tryPop(command);)
+            if (const auto* drill = std::get_if<SetDrill>(&command))
+                told << drill->on;
+        return told;
+    };
+    const auto turns = [&](bool on) {
+        ServoState servo;
+        servo.tick = 1;
+        servo.drillOn = on;
+        publish(servo, {});
+        QTRY_COMPARE(actions().drill->isChecked(), on);
+    };
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    turns(true);
+    drills();
+    actions().lessons->trigger();
+    QCOMPARE(drills(), QList<bool>{false});
+    turns(false);
+    actions().back->trigger();
+    QCOMPARE(drills(), QList<bool>{true});
+    // Who had stopped it himself finds it so.
+    turns(false);
+    actions().lessons->trigger();
+    actions().back->trigger();
+    QCOMPARE(drills(), QList<bool>{});
+}
+
+void TestMainWindow::aLessonBeginsWithItsOwnColours()
+{
+    const auto begin = [&](const char* id) {
+        const auto assignment = lessons::assign(*shipped(id).lesson).value().assignment;
+        m_window->setAssignment(assignment);
+        m_window->showTooth(assignment.anatomy, 2, {});
+    };
+    begin("block-line");
+    QVERIFY(actions().idealColours->isChecked());
+    actions().section->trigger();
+    QVERIFY(actions().section->isChecked());
+    begin("decay-36-moderate");
+    QVERIFY(!actions().idealColours->isChecked() && !actions().depthColours->isChecked());
+    QVERIFY(!actions().section->isChecked());
 }
 
 void TestMainWindow::aLessonOfAPackIsUnpackedToBeEdited()

@@ -149,9 +149,10 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_forecast, &study::Forecast::answered, this, &MainWindow::forecastGiven);
     connect(m_scorePage, &study::ScorePage::momentWanted, this, &MainWindow::momentWanted);
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
-        if (m_assignment && m_assignment->lesson && m_assignment->lesson->exam)
+        if (isExam()) {
+            endExam();
             emit gradeRequested();
-        else
+        } else
             showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G."));
     });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
@@ -225,9 +226,11 @@ void MainWindow::connectActions()
     on(m_actions->reload, [this] {
         goTo(m_room);
         m_isGraded = false;
-        if (m_exerciseCard->isVisibleTo(m_room)) {
-            emit exerciseAgainWanted();
-            showMessage(tr("The exercise begins anew."));
+        if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
+            const QString begins =
+                isExam() ? tr("Another attempt at the exam begins.") : tr("The exercise begins anew.");
+            emit attemptAgainWanted();
+            showMessage(begins);
         } else if (send(core::session::Reload{}))
             m_messages->say(
                 {MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
@@ -452,7 +455,7 @@ void MainWindow::setAids(const lessons::Aids& aids)
     Actions::setAllowed(m_actions->mirror, aids.mirror);
     Actions::setAllowed(m_actions->burColour, aids.burColour && aids.ideal);
     Actions::setAllowed(m_actions->fixture, aids.fixture);
-    m_room->panel().setDepthGauge(aids.depthGauge);
+    m_room->panel().setTold(aids.depthGauge, aids.depthGauge && aids.radiograph);
     m_room->section().setFiguresShown(aids.depthGauge);
     if (!aids.section) {
         m_actions->section->setChecked(false);
@@ -513,8 +516,13 @@ void MainWindow::markExercise()
     if (m_beside != nullptr)
         m_beside->setExercise(isUnseen ? marks : tooth::ExerciseMarks{});
     m_room->panel().setBlindfold(isUnseen);
-    m_room->history().setVisible(!m_replaying && !isUnseen && m_actions->history->isChecked());
+    showHistory();
     enableActions();
+}
+
+void MainWindow::showHistory()
+{
+    m_room->history().setVisible(!m_replaying && !isBlindfolded() && !isExam() && m_actions->history->isChecked());
 }
 
 /// Tissues are to be told by feel, and have not been graded yet: neither here nor in a replay of such a block.
@@ -544,11 +552,27 @@ void MainWindow::setDrillFor(lessons::Task task)
 {
     const bool shallRest = task == lessons::Task::TouchPoints || task == lessons::Task::HoldForce;
     if (shallRest) {
-        m_drillWasOn = m_drillWasOn || m_actions->drill->isChecked();
+        m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
         wishDrill(false);
-    } else if (task == lessons::Task::TellLayers || m_drillWasOn) {
+    } else if (task == lessons::Task::TellLayers || m_drillWasOn || m_burRests) {
         m_drillWasOn = false;
         wishDrill(true);
+    }
+    m_burRests = false;
+}
+
+/// A bur turns only where it is watched: it stops while another page is read.
+void MainWindow::restBur()
+{
+    const bool isAway = m_pages->currentWidget() != m_room;
+    if (isAway && m_actions->drill->isChecked() && m_tooth != nullptr && !m_replaying) {
+        m_burRests = true;
+        wishDrill(false);
+    } else if (!isAway && std::exchange(m_burRests, false) && !m_examIsOver) {
+        if (m_infractionCard->isVisible())
+            m_infractionStopped = true;
+        else
+            wishDrill(true);
     }
 }
 
@@ -789,6 +813,7 @@ void MainWindow::goTo(QWidget* page)
     if (page == m_lessonsPage)
         m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
+    restBur();
     if (page == m_room && m_infractionCard->isVisible())
         m_infractionCard->setFocus();
     else if (page == m_room)
@@ -825,11 +850,13 @@ void MainWindow::enableActions()
 {
     const bool inRoom = m_pages->currentWidget() == m_room;
     const bool mine = m_tooth != nullptr && !m_busy->isWorking() && !m_replaying;
-    m_actions->drill->setEnabled(inRoom && mine);
+    const bool mayCut = mine && !m_examIsOver;
+    const bool mayGoBack = mine && !isExam();  // as in a clinic
+    m_actions->drill->setEnabled(inRoom && mayCut);
     for (QAction* bur : m_actions->burs)
-        bur->setEnabled(inRoom && mine);
+        bur->setEnabled(inRoom && mayCut);
     for (QAction* handpiece : m_actions->handpieces)
-        handpiece->setEnabled(inRoom && mine && handpiece->isVisible());
+        handpiece->setEnabled(inRoom && mayCut && handpiece->isVisible());
     m_actions->otherHand->setEnabled(inRoom);
     m_actions->bringHome->setEnabled(inRoom && mine && m_actions->bringHome->isVisible());
     for (QAction* action : m_viewMenu->actions())
@@ -848,19 +875,19 @@ void MainWindow::enableActions()
     m_actions->turnSection->setEnabled(inRoom && m_aids.section && m_actions->section->isChecked());
     m_actions->radiograph->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && m_aids.radiograph);
     const bool inEditor = m_pages->currentWidget() == m_editor;
-    m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mine && m_session.undoSteps > 0);
-    m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mine && m_session.redoSteps > 0);
+    m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
+    m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_pages->currentWidget() == m_lessonsPage);
-    m_actions->saveReference->setEnabled(inRoom && mine);
-    m_actions->reload->setEnabled(mine);
+    m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
+    m_actions->reload->setEnabled(mayGoBack || (mine && m_examIsOver));
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->lessons->setEnabled(!m_busy->isWorking());
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
     m_actions->openRecording->setEnabled(!m_busy->isWorking());
-    m_actions->saveRecording->setEnabled(mine || inEditor);
-    m_actions->history->setEnabled(inRoom && mine && !isBlindfolded());
+    m_actions->saveRecording->setEnabled((mine && !isExamRunning()) || inEditor);
+    m_actions->history->setEnabled(inRoom && mayGoBack && !isBlindfolded());
     for (QAction* action :
          {m_actions->pauseReplay, m_actions->stepBack, m_actions->stepOn, m_actions->replayBegin, m_actions->replayEnd,
           m_actions->slower, m_actions->faster, m_actions->beside, m_actions->along}) {
@@ -997,6 +1024,7 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
 {
     m_busy->done();
     m_isGraded = true;
+    endExam();
     if (m_exerciseCard->isVisibleTo(m_room)) {
         m_exerciseCard->conclude();
         markExercise();
@@ -1042,6 +1070,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
     m_isGraded = false;
+    m_examIsOver = false;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
     m_room->panel().setAsked(assignment.exercise ? SidePanel::Asked::Nothing
                              : !assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay
@@ -1050,8 +1079,13 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
+    showHistory();
     if (!assignment.lesson)
         return;
+    // It begins as it is meant to, and not with what the one before had open.
+    m_actions->section->setChecked(false);
+    m_room->setSectionVisible(false);
+    m_viewMenu->colourAgainstIdeal(assignment.lesson->task == lessons::Task::TraceShape);
     m_room->lesson().setLesson(*assignment.lesson);
     if (!assignment.lesson->burs.empty())
         if (const auto bur = core::drilling::findBur(assignment.lesson->burs.front()))
@@ -1085,7 +1119,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_room->replay().begin(lengthS);
     showReplayPaused(false);
     m_room->setReplaying(replaying);
-    m_room->history().setVisible(!replaying && m_actions->history->isChecked());
+    showHistory();
     enableActions();
 }
 
@@ -1102,9 +1136,26 @@ replay::Course MainWindow::asMayBeTold(replay::Course course) const
     return course;
 }
 
+bool MainWindow::isExam() const
+{
+    return m_assignment && m_assignment->lesson && m_assignment->lesson->exam;
+}
+
 bool MainWindow::isExamRunning() const
 {
-    return m_assignment && m_assignment->lesson && m_assignment->lesson->exam && !m_isGraded;
+    return isExam() && !m_isGraded;
+}
+
+/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a whole
+/// tooth.
+void MainWindow::endExam()
+{
+    if (!isExam())
+        return;
+    m_examIsOver = true;
+    m_burRests = false;
+    wishDrill(false);
+    enableActions();
 }
 
 void MainWindow::showReplayPaused(bool paused)

@@ -150,8 +150,8 @@ public slots:
 signals:
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
-    /// The exercise on the table is to begin anew, with nothing done.
-    void exerciseAgainWanted();
+    /// The lesson on the table is to begin anew, as another attempt.
+    void attemptAgainWanted();
     /// The tooth is to be put back to before this tick of the attempt.
     void takeBackWanted(std::uint64_t tick);
     /// The page of lessons opens: what it shows is to be brought up to date.
@@ -255,6 +255,10 @@ private:
     void layExercise();
     void markExercise();
     [[nodiscard]] bool isBlindfolded() const;
+    void showHistory();
+    void restBur();
+    [[nodiscard]] bool isExam() const;
+    void endExam();
     /// The student's lesson is an exam, and has not been graded yet.
     [[nodiscard]] bool isExamRunning() const;
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
@@ -312,6 +316,8 @@ private:
     bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_isGraded = false;             ///< the student's work has been, as it stood
+    bool m_examIsOver = false;           ///< nothing can be cut any more
+    bool m_burRests = false;             ///< while another page is read
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;

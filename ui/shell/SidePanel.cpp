@@ -244,9 +244,10 @@ void SidePanel::setColours(render::Palette colours)
         swatch->setColours(colours);
 }
 
-void SidePanel::setDepthGauge(bool shown)
+void SidePanel::setTold(bool depth, bool dentin)
 {
-    m_depthGauge = shown;
+    m_tellsDepth = depth;
+    m_tellsDentin = dentin;
     showFigures();
 }
 
@@ -261,8 +262,9 @@ void SidePanel::showFigures()
 {
     for (QWidget* telling : {m_material.block, m_removedBlock})
         telling->setVisible(!m_blindfold);
-    for (QWidget* depth : {m_depth.block, m_dentin.block})
-        depth->setVisible(m_depthGauge && m_asked != Asked::Nothing && !m_blindfold);
+    const bool tells = m_asked != Asked::Nothing && !m_blindfold;
+    m_depth.block->setVisible(m_tellsDepth && tells);
+    m_dentin.block->setVisible(m_tellsDentin && tells);
     for (QWidget* aim : {m_decay.block, m_margin.block, m_overcutRow})
         aim->setVisible(m_asked != Asked::Nothing && !m_blindfold);
 }

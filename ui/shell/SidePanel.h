@@ -41,8 +41,8 @@ public:
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
     /// Of the discs beside the names of tissues.
     void setColours(render::Palette colours);
-    /// Without it neither depth nor the dentin left is told.
-    void setDepthGauge(bool shown);
+    /// What a depth gauge tells, and what only an X-ray picture tells: how much dentin is left over the pulp.
+    void setTold(bool depth, bool dentin);
     /// Tissues are to be told by feel: nothing of what would name them is shown.
     void setBlindfold(bool on);
     /// Shows this push force without announcing it.
@@ -83,7 +83,8 @@ private:
     QWidget* m_overcutRow = nullptr;
     QLabel* m_health = nullptr;
     QWidget* m_removedBlock = nullptr;
-    bool m_depthGauge = true;
+    bool m_tellsDepth = true;
+    bool m_tellsDentin = true;
     bool m_blindfold = false;
     QSlider* m_push = nullptr;
     TabularLabel* m_pushText = nullptr;

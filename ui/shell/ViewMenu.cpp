@@ -86,6 +86,13 @@ void ViewMenu::setAllowed(const lessons::Aids& aids)
     emit chosen(settings());
 }
 
+void ViewMenu::colourAgainstIdeal(bool on)
+{
+    m_actions.depthColours->setChecked(false);
+    m_actions.idealColours->setChecked(on);
+    take();
+}
+
 QToolButton* ViewMenu::makeButton(QWidget* parent)
 {
     auto* button = new QToolButton(parent);

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] QList<QAction*> actions() const;
     /// What a lesson does not allow, or has not, is not shown, whatever was chosen.
     void setAllowed(const lessons::Aids& aids);
+    /// A lesson begins with the colours against its ideal, or with none.
+    void colourAgainstIdeal(bool on);
     /// The way to the eyes that switching stereo on brings.
     [[nodiscard]] render::Stereo stereoWay() const { return m_lastStereo; }
     /// A button with the menu, for a bar.

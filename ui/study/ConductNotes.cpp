@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -18,7 +19,7 @@ namespace {
 
 using namespace ui::shell;
 
-constexpr std::size_t kShownBreaches = 4;
+constexpr std::size_t kShownBreaches = 2;
 constexpr int kChipsARow = 2;
 
 QString factsOf(const core::grading::Process& process, std::uint8_t aids)
@@ -43,10 +44,14 @@ ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace2, 0, kSpace2, 0);
     column->setSpacing(kSpace1);
+    m_head = new QHBoxLayout;
+    m_head->setSpacing(kSpace2);
+    column->addLayout(m_head);
     m_title = new QLabel(this);
     m_title->setFont(typeface(kSmall, QFont::DemiBold));
     m_title->setObjectName(QStringLiteral("breaches"));
-    column->addWidget(m_title);
+    m_head->addWidget(m_title, 0, Qt::AlignTop);
+    m_head->addStretch(1);
     m_facts = new QLabel(this);
     m_facts->setFont(typeface(kSmall));
     m_facts->setForegroundRole(QPalette::PlaceholderText);
@@ -59,9 +64,9 @@ ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
 void ConductNotes::setConduct(const core::grading::Process& process,
                               const std::vector<core::grading::Infraction>& infractions, std::uint8_t aids)
 {
-    m_title->setText(infractions.empty() ? tr("On the way: no breach of the lesson's rules")
-                                         : tr("On the way: %n breach(es) of the lesson's rules", nullptr,
-                                              static_cast<int>(infractions.size())));
+    m_title->setText(infractions.empty()
+                         ? tr("No breach of the rules")
+                         : tr("%n breach(es) of the rules", nullptr, static_cast<int>(infractions.size())));
     m_facts->setText(factsOf(process, aids));
     fillBreaches(infractions, false);
 }
@@ -111,7 +116,7 @@ void ConductNotes::fillBreaches(const std::vector<core::grading::Infraction>& in
             more, &QPushButton::clicked, this, [this, infractions] { fillBreaches(infractions, true); },
             Qt::QueuedConnection);
     }
-    static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_breaches);
+    m_head->insertWidget(1, m_breaches);
 }
 
 }  // namespace ui::study

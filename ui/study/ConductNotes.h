@@ -8,6 +8,7 @@
 #include "core/grading/Process.h"
 #include "core/grading/Referee.h"
 
+class QHBoxLayout;
 class QLabel;
 
 namespace ui::study {
@@ -31,6 +32,7 @@ signals:
 private:
     void fillBreaches(const std::vector<core::grading::Infraction>& infractions, bool all);
 
+    QHBoxLayout* m_head = nullptr;
     QLabel* m_title = nullptr;
     QWidget* m_breaches = nullptr;
     QLabel* m_facts = nullptr;

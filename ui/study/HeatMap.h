@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 220}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

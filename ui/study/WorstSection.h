@@ -21,7 +21,7 @@ public:
     void setColours(render::Palette colours);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 220}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
