@@ -2310,6 +2310,10 @@
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
     </message>
+    <message>
+        <source>Another attempt at the exam begins.</source>
+        <translation>Ein weiterer Versuch der Prüfung beginnt.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2619,6 +2623,56 @@
     </message>
 </context>
 <context>
+    <name>ui::study::ConductNotes</name>
+    <message>
+        <source>No breach of the rules</source>
+        <translation>Kein Verstoß gegen die Regeln</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n breach(es) of the rules</source>
+        <translation>
+            <numerusform>%n Verstoß gegen die Regeln</numerusform>
+            <numerusform>%n Verstöße gegen die Regeln</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>Sehen Sie, wie es geschah: den Versuch ab hier abspielen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>breaches</comment>
+        <translation>
+            <numerusform>%n weiterer</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every breach</source>
+        <translation>Alle Verstöße zeigen</translation>
+    </message>
+    <message>
+        <source>%1 in all, %2 of it cutting</source>
+        <extracomment>Two times in minutes and seconds</extracomment>
+        <translation>%1 insgesamt, davon %2 schneidend</translation>
+    </message>
+    <message>
+        <source>force %1 N on the mean, %2 N at most</source>
+        <translation>Kraft im Mittel %1 N, höchstens %2 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) taken back</source>
+        <translation>
+            <numerusform>%n Schritt zurückgenommen</numerusform>
+            <numerusform>%n Schritte zurückgenommen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::study::CriterionRow</name>
     <message>
         <source>%1 not measured</source>
@@ -2684,6 +2738,11 @@
     <message>
         <source>Show every moment</source>
         <translation>Jeden Zeitpunkt zeigen</translation>
+    </message>
+    <message>
+        <source>%1 too late</source>
+        <extracomment>%1: points of a score, for something that was done later than asked</extracomment>
+        <translation>%1 zu spät</translation>
     </message>
 </context>
 <context>
@@ -2804,13 +2863,21 @@
         <translation>Sehen, wie die Arbeit bewertet wurde (Eingabe)</translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. Who judges the own work first learns more from the score.</source>
+        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
-        <translation>%1. Bestanden ab %2 von 100 Punkten. Wer zuerst selbst urteilt, lernt mehr aus der Note.</translation>
+        <translation>%1. Bestanden ist ab %2 von 100 Punkten. Eine Bewertung lehrt mehr, wenn Sie Ihre Arbeit vorher selbst beurteilt haben.</translation>
     </message>
     <message>
-        <source>Nothing: I expect all points</source>
-        <translation>Nichts: Ich erwarte alle Punkte</translation>
+        <source>Nothing in particular</source>
+        <translation>Nichts im Besonderen</translation>
+    </message>
+    <message>
+        <source>Set the points that you expect.</source>
+        <translation>Stellen Sie ein, wie viele Punkte Sie erwarten.</translation>
+    </message>
+    <message>
+        <source>Choose what cost you most.</source>
+        <translation>Wählen Sie, was Sie am meisten gekostet hat.</translation>
     </message>
 </context>
 <context>
@@ -3164,10 +3231,6 @@
         <translation>Art</translation>
     </message>
     <message>
-        <source>Exam: faults are noted, and nothing is said until the end</source>
-        <translation>Prüfung: Fehler werden notiert, gesagt wird bis zum Ende nichts</translation>
-    </message>
-    <message>
         <source>Practice: you are told what goes wrong</source>
         <translation>Übung: Sie erfahren, was schiefgeht</translation>
     </message>
@@ -3232,6 +3295,10 @@
     <message>
         <source>best %1, not passed</source>
         <translation>Bestes %1, nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
+        <translation>Prüfung: Fehler werden vermerkt, bis zum Ende wird nichts gesagt, und kein Schritt wird zurückgenommen</translation>
     </message>
 </context>
 <context>
@@ -3411,6 +3478,22 @@
     <message>
         <source>This is the first grade here.</source>
         <translation>Das ist hier die erste Note.</translation>
+    </message>
+    <message>
+        <source>Nothing cost you a point.</source>
+        <translation>Nichts hat Sie einen Punkt gekostet.</translation>
+    </message>
+    <message>
+        <source>Most points went to: %1.</source>
+        <translation>Die meisten Punkte kostete: %1.</translation>
+    </message>
+    <message>
+        <source>What cost most you knew: %1.</source>
+        <translation>Was am meisten kostete, wussten Sie: %1.</translation>
+    </message>
+    <message>
+        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
+        <translation>Sie dachten, die meisten Punkte koste „%1“; es war „%2“.</translation>
     </message>
 </context>
 <context>

@@ -2310,6 +2310,10 @@
         <source>&amp;Save</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Another attempt at the exam begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -2619,6 +2623,56 @@
     </message>
 </context>
 <context>
+    <name>ui::study::ConductNotes</name>
+    <message>
+        <source>No breach of the rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n breach(es) of the rules</source>
+        <translation>
+            <numerusform>%n breach of the rules</numerusform>
+            <numerusform>%n breaches of the rules</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>breaches</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every breach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in all, %2 of it cutting</source>
+        <extracomment>Two times in minutes and seconds</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force %1 N on the mean, %2 N at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) taken back</source>
+        <translation>
+            <numerusform>%n step taken back</numerusform>
+            <numerusform>%n steps taken back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::study::CriterionRow</name>
     <message>
         <source>%1 not measured</source>
@@ -2683,6 +2737,11 @@
     </message>
     <message>
         <source>Show every moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 too late</source>
+        <extracomment>%1: points of a score, for something that was done later than asked</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2804,12 +2863,20 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. You pass from %2 of 100 points. Who judges the own work first learns more from the score.</source>
+        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
         <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing: I expect all points</source>
+        <source>Nothing in particular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the points that you expect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose what cost you most.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3164,10 +3231,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Exam: faults are noted, and nothing is said until the end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Practice: you are told what goes wrong</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3231,6 +3294,10 @@
     </message>
     <message>
         <source>best %1, not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3410,6 +3477,22 @@
     </message>
     <message>
         <source>This is the first grade here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing cost you a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most points went to: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What cost most you knew: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

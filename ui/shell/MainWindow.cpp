@@ -1047,6 +1047,7 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         enableActions();
     }
     m_infractionCard->tell(infraction, canTakeBack);
+    m_room->setHintVisible(false);
     placeOverlays();
 }
 

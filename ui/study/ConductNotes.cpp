@@ -22,21 +22,6 @@ using namespace ui::shell;
 constexpr std::size_t kShownBreaches = 2;
 constexpr int kChipsARow = 2;
 
-QString factsOf(const core::grading::Process& process, std::uint8_t aids)
-{
-    QStringList facts;
-    //: Two times in minutes and seconds
-    facts << ConductNotes::tr("%1 in all, %2 of it cutting")
-                 .arg(text::duration(process.totalS), text::duration(process.cuttingS));
-    if (process.force)
-        facts << ConductNotes::tr("force %1 N on the mean, %2 N at most")
-                     .arg(text::number(process.force->meanN, 1), text::number(process.force->largestN, 1));
-    if (process.undos > 0)
-        facts << ConductNotes::tr("%n step(s) taken back", nullptr, process.undos);
-    facts << text::aidWords(aids);
-    return facts.join(QStringLiteral(" · "));
-}
-
 }  // namespace
 
 ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
@@ -59,6 +44,20 @@ ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
     m_facts->setMinimumHeight(1);
     m_facts->setObjectName(QStringLiteral("conduct"));
     column->addWidget(m_facts);
+}
+
+QString ConductNotes::factsOf(const core::grading::Process& process, std::uint8_t aids)
+{
+    QStringList facts;
+    //: Two times in minutes and seconds
+    facts << tr("%1 in all, %2 of it cutting").arg(text::duration(process.totalS), text::duration(process.cuttingS));
+    if (process.force)
+        facts << tr("force %1 N on the mean, %2 N at most")
+                     .arg(text::number(process.force->meanN, 1), text::number(process.force->largestN, 1));
+    if (process.undos > 0)
+        facts << tr("%n step(s) taken back", nullptr, process.undos);
+    facts << text::aidWords(aids);
+    return facts.join(QStringLiteral(" · "));
 }
 
 void ConductNotes::setConduct(const core::grading::Process& process,

@@ -30,6 +30,7 @@ signals:
     void momentWanted(double seconds);
 
 private:
+    [[nodiscard]] static QString factsOf(const core::grading::Process& process, std::uint8_t aids);
     void fillBreaches(const std::vector<core::grading::Infraction>& infractions, bool all);
 
     QHBoxLayout* m_head = nullptr;

@@ -27,7 +27,7 @@ public:
     void setColours(render::Palette colours);
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
-    [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 protected:

@@ -307,8 +307,9 @@ void LessonsPage::describe()
     if (isSound) {
         const ::lessons::Lesson& lesson = *entry->read.lesson;
         fact(tr("Tooth"), toothWords(lesson));
-        fact(tr("Kind"), lesson.exam ? tr("Exam: faults are noted, and nothing is said until the end")
-                                     : tr("Practice: you are told what goes wrong"));
+        fact(tr("Kind"), lesson.exam
+                             ? tr("Exam: faults are noted, nothing is said until the end, and no step is taken back")
+                             : tr("Practice: you are told what goes wrong"));
         fact(tr("Time"), timeWords(lesson));
         fact(tr("Burs"), burWords(lesson));
         fact(tr("Aids"), aidWords(lesson.aids));

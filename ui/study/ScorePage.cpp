@@ -59,7 +59,7 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
 void fold(QLabel* words)
 {
     words->setWordWrap(true);
-    words->setMinimumHeight(1);
+    words->setMinimumSize(1, 1);
 }
 
 QString expectation(int expectedTenths, int totalTenths)

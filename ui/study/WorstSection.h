@@ -20,7 +20,7 @@ public:
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
 
-    [[nodiscard]] QSize sizeHint() const override { return {320, 222}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
 protected:
