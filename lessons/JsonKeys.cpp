@@ -53,6 +53,14 @@ QString kindOf(const QJsonValue& value)
     return QStringLiteral("null");
 }
 
+/// Control characters, but for the ends of lines and tabs, and those that turn the direction of what follows.
+bool isHidden(QChar c)
+{
+    const char16_t code = c.unicode();
+    return (c.category() == QChar::Other_Control && c != u'\n' && c != u'\t') || (code >= 0x202A && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
 }  // namespace
 
 JsonKeys::JsonKeys(QJsonObject object, QString file, QString path, std::vector<Fault>& faults)
@@ -161,6 +169,9 @@ LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
     const auto take = [&](const QString& code, const QString& text) {
         if (text.isEmpty() || text.size() > kLongestText)
             fault(key, QStringLiteral("has %1 characters; it takes 1 to %2").arg(text.size()).arg(kLongestText));
+        if (const auto hidden = std::find_if(text.begin(), text.end(), isHidden); hidden != text.end())
+            fault(key, QStringLiteral("holds the character U+%1, which cannot be seen; leave it out")
+                           .arg(static_cast<uint>(hidden->unicode()), 4, 16, QLatin1Char('0')));
         result.emplace(code.toStdString(), text.toStdString());
     };
     if (value.isString()) {

@@ -230,6 +230,10 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("layers of a tooth", "task", "\"tell_layers\"", "tooth: layers are told apart in a block of them");
     row("no rubric", "rubric", "null", "rubric: is missing");
     row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
+    row("a title that turns round", "title", "\"Class \\u202e I\"",
+        "title: holds the character U+202e, which cannot be seen; leave it out");
+    row("a goal with a bell", "goal", "{\"en\": \"Ring \\u0007\"}",
+        "goal: holds the character U+0007, which cannot be seen; leave it out");
     row("a depth in micrometres", "rules", "{\"depth_limit_mm\": 2500}",
         "rules.depth_limit_mm: is 2500, it must lie between 0.1 and 10 mm");
     row("exam maybe", "exam", "\"maybe\"", "exam: is a text; write true or false");

@@ -25,6 +25,7 @@ Page::Page(const Actions& actions, const QString& title, QWidget* parent)
     back->setFocusPolicy(Qt::TabFocus);
     connect(back, &QToolButton::clicked, actions.back, &QAction::trigger);
     m_title->setFont(typeface(kTitle, QFont::DemiBold));
+    m_title->setTextFormat(Qt::PlainText);
 
     auto* head = new QHBoxLayout;
     head->setSpacing(kSpace2);

@@ -40,6 +40,7 @@ bool isOfWhatIsLeft(const std::string& measure)
 QLabel* words(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(text, parent);
+    made->setTextFormat(Qt::PlainText);
     made->setFont(typeface(size, weight));
     made->setForegroundRole(role);
     made->setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -45,6 +45,7 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     column->addStretch(1);
     column->addWidget(question);
     m_mark = new QLabel(block);
+    m_mark->setTextFormat(Qt::PlainText);
     m_mark->setForegroundRole(QPalette::PlaceholderText);
     m_mark->setWordWrap(true);
     column->addWidget(m_mark);

@@ -46,6 +46,7 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     m_number = new QLabel(this);
     m_number->setForegroundRole(QPalette::PlaceholderText);
     m_text = new QLabel(this);
+    m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setFont(typeface(kBody, QFont::Medium));
     m_text->setObjectName(QStringLiteral("lessonStep"));

@@ -95,6 +95,7 @@ public:
 QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(words, parent);
+    made->setTextFormat(Qt::PlainText);  // a teacher's words, whatever they look like
     made->setFont(typeface(size, weight));
     made->setForegroundRole(role);
     made->setWordWrap(true);

@@ -50,6 +50,7 @@ QFrame* card(QWidget* parent)
 QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(words, parent);
+    made->setTextFormat(Qt::PlainText);
     made->setFont(typeface(size, weight));
     made->setForegroundRole(role);
     return made;
