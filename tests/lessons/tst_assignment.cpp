@@ -218,7 +218,7 @@ void TestAssignment::layersComeInAnotherOrderAndEveryReplayKnowsIt()
     QCOMPARE(orders.size(), std::size_t{6});
     // A teacher who names a seed has the order of that seed.
     std::get<Block>(lesson.tooth).seed = 5;
-    for (const std::uint64_t drawn : {0, 1, 2})
+    for (const std::uint64_t drawn : {0U, 1U, 2U})
         QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
                 core::teeth::padMaterials(5));
 }

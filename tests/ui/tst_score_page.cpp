@@ -285,8 +285,12 @@ void TestScorePage::breachesLeadToTheirMoments()
              qPrintable(facts->text()));
     made.work.aids = core::session::kSectionAid;
     for (int n = 0; n < 7; ++n)
-        made.work.infractions.push_back(
-            {n == 5 ? Breach::PulpExposed : Breach::BurInAir, 1000ULL * n, 20.0 * n, {}, 0, 20});
+        made.work.infractions.push_back({n == 5 ? Breach::PulpExposed : Breach::BurInAir,
+                                         static_cast<std::uint64_t>(1000 * n),
+                                         20.0 * n,
+                                         {},
+                                         0,
+                                         20});
     show(made);
     QVERIFY(facts->text().contains("section"));
     QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("7"));
@@ -376,7 +380,8 @@ void TestScorePage::theFirstViewNeedsNoScrolling()
     made.work.measured.process = conducted();
     made.work.aids = core::session::kSectionAid | core::session::kIdealAid | core::session::kRadiographAid;
     for (int n = 0; n < 9; ++n)
-        made.work.infractions.push_back({core::grading::Breach::BurInAir, 1000ULL * n, 20.0 * n, {}, 0, 20});
+        made.work.infractions.push_back(
+            {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
     show(made);
     const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
     QTRY_VERIFY2(!pane->hasMoreBelow(),
