@@ -131,6 +131,13 @@ void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
     offer(tr("Nothing in particular"), {});
     connect(m_worst, &QButtonGroup::buttonClicked, this, &Forecast::showMissing);
     m_criteriaSlot->addWidget(m_criteria);
+    // They were made after all other pages, and Tab would come to them last.
+    QWidget* before = m_slider;
+    for (QAbstractButton* answer : m_worst->buttons()) {
+        setTabOrder(before, answer);
+        before = answer;
+    }
+    setTabOrder(before, m_show);
     showMissing();
 }
 

@@ -344,7 +344,7 @@ QString blockTitle(const std::string& name)
 
 QString toothTitle(const core::terrain::ToothAnatomy& tooth)
 {
-    if (const QString block = blockTitle(tooth.name); !block.isEmpty())
+    if (QString block = blockTitle(tooth.name); !block.isEmpty())
         return block;
     const QString name = QString::fromStdString(tooth.name);
     if (tooth.fdi != 0 && (name.isEmpty() || name == QString::number(tooth.fdi)))
