@@ -27,7 +27,9 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
+#include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -295,6 +297,7 @@ void Application::showLessons()
         this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
         [this, standings](std::vector<lessons::CatalogEntry>& entries) {
             m_window->setLessons(std::move(entries), standings);
+            tellUnfinished();  // who put the offer away finds it here again
         });
 }
 
@@ -531,7 +534,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                 history,
                 expected,
                 {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured,
-                 found.infractions, found.aids},
+                 found.infractions, found.aids, m_assignment.exercise},
                 done->recording,
                 isKept,
                 found.practised};
@@ -745,10 +748,21 @@ void Application::offerUnfinished()
             if (search.failure)
                 m_window->showError(*search.failure, Failed::ResumingAttempt);
             m_unfinished = std::move(search.found);
-            if (m_unfinished)
-                m_window->offerUnfinished(ui::text::toothTitle(*m_unfinished->recording.anatomy()),
-                                          QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
+            tellUnfinished();
         });
+}
+
+/// By the name of its lesson, or of the tooth that was practised on.
+void Application::tellUnfinished()
+{
+    if (!m_unfinished)
+        return;
+    const core::recording::Recording& recording = m_unfinished->recording;
+    const lessons::ReadLesson read =
+        lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    m_window->offerUnfinished(read.lesson ? ui::study::said(read.lesson->title)
+                                          : ui::text::toothTitle(*recording.anatomy()),
+                              QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
 }
 
 void Application::resumeUnfinished()

@@ -88,6 +88,7 @@ private:
     void keepJournal();
     void watchJournal();
     void offerUnfinished();
+    void tellUnfinished();
     void resumeUnfinished();
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();

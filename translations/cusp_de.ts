@@ -3495,6 +3495,23 @@
         <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
         <translation>Sie dachten, die meisten Punkte koste „%1“; es war „%2“.</translation>
     </message>
+    <message>
+        <source>%1: %2, not named</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
+        <translation>%1: %2, nicht benannt</translation>
+    </message>
+    <message>
+        <source>%1: %2, as you said</source>
+        <translation>%1: %2, wie Sie sagten</translation>
+    </message>
+    <message>
+        <source>%1: %2, you said %3</source>
+        <translation>%1: %2, Sie sagten %3</translation>
+    </message>
+    <message>
+        <source>%1 has no place on the tooth</source>
+        <translation>%1 hat keinen Ort am Zahn</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

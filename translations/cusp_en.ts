@@ -3495,6 +3495,23 @@
         <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: %2, not named</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, as you said</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, you said %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no place on the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

@@ -153,6 +153,12 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
     const QString own = leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
     start();
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    // Put away, it is offered again with the lessons.
+    actions().back->trigger();
+    QVERIFY(!message().contains("an attempt of"));
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    actions().back->trigger();
     // Never opened silently.
     QVERIFY(enamelRemoved() != own);
     QVERIFY(!actions().undo->isEnabled());

@@ -319,7 +319,7 @@ void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
     QFile noise(m_folder->filePath("gone.stl"));
     QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("no mesh") == 7);
     noise.close();
-    ::lessons::ReadLesson scan = shipped("class1-36");
+    ::lessons::ReadLesson scan = shipped("decay-36-small");
     QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(scan.lesson->json)).object();
     object.insert("id", "scan");
     object.insert("tooth", QJsonObject{{"scan", "gone.stl"}, {"fdi", 36}});
@@ -331,7 +331,8 @@ void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
     QTRY_VERIFY2_WITH_TIMEOUT(check().contains("as soon as nothing is wrong"), qPrintable(check()), kLoadedMs);
     QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
     QVERIFY2(anyFault(""), "what is wrong is said");
-    QCOMPARE(spin("tolerance.outline")->value(), 0.3);
+    QVERIFY(m_editor->findChild<QDoubleSpinBox*>("tolerance.outline") == nullptr);
+    QCOMPARE(spin("tolerance.sound_tissue")->value(), 6.0);
 }
 
 void TestLessonEditor::draftsAreKeptAndSavedTogether()

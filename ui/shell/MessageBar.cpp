@@ -27,6 +27,8 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_sentence(new QLabel(this)), m_detail(new QLabel(this)),
       m_button(new QPushButton(this)), m_decline(new QPushButton(this)), m_close(new QToolButton(this))
 {
+    for (QLabel* words : {m_sentence, m_detail})  // names of files and lessons, whatever they look like
+        words->setTextFormat(Qt::PlainText);
     // Dark on every page, as it is one thing wherever it appears.
     dress(*this, roomPalette());
     setProperty("kind", "card");

@@ -113,7 +113,7 @@ void LessonStrip::showStep()
     const bool showsHint = hasHint && m_hint->isChecked();
     const QString step = count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
-    m_text->setToolTip(said(m_lesson.goal));
+    m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());

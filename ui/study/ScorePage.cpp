@@ -24,6 +24,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/study/ConductNotes.h"
 #include "ui/study/CriterionRow.h"
+#include "ui/study/ExerciseCard.h"
 #include "ui/study/HeatMap.h"
 #include "ui/study/WorstSection.h"
 #include "ui/text/Texts.h"
@@ -90,6 +91,22 @@ QString expectedWorst(const std::string& expected, const ::lessons::ScoreSheet& 
         return ScorePage::tr("What cost most you knew: %1.").arg(text::criterionName(*said));
     return ScorePage::tr("You thought that most points went to \"%1\"; they went to \"%2\".")
         .arg(text::criterionName(*said), name);
+}
+
+/// What each pad was, and what it was said to be.
+QString padWords(const core::grading::PadsToName& asked, const core::grading::Named& named)
+{
+    QStringList pads;
+    for (std::size_t pad = 0; pad < core::grading::kPads; ++pad) {
+        const core::terrain::Material is = asked.madeOf.at(pad);
+        const auto said = named.saidToBe.at(pad);
+        //: %1 is "Left", "Middle" or "Right", %2 and %3 are tissues
+        pads << (!said         ? ScorePage::tr("%1: %2, not named").arg(padName(pad), text::materialName(is))
+                 : *said == is ? ScorePage::tr("%1: %2, as you said").arg(padName(pad), text::materialName(is))
+                               : ScorePage::tr("%1: %2, you said %3")
+                                     .arg(padName(pad), text::materialName(is), text::materialName(*said)));
+    }
+    return pads.join(QStringLiteral(" · "));
 }
 
 /// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
@@ -423,9 +440,15 @@ void ScorePage::showPlace(const CriterionRow& row)
         return;
     const auto measure = core::grading::findMeasure(row.criterion().measure);
     const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
-    const auto node = own ? own : farthestOff(*m_scored);
+    const auto& practised = m_scored->measured.practised;
+    const auto node = own || practised ? own : farthestOff(*m_scored);
     const QString name = text::criterionName(row.criterion());
-    if (!node) {
+    if (practised && !own) {
+        const auto* asked = m_scored->exercise ? std::get_if<core::grading::PadsToName>(&*m_scored->exercise) : nullptr;
+        const auto* named = std::get_if<core::grading::Named>(&*practised);
+        m_place->setText(asked != nullptr && named != nullptr ? padWords(*asked, *named)
+                                                              : tr("%1 has no place on the tooth").arg(name));
+    } else if (!node) {
         m_place->setText(tr("The work is everywhere as it ought to be"));
     } else {
         const double above = static_cast<double>(aboveIdeal(*m_scored, *node));

@@ -20,7 +20,8 @@ struct ScoredWork
     core::grading::IdealTop ideal;  ///< what was asked for; null: that nothing be cut
     core::grading::Measured measured;
     std::vector<core::grading::Infraction> infractions{};
-    std::uint8_t aids = 0;  ///< bits of core::session::Aid that were in use
+    std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
+    std::optional<core::grading::Exercise> exercise{};  ///< what was practised; nothing where something was to be cut
 };
 
 /// How far a column ends above the ideal, mm: negative where it was cut too deep. 0 outside the tooth.
