@@ -43,12 +43,13 @@ private:
     int m_sum = 0;
 };
 
-/// What a criterion has lost, for telling more from less: a critical one has failed or not.
+/// What a criterion has lost by what was done, for telling more from less: a critical one has failed or not. Whether it
+/// can be earned at all is looked at in the end.
 int lostBy(const Criterion& line, Verdict verdict)
 {
     if (line.critical)
         return line.share > 0.0 ? 1 : 0;
-    return lostAlone(line, verdict);
+    return lostByError(line, verdict);
 }
 
 bool isOfTheWay(const std::string& measure)
@@ -119,6 +120,8 @@ public:
                 moments.front().lostTenths = line.lostTenths;
             else if (line.lostTenths == 0)
                 moments.clear();  // another one is the worst
+            else if (line.isTooEarly)
+                moments = {Moment{Moment::Kind::Never, line.lostTenths, 0, 0.0, 0}};
             [[maybe_unused]] int sum = 0;
             for (Moment& moment : moments) {
                 sum += moment.lostTenths;

@@ -37,6 +37,13 @@ core::Status checkCriterion(const Rubric& rubric, const CriterionRule& rule)
     if (rule.allowance)
         if (auto sound = checkNumber(rubric, rule, "allowance", rule.allowance->each, 0.0); !sound)
             return sound;
+    if (rule.once)
+        if (auto sound = checkNumber(rubric, rule, "once", rule.once->reaches, -kLargestRubricNumber); !sound)
+            return sound;
+    if (rule.critical && rule.once)
+        return core::unexpected(core::ErrorCode::BadStructure,
+                                in(rubric, rule, "once") + "a critical criterion earns nothing, it has nothing to wait "
+                                                           "for");
     if (rule.critical && rule.weightTenths != 0)
         return core::unexpected(core::ErrorCode::BadStructure,
                                 in(rubric, rule, "weight") + "a critical criterion has none; it fails the attempt and "
@@ -47,13 +54,18 @@ core::Status checkCriterion(const Rubric& rubric, const CriterionRule& rule)
     return {};
 }
 
+std::optional<double> valueOf(const std::string& measure, const Values& values)
+{
+    const auto found = values.find(measure);
+    return found != values.end() && std::isfinite(found->second) ? std::optional(found->second) : std::nullopt;
+}
+
 double tolerated(const CriterionRule& rule, const Values& values)
 {
     if (!rule.allowance)
         return rule.tolerance;
-    const auto scale = values.find(rule.allowance->measure);
-    const bool known = scale != values.end() && std::isfinite(scale->second);
-    return rule.tolerance + (known ? rule.allowance->each * std::max(0.0, scale->second) : 0.0);
+    const double scale = valueOf(rule.allowance->measure, values).value_or(0.0);
+    return rule.tolerance + rule.allowance->each * std::max(0.0, scale);
 }
 
 /// How far a value is off its target on the side that counts.
@@ -70,6 +82,22 @@ double offTarget(const CriterionRule& rule, double value)
     return std::abs(value - rule.target);
 }
 
+/// An error as a share of the span; 1 where nothing was measured, for nothing unmeasured earns points.
+double shareOf(const Criterion& line)
+{
+    if (!line.measured)
+        return 1.0;
+    if (!(line.error > 0.0))
+        return 0.0;
+    return line.span > 0.0 ? std::min(1.0, line.error / line.span) : 1.0;
+}
+
+/// What comes from rounding, for numbers as large as these.
+double roundingOf(double sum)
+{
+    return std::max(kRoundingUnits, kRoundingShare * sum);
+}
+
 Criterion judge(const CriterionRule& rule, const Values& values)
 {
     Criterion line;
@@ -83,19 +111,20 @@ Criterion judge(const CriterionRule& rule, const Values& values)
     line.span = rule.span;
     line.weightTenths = rule.weightTenths;
     line.critical = rule.critical;
-    const auto value = values.find(rule.measure);
-    if (value == values.end() || !std::isfinite(value->second)) {
-        line.share = 1.0;  // nothing unmeasured earns points
-        return line;
+    line.once = rule.once;
+    line.measured = valueOf(rule.measure, values);
+    if (line.measured) {
+        const double error = offTarget(rule, *line.measured) - line.tolerance;
+        if (error > roundingOf(std::abs(*line.measured) + std::abs(rule.target) + line.tolerance))
+            line.error = error;
     }
-    line.measured = value->second;
-    const double error = offTarget(rule, value->second) - line.tolerance;
-    const double rounding =
-        std::max(kRoundingUnits, kRoundingShare * (std::abs(value->second) + std::abs(rule.target) + line.tolerance));
-    if (error > rounding)
-        line.error = error;
-    if (line.error > 0.0)
-        line.share = rule.span > 0.0 ? std::min(1.0, line.error / rule.span) : 1.0;
+    if (rule.once) {
+        line.onceMeasured = valueOf(rule.once->measure, values);
+        line.isTooEarly =
+            !line.onceMeasured || rule.once->reaches - *line.onceMeasured >
+                                      roundingOf(std::abs(*line.onceMeasured) + std::abs(rule.once->reaches));
+    }
+    line.share = line.isTooEarly ? 1.0 : shareOf(line);
     return line;
 }
 
@@ -141,6 +170,13 @@ int lostAlone(const Criterion& line, Verdict verdict)
 {
     const int stake = verdict == Verdict::SumOfErrors ? line.weightTenths : kFullTenths;
     return static_cast<int>(std::lround(stake * line.share));
+}
+
+int lostByError(const Criterion& line, Verdict verdict)
+{
+    Criterion alone = line;
+    alone.share = shareOf(line);
+    return lostAlone(alone, verdict);
 }
 
 ScoreSheet grade(const Rubric& rubric, const Values& values)

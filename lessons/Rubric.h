@@ -33,6 +33,7 @@ struct CriterionRule
     double target = 0.0;     ///< what the measure ought to be
     double tolerance = 0.0;  ///< so far off it costs nothing
     std::optional<Allowance> allowance;
+    std::optional<Once> once;
     double span = 0.0;      ///< an error of so much beyond the tolerance costs the whole weight; 0: any does
     int weightTenths = 0;   ///< tenths of a point that can be lost here; 0 for a critical one
     bool critical = false;  ///< any error beyond the tolerance fails the attempt and takes all that is left
@@ -68,6 +69,9 @@ using Values = std::map<std::string, double, std::less<>>;
 /// Tenths of a point that a criterion which is not critical costs taken by itself: its share of its weight, or of 100
 /// points where the worst error decides.
 [[nodiscard]] int lostAlone(const Criterion& line, Verdict verdict);
+
+/// The same by its error alone, as if whatever has to be done before had been done.
+[[nodiscard]] int lostByError(const Criterion& line, Verdict verdict);
 
 /// Marks an attempt. docs/scoring.md says every step; a rubric that fails check() gives no sensible sheet. Any thread.
 [[nodiscard]] ScoreSheet grade(const Rubric& rubric, const Values& values);

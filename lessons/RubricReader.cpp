@@ -69,6 +69,15 @@ CriterionRule takeCriterion(JsonKeys& keys)
                                    allowance->number("each", 0.0, kLargestRubricNumber, "", 0.0)};
         allowance->nameTheRest();
     }
+    if (auto once = keys.object("once")) {
+        rule.once.emplace();
+        rule.once->measure = takeMeasure(*once, "measure", &rule.once->unit);
+        if (!once->has("reaches"))
+            once->fault("reaches", QStringLiteral("is missing"));
+        rule.once->reaches =
+            once->number("reaches", -kLargestRubricNumber, kLargestRubricNumber, rule.once->unit.c_str(), 0.0);
+        once->nameTheRest();
+    }
     if (!rule.critical && !keys.has("weight"))
         keys.fault("weight", QStringLiteral("is missing"));
     rule.weightTenths = takeTenths(keys, "weight", 0);

@@ -18,6 +18,15 @@ enum class Verdict {
     WorstError    ///< the worst criterion alone decides, with its share of 100 points
 };
 
+/// What has to be done before a criterion can earn anything: who has left the tooth alone has spared all of it.
+struct Once
+{
+    std::string measure;
+    std::string unit;      ///< of that measure
+    double reaches = 0.0;  ///< in that unit
+    bool operator==(const Once&) const = default;
+};
+
 /// One line of a score: what was measured, how it was worked into points, and what was lost. Numbers are kept as they
 /// were judged, so that the sentence can be worked again: "4.2 %, free 1.0 %, 60 points over 30 % -> -6.4".
 struct Criterion
@@ -33,8 +42,11 @@ struct Criterion
     double span = 0.0;
     int weightTenths = 0;
     bool critical = false;
-    double error = 0.0;  ///< beyond the tolerance, in `unit`; 0 where nothing was measured
-    double share = 0.0;  ///< of the weight that this error costs, 0 .. 1; 1 where nothing was measured
+    std::optional<Once> once;
+    std::optional<double> onceMeasured;  ///< of the measure that `once` names
+    bool isTooEarly = false;             ///< what `once` asks for has not been done
+    double error = 0.0;                  ///< beyond the tolerance, in `unit`; 0 where nothing was measured
+    double share = 0.0;  ///< of the weight that is lost, 0 .. 1; 1 where nothing was measured or it is too early
     int lostTenths = 0;  ///< tenths of a point, exactly
     bool operator==(const Criterion&) const = default;
 };

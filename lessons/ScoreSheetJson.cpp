@@ -41,8 +41,8 @@ QString nameOf(Side side)
 QByteArray toJson(const ScoreSheet& sheet)
 {
     QJsonArray criteria;
-    for (const Criterion& criterion : sheet.criteria)
-        criteria.append(QJsonObject{
+    for (const Criterion& criterion : sheet.criteria) {
+        QJsonObject line{
             {"id", text(criterion.id)},
             {"title", toObject(criterion.title)},
             {"measure", text(criterion.measure)},
@@ -57,7 +57,17 @@ QByteArray toJson(const ScoreSheet& sheet)
             {"error", criterion.error},
             {"share", criterion.share},
             {"lost_tenths", criterion.lostTenths},
-        });
+        };
+        if (criterion.once)
+            line.insert(QStringLiteral("once"),
+                        QJsonObject{
+                            {"measure", text(criterion.once->measure)},
+                            {"reaches", criterion.once->reaches},
+                            {"measured", criterion.onceMeasured ? QJsonValue(*criterion.onceMeasured) : QJsonValue()},
+                            {"too_early", criterion.isTooEarly},
+                        });
+        criteria.append(line);
+    }
     const QJsonObject object{
         {"format", kFormat},
         {"rubric", text(sheet.rubricId)},

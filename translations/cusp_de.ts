@@ -190,6 +190,29 @@
         <source>%1, no more than all of them</source>
         <translation>%1, mehr als alle nicht</translation>
     </message>
+    <message>
+        <source>%1 has reached %2</source>
+        <extracomment>%1: the name of a measure, %2: a figure with its unit</extracomment>
+        <translation>%1 den Wert %2 erreicht</translation>
+    </message>
+    <message>
+        <source>None of its %1 points are earned before %2</source>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation>Keiner der %1 Punkte zählt, bevor %2</translation>
+    </message>
+    <message>
+        <source>%1 of the decay is out</source>
+        <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
+        <translation>%1 der Karies entfernt sind</translation>
+    </message>
+    <message>
+        <source>%1 of the ideal is cut</source>
+        <translation>%1 des Ideals geschnitten sind</translation>
+    </message>
+    <message>
+        <source>%1 of the shape is cut</source>
+        <translation>%1 der Form geschnitten sind</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -747,6 +770,11 @@
     <message>
         <source>floor even to %1 mm</source>
         <translation>Boden eben auf %1 mm</translation>
+    </message>
+    <message>
+        <source> as soon as %1</source>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation>, sobald %1</translation>
     </message>
 </context>
 <context>
@@ -2743,6 +2771,11 @@
         <source>%1 too late</source>
         <extracomment>%1: points of a score, for something that was done later than asked</extracomment>
         <translation>%1 zu spät</translation>
+    </message>
+    <message>
+        <source>%1 too little done</source>
+        <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
+        <translation>%1 zu wenig getan</translation>
     </message>
 </context>
 <context>

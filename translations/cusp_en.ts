@@ -190,6 +190,29 @@
         <source>%1, no more than all of them</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 has reached %2</source>
+        <extracomment>%1: the name of a measure, %2: a figure with its unit</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of its %1 points are earned before %2</source>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the decay is out</source>
+        <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the ideal is cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the shape is cut</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -746,6 +769,11 @@
     </message>
     <message>
         <source>floor even to %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> as soon as %1</source>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2742,6 +2770,11 @@
     <message>
         <source>%1 too late</source>
         <extracomment>%1: points of a score, for something that was done later than asked</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 too little done</source>
+        <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -252,12 +252,16 @@ QString toText(const lessons::ScoreSheet& sheet)
             criterion.critical
                 ? QStringLiteral("critical")
                 : QStringLiteral("span %1, %2 points").arg(criterion.span).arg(points(criterion.weightTenths));
-        text += QStringLiteral("  %1 %2 (target %3, tolerance %4, %5): lost %6\n")
+        const QString once = criterion.isTooEarly ? QStringLiteral(", earned once %1 reaches %2")
+                                                        .arg(QString::fromStdString(criterion.once->measure))
+                                                        .arg(criterion.once->reaches)
+                                                  : QString();
+        text += QStringLiteral("  %1 %2 (target %3, tolerance %4, %5%6): lost %7\n")
                     .arg(QString::fromStdString(criterion.id), -14)
                     .arg(measured)
                     .arg(criterion.target)
                     .arg(criterion.tolerance)
-                    .arg(rule, points(criterion.lostTenths));
+                    .arg(rule, once, points(criterion.lostTenths));
     }
     return text + QStringLiteral("not measured   undercuts and walls past 90 degrees: the model is a height field\n");
 }

@@ -296,6 +296,11 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
          return ofDeviation(m, [](const Deviation& d) { return percent(d.undercutMm3, d.idealMm3); });
      },
      underNode},
+    {"ideal_cut_percent", "percent", "What of the ideal preparation was removed, over the ideal's volume.", kMetrics,
+     [](const Measured& m) -> Value {
+         return ofDeviation(m, [](const Deviation& d) { return percent(d.idealMm3 - d.undercutMm3, d.idealMm3); });
+     },
+     underNode},
     {"dice", "", "Twice the volume common to what was removed and the ideal, over the sum of both volumes.", kMetrics,
      [](const Measured& m) -> Value { return ofDeviation(m, [](const Deviation& d) { return d.dice; }); }, eitherNode},
     {"iou", "", "Volume common to what was removed and the ideal, over the volume of either.", kMetrics,

@@ -118,7 +118,7 @@ void TestMeasureTable::idsAreThoseThatRubricsName()
             "caries_largest_island_mm3 lesion_mm3 access_mm3 smallest_cavity_mm3 sound_overcut_mm3 enamel_removed_mm3 "
             "dentin_removed_mm3 pulp_removed_mm3 deepest_cut_mm pulp_exposed_mm2 perforated_mm2 "
             "remaining_over_pulp_mm ideal_mm3 removed_mm3 overcut_mm3 overcut_beside_mm3 "
-            "overcut_below_mm3 undercut_mm3 overcut_percent undercut_percent dice iou "
+            "overcut_below_mm3 undercut_mm3 overcut_percent undercut_percent ideal_cut_percent dice iou "
             "depth_error_mean_mm depth_error_signed_mm depth_error_p95_mm depth_too_deep_mm "
             "depth_too_shallow_mm outline_mean_mm outline_signed_mm outline_p95_mm outline_max_mm "
             "outline_over_mm outline_under_mm isthmus_width_mm isthmus_error_mm ridge_mesial_mm "

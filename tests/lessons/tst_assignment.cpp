@@ -52,6 +52,7 @@ class TestAssignment : public QObject
 private slots:
     void everyIdealEarnsFullPoints_data();
     void everyIdealEarnsFullPoints();
+    void decayLeftAloneEarnsNothing();
     void everyClassOneIsThereAndNothingDonePassesNone();
     void tooDeepCostsDepthAlone();
     void aRecordingIsMarkedForItsLesson();
@@ -70,7 +71,7 @@ void TestAssignment::everyIdealEarnsFullPoints_data()
         QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
 }
 
-/// Whoever cuts exactly what is asked for loses nothing, and whoever does nothing does not pass.
+/// Whoever cuts exactly what is asked for loses nothing, and whoever does nothing earns nothing.
 void TestAssignment::everyIdealEarnsFullPoints()
 {
     QFETCH(QString, id);
@@ -92,8 +93,18 @@ void TestAssignment::everyIdealEarnsFullPoints()
         QVERIFY(perfect->sheet.passed());
         const auto nothing = mark(assignment, core::terrain::Tooth(assignment.anatomy));
         QVERIFY(nothing.has_value());
-        QVERIFY2(!nothing->sheet.passed(), qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
+        QVERIFY2(nothing->sheet.totalTenths == 0, qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
     }
+}
+
+void TestAssignment::decayLeftAloneEarnsNothing()
+{
+    const auto assigned = assign(shipped("decay-36-moderate"));
+    QVERIFY(assigned);
+    const auto nothing = mark(assigned->assignment, core::terrain::Tooth(assigned->assignment.anatomy));
+    QVERIFY(nothing);
+    QCOMPARE(nothing->sheet.totalTenths, 0);
+    QVERIFY(nothing->sheet.criteria.at(1).isTooEarly);
 }
 
 void TestAssignment::everyClassOneIsThereAndNothingDonePassesNone()

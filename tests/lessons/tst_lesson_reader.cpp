@@ -241,6 +241,10 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
         R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent", "weight": 100,
             "allowance": {"measure": "removed_mm3"}}]})",
         "rubric.criteria[0].allowance.each: is missing");
+    row("once of nothing", "rubric",
+        R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent", "weight": 100,
+            "once": {"measure": "removed_mm3"}}]})",
+        "rubric.criteria[0].once.reaches: is missing");
     row("a measure that is none", "rubric",
         R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "beauty", "weight": 100}]})",
         "rubric.criteria[0].measure: \"beauty\" is no measure");

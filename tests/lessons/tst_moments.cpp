@@ -123,6 +123,7 @@ class TestMoments : public QObject
 private slots:
     void soundTissueIsLostByTheStrokeThatCutIt();
     void decayThatIsLeftWasNeverRemoved();
+    void whatIsNotEarnedYetIsOfNoStroke();
     void pointsThatWereWonAndLostAreOfTheStrokeThatLostThem();
     void whatIsTakenBackTakesItsMomentsAlong();
     void whatIsDoneAgainHasItsMomentsAgain();
@@ -183,6 +184,35 @@ void TestMoments::decayThatIsLeftWasNeverRemoved()
     QCOMPARE(never.lostTenths, lost);
     QCOMPARE(never.tick, recording.ticks());
     QCOMPARE(never.seconds, std::chrono::duration<double>(recording.duration()).count());
+}
+
+/// Points that wait for work to be done are lost by the strokes that lost them as soon as it is done, and by nothing
+/// that was done as long as it is not.
+void TestMoments::whatIsNotEarnedYetIsOfNoStroke()
+{
+    const std::vector<CriterionRule> criteria{rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)};
+    ReadyRig rig(assignmentWith(block(), criteria));
+    stroke(rig, -2.0, 0.0);
+    stroke(rig, 1.0, 0.0);
+    const Recording recording = rig.session->recordingSoFar().value();
+    const double cut = core::grading::measure(rig.live()).overcutMm3;
+    const auto momentsOnce = [&](double reaches, Moments& found) {
+        Assignment assignment = assignmentWith(block(), criteria);
+        assignment.rubric.criteria[0].once = Once{"removed_mm3", "mm3", reaches};
+        found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+    };
+    Moments free;
+    Moments due;
+    Moments early;
+    momentsOnce(0.0, free);
+    momentsOnce(0.99 * cut, due);
+    momentsOnce(1.01 * cut, early);
+    QCOMPARE(free.ofCriteria[0].size(), std::size_t{2});
+    QVERIFY(due.ofCriteria == free.ofCriteria);
+    QCOMPARE(early.ofCriteria[0].size(), std::size_t{1});
+    QCOMPARE(early.ofCriteria[0][0].kind, Moment::Kind::Never);
+    QCOMPARE(early.ofCriteria[0][0].lostTenths, 1000);
 }
 
 /// How far a depth is off its target falls while the cut comes near, and rises when it goes on: what is lost for good

@@ -60,6 +60,7 @@ private slots:
     void halfATenthGoesUp();
     void whatWasNotMeasuredEarnsNothing();
     void anAllowanceGrowsWithItsMeasure();
+    void nothingIsEarnedBeforeItsTime();
     void theWorstErrorDecides();
     void aCriticalErrorTakesWhatIsLeft();
     void theSumIsAlwaysExact();
@@ -75,12 +76,13 @@ void TestRubric::theExampleOfTheDocumentIsRight()
     const Rubric rubric = decayRemoval();
     QCOMPARE(rubric.criteria.size(), std::size_t{4});
     const ScoreSheet sheet = grade(rubric, {{"caries_left_percent", 4.2},
-                                            {"sound_overcut_mm3", 9.0},
+                                            {"caries_removed_percent", 95.8},
+                                            {"sound_overcut_mm3", 6.0},
                                             {"smallest_cavity_mm3", 2.0},
                                             {"pulp_exposed_mm2", 0.0},
                                             {"perforated_mm2", 0.0}});
     QCOMPARE(sheet.criteria[0].lostTenths, 64);
-    QCOMPARE(sheet.criteria[1].tolerance, 8.0);
+    QCOMPARE(sheet.criteria[1].tolerance, 5.0);
     QCOMPARE(sheet.criteria[1].lostTenths, 15);
     QCOMPARE(sheet.criteria[2].lostTenths, 0);
     QCOMPARE(sheet.totalTenths, 921);
@@ -173,6 +175,32 @@ void TestRubric::anAllowanceGrowsWithItsMeasure()
     QCOMPARE(grade(rubric, {{"a", 9.0}}).criteria[0].tolerance, 6.0);
     QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", 4.0}}).criteria[0].tolerance, 8.0);
     QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", -4.0}}).criteria[0].tolerance, 6.0);
+}
+
+void TestRubric::nothingIsEarnedBeforeItsTime()
+{
+    Rubric rubric = twoHalves();
+    rubric.criteria[1].once = Once{"done", "percent", 50.1};
+    const auto graded = [&](const Values& values) { return grade(rubric, values); };
+    const ScoreSheet untouched = graded({{"a", 0.0}, {"b", 1.5}, {"done", 0.0}});
+    QVERIFY(untouched.criteria[1].isTooEarly);
+    QCOMPARE(untouched.criteria[1].error, 0.0);
+    QCOMPARE(untouched.totalTenths, 500);
+    QVERIFY(graded({{"a", 0.0}, {"b", 1.5}}).criteria[1].isTooEarly);
+    QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.1}}).totalTenths, 1000);
+    QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 167 * 0.3}}).totalTenths, 1000);
+    QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.099}}).totalTenths, 500);
+    // What was done wrong meanwhile is known all the same.
+    const ScoreSheet wrong = graded({{"a", 0.0}, {"b", 2.125}, {"done", 12.0}});
+    QVERIFY(wrong.criteria[1].error > 0.0);
+    QCOMPARE(wrong.criteria[1].lostTenths, 500);
+    QCOMPARE(lostByError(wrong.criteria[1], Verdict::SumOfErrors), 375);
+    // What fails an attempt earns nothing, so it has nothing to wait for.
+    rubric.criteria[1].critical = true;
+    rubric.criteria[1].weightTenths = 0;
+    rubric.criteria[0].weightTenths = 1000;
+    const core::Status refused = check(rubric);
+    QVERIFY(!refused && refused.error().detail.find("once") != std::string::npos);
 }
 
 void TestRubric::theWorstErrorDecides()

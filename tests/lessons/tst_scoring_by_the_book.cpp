@@ -57,6 +57,8 @@ struct BookRule
     Units tolerance = 0;
     std::optional<std::size_t> allowance;  ///< measure
     Units each = 0;
+    std::optional<std::size_t> once;  ///< measure
+    Units reaches = 0;
     Units span = 0;
     int weight = 0;
     bool critical = false;
@@ -86,6 +88,7 @@ struct Fraction
 struct BookLine
 {
     bool measured = false;
+    bool tooEarly = false;
     Units tolerance = 0;  ///< this and the error in units of units: 1 / scale^2
     Units error = 0;
     Units rawError = 0;  ///< before it was cut off at 0
@@ -121,6 +124,11 @@ bool isBinary(const Fraction& share)
     return (lowest & (lowest - 1)) == 0;
 }
 
+bool isTooEarly(const BookRule& rule, const std::vector<BookValue>& values)
+{
+    return rule.once && (values[*rule.once].reading != Reading::Number || values[*rule.once].units < rule.reaches);
+}
+
 BookLine lineByTheBook(const BookRule& rule, const std::vector<BookValue>& values, Units scale)
 {
     BookLine line;
@@ -129,6 +137,7 @@ BookLine lineByTheBook(const BookRule& rule, const std::vector<BookValue>& value
         line.tolerance += rule.each * std::max<Units>(values[*rule.allowance].units, 0);
     line.whole = rule.span * scale;
     line.measured = values[rule.measure].reading == Reading::Number;
+    line.tooEarly = isTooEarly(rule, values);
     if (!line.measured) {
         line.share = {1, 1};
         return line;
@@ -141,6 +150,8 @@ BookLine lineByTheBook(const BookRule& rule, const std::vector<BookValue>& value
     line.error = std::max<Units>(line.rawError, 0);
     if (line.error > 0)
         line.share = line.error < line.whole ? Fraction{line.error, line.whole} : Fraction{1, 1};
+    if (line.tooEarly)
+        line.share = {1, 1};
     return line;
 }
 
@@ -192,7 +203,9 @@ BookSheet byTheBook(const BookRubric& rubric, const std::vector<BookValue>& valu
         for (std::size_t i = 0; i < rules.size(); ++i) {
             if (!rubric.worstError || rules[i].critical || i == *worst || lines[*worst].share.part == 0)
                 continue;
-            const auto cutOff = [&](std::size_t k) { return !lines[k].measured || lines[k].error > lines[k].whole; };
+            const auto cutOff = [&](std::size_t k) {
+                return !lines[k].measured || lines[k].tooEarly || lines[k].error > lines[k].whole;
+            };
             if (lines[i].share.equals(lines[*worst].share) && !(cutOff(i) && cutOff(*worst)))
                 ++sheet.openWorsts;
         }
@@ -226,6 +239,12 @@ std::string differenceInDoubles(const BookRubric& rubric, const std::vector<Book
         if (values[rule.measure].reading != Reading::Number) {
             error = 0.0;
             share = 1.0;
+        }
+        if (rule.once) {
+            const BookValue& done = values[*rule.once];
+            const double limit = std::max(1e-9, 1e-14 * (std::abs(real(done.units)) + std::abs(real(rule.reaches))));
+            if (done.reading != Reading::Number || real(rule.reaches) - real(done.units) > limit)
+                share = 1.0;
         }
         const Criterion& got = sheet.criteria.at(shares.size());
         if (got.tolerance != tolerance || got.error != error || got.share != share)
@@ -293,6 +312,10 @@ BookRule randomRule(core::Rng& rng, std::size_t measures, Units scale)
         rule.allowance = static_cast<std::size_t>(rng.below(static_cast<int>(measures)));
         rule.each = rng.below(2) == 0 ? scale * rng.below(4) : upTo(3 * scale);
     }
+    if (rng.below(4) == 0) {
+        rule.once = static_cast<std::size_t>(rng.below(static_cast<int>(measures)));
+        rule.reaches = upTo(8 * scale) - 2 * scale;
+    }
     switch (rng.below(8)) {
     case 0:
         rule.span = 0;
@@ -331,6 +354,7 @@ Attempt randomAttempt(std::uint64_t seed)
     for (int criticals = std::max(0, rng.below(6) - 2); criticals > 0; --criticals) {
         BookRule rule = randomRule(rng, measures, rubric.scale);
         rule.critical = true;
+        rule.once.reset();
         const auto place = rng.below(static_cast<int>(rubric.rules.size()) + 1);
         rubric.rules.insert(rubric.rules.begin() + place, rule);
     }
@@ -405,6 +429,9 @@ Rubric toRubric(const BookRubric& book)
         criterion.tolerance = number(rule.tolerance, book.scale);
         if (rule.allowance)
             criterion.allowance = Allowance{std::string(table[*rule.allowance].id), number(rule.each, book.scale)};
+        if (rule.once)
+            criterion.once = Once{std::string(table[*rule.once].id), std::string(table[*rule.once].unit),
+                                  number(rule.reaches, book.scale)};
         criterion.span = number(rule.span, book.scale);
         criterion.weightTenths = rule.weight;
         criterion.critical = rule.critical;
@@ -461,6 +488,8 @@ std::string difference(const Attempt& attempt, const BookSheet& book, const Scor
         const double share = number(line.share.part, line.share.whole);
         if (got.measured.has_value() != line.measured)
             return where + "measured";
+        if (got.isTooEarly != line.tooEarly)
+            return where + "too early";
         double slack = 0.0;
         if (scale != kBinary)
             slack = 1e-12 * (std::abs(number(attempt.values[rule.measure].units, scale)) +
@@ -470,7 +499,7 @@ std::string difference(const Attempt& attempt, const BookSheet& book, const Scor
         if (!within(got.error, error, slack))
             return where + "error " + std::to_string(got.error) + ", book " + std::to_string(error);
         double shareSlack = 0.0;
-        if (scale != kBinary && line.measured && rule.span > 0)
+        if (scale != kBinary && line.measured && !line.tooEarly && rule.span > 0)
             shareSlack = 1e-12 + slack / number(rule.span, scale);
         if (!within(got.share, share, shareSlack))
             return where + "share " + std::to_string(got.share) + ", book " + std::to_string(share);
@@ -518,10 +547,12 @@ void TestScoringByTheBook::theExampleOfThePage()
     decay.span = 30'000;
     decay.weight = 600;
     BookRule sound;
-    sound.measure = give("sound_overcut_mm3", 9000);
-    sound.tolerance = 6000;
+    sound.measure = give("sound_overcut_mm3", 6000);
+    sound.tolerance = 4000;
     sound.allowance = give("smallest_cavity_mm3", 2000);
-    sound.each = 1000;
+    sound.each = 500;
+    sound.once = give("caries_removed_percent", 95'800);
+    sound.reaches = 50'000;
     sound.span = 26'700;
     sound.weight = 400;
     BookRule pulp;
@@ -531,7 +562,7 @@ void TestScoringByTheBook::theExampleOfThePage()
 
     const BookSheet book = byTheBook(attempt.rubric, attempt.values);
     QCOMPARE(book.lines[0].error, Units{3'200'000});
-    QCOMPARE(book.lines[1].tolerance, Units{8'000'000});
+    QCOMPARE(book.lines[1].tolerance, Units{5'000'000});
     QCOMPARE(book.lines[1].error, Units{1'000'000});
     for (const auto& [line, share] : {std::pair{0, 1067}, {1, 375}, {2, 0}}) {
         const Fraction& exact = book.lines[static_cast<std::size_t>(line)].share;
@@ -554,7 +585,8 @@ void TestScoringByTheBook::tenThousandRandomAttempts()
 {
     int compared = 0, open = 0, openHalves = 0, openWorsts = 0;
     int passed = 0, failedCritically = 0, between = 0, halves = 0, onTolerance = 0, onWhole = 0, spanZero = 0;
-    int unmeasured = 0, allowed = 0, negativeAllowed = 0, unmeasuredAllowed = 0, worst = 0, equalWorst = 0;
+    int unmeasured = 0, tooEarly = 0, inTime = 0, allowed = 0, negativeAllowed = 0, unmeasuredAllowed = 0, worst = 0,
+        equalWorst = 0;
     int secondCritical = 0;
     for (std::uint64_t seed = 1; compared < kAttempts; ++seed) {
         const Attempt attempt = randomAttempt(seed);
@@ -590,9 +622,11 @@ void TestScoringByTheBook::tenThousandRandomAttempts()
             criticals += rule.critical && line.share.part > 0 ? 1 : 0;
             shares += !rule.critical && line.share.part == line.share.whole ? 1 : 0;
             unmeasured += line.measured ? 0 : 1;
+            tooEarly += line.tooEarly ? 1 : 0;
+            inTime += rule.once && !line.tooEarly ? 1 : 0;
             onTolerance += line.measured && line.rawError == 0 && line.tolerance > 0 ? 1 : 0;
             onWhole += line.measured && line.error == line.whole && line.whole > 0 ? 1 : 0;
-            spanZero += line.whole == 0 && line.error > 0 ? 1 : 0;
+            spanZero += line.whole == 0 && line.error > 0 && !line.tooEarly ? 1 : 0;
             if (rule.allowance) {
                 const BookValue& value = attempt.values[*rule.allowance];
                 const bool is = value.reading == Reading::Number;
@@ -610,11 +644,11 @@ void TestScoringByTheBook::tenThousandRandomAttempts()
     qInfo("passed %d, failed critically %d (two or more %d), total between 0 and 100 %d, worst error %d (equal %d)",
           passed, failedCritically, secondCritical, between, worst, equalWorst);
     qInfo("exact halves %d, on the tolerance %d, just the whole span %d, span 0 %d, unmeasured %d, allowance %d, "
-          "negative "
-          "%d, unmeasured %d",
-          halves, onTolerance, onWhole, spanZero, unmeasured, allowed, negativeAllowed, unmeasuredAllowed);
+          "negative %d, unmeasured %d, too early %d, in time %d",
+          halves, onTolerance, onWhole, spanZero, unmeasured, allowed, negativeAllowed, unmeasuredAllowed, tooEarly,
+          inTime);
     for (const int met : {passed, failedCritically, secondCritical, between, worst, equalWorst, halves, onTolerance,
-                          onWhole, spanZero, unmeasured, allowed, negativeAllowed, unmeasuredAllowed})
+                          onWhole, spanZero, unmeasured, tooEarly, inTime, allowed, negativeAllowed, unmeasuredAllowed})
         QVERIFY2(met >= 100, "a case of the page is hardly met");
 }
 

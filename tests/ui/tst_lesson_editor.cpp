@@ -332,7 +332,7 @@ void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
     QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
     QVERIFY2(anyFault(""), "what is wrong is said");
     QVERIFY(m_editor->findChild<QDoubleSpinBox*>("tolerance.outline") == nullptr);
-    QCOMPARE(spin("tolerance.sound_tissue")->value(), 6.0);
+    QCOMPARE(spin("tolerance.sound_tissue")->value(), 4.0);
 }
 
 void TestLessonEditor::draftsAreKeptAndSavedTogether()

@@ -281,6 +281,14 @@ void TestTexts::criteriaAreWorkedInNumbers_data()
                               << "Allowed is up to 0.00 mm²; it fails the attempt and takes the 100.0 points left";
     QTest::newRow("not measured") << criterion("a", {}, "mm", Side::Over, 0, 0, 1, 150)
                                   << "Not measured, so it earns none of its 15.0 points";
+    lessons::Criterion early = criterion("a", 0, "mm3", Side::Over, 0, 4, 20, 400);
+    early.isTooEarly = true;
+    early.lostTenths = 400;
+    early.once = lessons::Once{"caries_removed_percent", "percent", 50.0};
+    QTest::newRow("too early") << early << "None of its 40.0 points are earned before 50 % of the decay is out";
+    early.once = lessons::Once{"deepest_cut_mm", "mm", 0.5};
+    QTest::newRow("too early by another")
+        << early << "None of its 40.0 points are earned before deepest_cut_mm has reached 0.5 mm";
 }
 
 void TestTexts::criteriaAreWorkedInNumbers()

@@ -66,6 +66,9 @@ QString momentWords(const Moment& moment, const ::lessons::Criterion& criterion)
 {
     const QString lost = signedPoints(moment.lostTenths);
     if (moment.kind == Moment::Kind::Never) {
+        if (criterion.isTooEarly)
+            //: %1: points of a score that is earned only when enough of the work is done
+            return CriterionRow::tr("%1 too little done").arg(lost);
         if (!criterion.measured)
             //: %1: points of a score. What could not be measured earns nothing
             return CriterionRow::tr("%1 not measured").arg(lost);

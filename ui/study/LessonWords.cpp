@@ -171,6 +171,9 @@ QString ruleWords(const ::lessons::CriterionRule& rule)
                     .arg(figure(free));
     if (rule.allowance)
         words += QCoreApplication::translate("Lesson", " (more, where the decay is larger)");
+    if (rule.once)
+        //: %1: what has to be done before points are earned: "50 % of the decay is out"
+        words += QCoreApplication::translate("Lesson", " as soon as %1").arg(text::onceWords(*rule.once));
     words += QStringLiteral("; ");
     if (rule.critical)
         return words + QCoreApplication::translate("Lesson", "beyond it the attempt fails");

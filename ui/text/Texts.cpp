@@ -461,6 +461,21 @@ QString criterionName(const lessons::Criterion& criterion)
     return QString::fromStdString(title.empty() ? criterion.measure : title);
 }
 
+QString onceWords(const lessons::Once& once)
+{
+    const QString reaches = QStringLiteral("%1 %2").arg(QLocale().toString(once.reaches, 'g', 4), unitName(once.unit));
+    if (once.measure == "caries_removed_percent")
+        //: %1: a share: "50 %"
+        return QCoreApplication::translate("Criterion", "%1 of the decay is out").arg(reaches);
+    if (once.measure == "ideal_cut_percent")
+        return QCoreApplication::translate("Criterion", "%1 of the ideal is cut").arg(reaches);
+    if (once.measure == "target_removed_percent")
+        return QCoreApplication::translate("Criterion", "%1 of the shape is cut").arg(reaches);
+    //: %1: the name of a measure, %2: a figure with its unit
+    return QCoreApplication::translate("Criterion", "%1 has reached %2")
+        .arg(QString::fromStdString(once.measure), reaches.trimmed());
+}
+
 QString soundTissueCounted()
 {
     return QCoreApplication::translate("Criterion",
@@ -513,6 +528,11 @@ QString freeRange(const lessons::Criterion& criterion)
 
 QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict)
 {
+    if (criterion.isTooEarly && criterion.lostTenths > 0)
+        //: %1: points of a score, %2: what has to be done: "50 % of the decay is out"
+        return QCoreApplication::translate("Criterion", "None of its %1 points are earned before %2")
+            .arg(points(verdict == lessons::Verdict::WorstError ? lessons::kFullTenths : criterion.weightTenths),
+                 onceWords(*criterion.once));
     if (!criterion.measured)
         return criterion.critical
                    ? QCoreApplication::translate("Criterion",
