@@ -15,6 +15,7 @@
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
+#include "tests/support/Sanitized.h"
 
 using namespace lessons;
 
@@ -52,6 +53,8 @@ class TestAssignment : public QObject
 private slots:
     void everyIdealEarnsFullPoints_data();
     void everyIdealEarnsFullPoints();
+    void everyLesionCanBeCleared_data();
+    void everyLesionCanBeCleared();
     void decayLeftAloneEarnsNothing();
     void everyClassOneIsThereAndNothingDonePassesNone();
     void tooDeepCostsDepthAlone();
@@ -95,6 +98,37 @@ void TestAssignment::everyIdealEarnsFullPoints()
         QVERIFY(nothing.has_value());
         QVERIFY2(nothing->sheet.totalTenths == 0, qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
     }
+}
+
+void TestAssignment::everyLesionCanBeCleared_data()
+{
+    QTest::addColumn<QString>("id");
+    int n = 0;
+    for (const CatalogEntry& entry : readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->lesion && entry.read.lesson->lesion->extent > 0.7 &&
+            support::isTried(n++))
+            QTest::newRow(entry.read.lesson->id.c_str()) << QString::fromStdString(entry.read.lesson->id);
+}
+
+/// All decay of the deep lesions can be taken out, and whatever lies over it, without opening the pulp or going through
+/// the tooth.
+void TestAssignment::everyLesionCanBeCleared()
+{
+    QFETCH(QString, id);
+    const auto assigned = assign(shipped(id.toStdString()));
+    QVERIFY(assigned);
+    const Assignment& assignment = assigned->assignment;
+    std::vector<float> top = assignment.anatomy->top;
+    for (std::size_t k = 0; k < top.size(); ++k)
+        if (const auto& layers = assignment.anatomy->layers[k]; layers.cariesRoof > layers.cariesFloor)
+            top[k] = std::min(top[k], layers.cariesFloor);
+    const auto cleared = mark(assignment, cutTo(assignment, top));
+    QVERIFY(cleared);
+    for (const Criterion& line : cleared->sheet.criteria)
+        QVERIFY2(line.lostTenths == 0, qPrintable(QStringLiteral("%1 loses %2 with %3")
+                                                      .arg(QString::fromStdString(line.id))
+                                                      .arg(0.1 * line.lostTenths)
+                                                      .arg(line.measured.value_or(-1.0))));
 }
 
 void TestAssignment::decayLeftAloneEarnsNothing()
