@@ -100,6 +100,10 @@ ReplayTrack::ReplayTrack(std::unique_ptr<Player> player, const Examination& exam
       m_generation(generation), m_shown(m_player->recording().anatomy()->grid, m_player->recording().anatomy()->top),
       m_removed(m_player->recording().anatomy())
 {
+    if (const auto* asked =
+            examination.exercise ? std::get_if<core::grading::PointsToTouch>(&*examination.exercise) : nullptr)
+        for (const glm::dvec2& placeMm : asked->pointsMm)
+            m_points.push_back({placeMm, asked->reachMm, std::nullopt});
     m_session.toothGeneration = generation;
     m_session.wholeMm3 = core::terrain::volumes(core::terrain::Tooth(m_player->recording().anatomy()));
 }
@@ -115,6 +119,12 @@ bool ReplayTrack::prepare(std::uint64_t ticks)
         const std::lock_guard lock(m_mutex);
         m_infractions = m_examiner.infractions();
     }
+    if (const auto practised = m_examiner.practised())
+        if (const auto* touched = std::get_if<core::grading::Touched>(&*practised)) {
+            const std::lock_guard lock(m_mutex);
+            for (std::size_t k = 0; k < m_points.size(); ++k)
+                m_points[k].touchedAtS = touched->atS.at(k);
+        }
     return goesOn;
 }
 
@@ -145,6 +155,12 @@ Course ReplayTrack::course() const
     }
     const std::lock_guard lock(m_mutex);
     course.infractions = m_infractions;
+    course.points = m_points;
+    for (std::size_t k = 0; k < m_points.size(); ++k)
+        if (m_points[k].touchedAtS)
+            course.marks.push_back({Mark::Kind::Touched, *m_points[k].touchedAtS, k});
+    std::stable_sort(course.marks.begin(), course.marks.end(),
+                     [](const Mark& a, const Mark& b) { return a.atS < b.atS; });
     return course;
 }
 

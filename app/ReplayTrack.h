@@ -61,8 +61,9 @@ private:
     // Of the thread that prepares.
     core::session::Examiner m_examiner;
     std::size_t m_found = 0;
-    mutable std::mutex m_mutex;  ///< guards m_infractions
+    mutable std::mutex m_mutex;  ///< guards m_infractions and m_points
     std::vector<core::grading::Infraction> m_infractions;
+    std::vector<ui::replay::TouchPoint> m_points;
 
     // Of the thread that shows.
     core::session::UiLinks& m_links;

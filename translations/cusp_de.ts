@@ -1048,6 +1048,10 @@
         <source>Handpiece: %1</source>
         <translation>Handstück: %1</translation>
     </message>
+    <message>
+        <source>Point %1 touched</source>
+        <translation>Punkt %1 berührt</translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>

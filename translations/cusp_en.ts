@@ -1048,6 +1048,10 @@
         <source>Handpiece: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Point %1 touched</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>

@@ -104,6 +104,7 @@ private slots:
     void everyMomentComesToTheViewAsItWas();
     void showsLargeChangesToo();
     void theCourseTellsStrokesAndMarks();
+    void pointsAreTouchedInTheirTime();
     void aLessonsInfractionsAreFound();
     void playsAtAnySpeedAndStopsAtTheEnd();
     void showsWhatIsReadyUntilTheRestIs();
@@ -237,6 +238,41 @@ void TestReplayTrack::theCourseTellsStrokesAndMarks()
     for (std::size_t n = cut.size(); n-- > 0;)
         at = course.stepBefore(at);
     QCOMPARE(at, 0.0);
+}
+
+void TestReplayTrack::pointsAreTouchedInTheirTime()
+{
+    const auto entries = lessons::readCatalog({});
+    const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
+        return known.read.lesson && known.read.lesson->task == lessons::Task::TouchPoints;
+    });
+    QVERIFY(entry != entries.end());
+    const auto assigned = lessons::assign(*entry->read.lesson).value();
+    const auto& asked = std::get<grading::PointsToTouch>(*assigned.assignment.exercise);
+    support::Rig rig;
+    rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
+    rig.run(200);
+    for (const std::size_t point : {2U, 0U}) {
+        rig.lean(asked.pointsMm[point].x, asked.pointsMm[point].y, 0.5, 200);
+        rig.lift();
+    }
+    rig.settle();
+    Viewer viewer(assigned.assignment.anatomy);
+    const auto track = trackOf(rig.session->recordingSoFar().value(), viewer);
+    QCOMPARE(track->course().points.size(), asked.pointsMm.size());
+    QVERIFY(!track->course().points[0].touchedAtS);
+    while (track->prepare(100)) {
+    }
+    const Course course = track->course();
+    QVERIFY(course.points[0].touchedAtS && course.points[2].touchedAtS && !course.points[1].touchedAtS);
+    QVERIFY(*course.points[2].touchedAtS < *course.points[0].touchedAtS);
+    QCOMPARE(course.points[0].placeMm, asked.pointsMm[0]);
+    std::vector<std::uint64_t> order;
+    for (const Mark& mark : course.marks)
+        if (mark.kind == Mark::Kind::Touched)
+            order.push_back(mark.value);
+    QCOMPARE(order, (std::vector<std::uint64_t>{2, 0}));
+    QCOMPARE(course.stepAfter(0.0), *course.points[2].touchedAtS);
 }
 
 void TestReplayTrack::aLessonsInfractionsAreFound()

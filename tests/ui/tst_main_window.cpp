@@ -147,6 +147,7 @@ private slots:
     void aReplayTellsItsTimeAndPauses();
     void aReplayHasEightSpeeds();
     void keysGoThroughAReplayByStrokes();
+    void pointsAreMarkedAsTheyWereTouched();
     void theTimeLineIsScrubbedAndTellsWhatWas();
     void anotherAttemptIsShownBeside();
     void theHandIsLedAlongOnRequest();
@@ -1667,6 +1668,38 @@ void TestMainWindow::keysGoThroughAReplayByStrokes()
     const double azimuth = m_window->view().camera().azimuthDeg();
     press(Qt::Key_Left, Qt::ControlModifier);
     QVERIFY(m_window->view().camera().azimuthDeg() != azimuth);
+}
+
+void TestMainWindow::pointsAreMarkedAsTheyWereTouched()
+{
+    m_window->setReplaying(true, 60.0);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    SessionState session;
+    session.toothGeneration = 2;
+    const auto pictureAt = [&](double seconds) {
+        session.recordedS = seconds;
+        publish({}, session);
+        const auto* time = child<TabularLabel>("replayTime");
+        const QString told = QStringLiteral("0:%1 of").arg(seconds, 2, 'f', 0, u'0');
+        if (!QTest::qWaitFor([&] { return time->text().startsWith(told); }))
+            qWarning("the time is %s", qPrintable(time->text()));
+        return m_window->view().picture();
+    };
+    ui::replay::Course course;
+    course.lengthS = course.readyS = 60.0;
+    m_window->setReplayCourse(course);
+    const QImage bare = pictureAt(10.0);
+    course.points = {{{-1.0, 0.0}, 0.6, 20.0}, {{1.5, 1.0}, 0.6, std::nullopt}};
+    course.marks = {{ui::replay::Mark::Kind::Touched, 20.0, 0}};
+    m_window->setReplayCourse(course);
+    const QImage ringed = pictureAt(10.0);
+    QVERIFY(ringed != bare);
+    const QImage touched = pictureAt(21.0);
+    QVERIFY(touched != ringed);
+    QCOMPARE(pictureAt(40.0), touched);
+    QCOMPARE(pictureAt(11.0), ringed);
+    auto* line = child<ui::replay::TimeLine>("timeLine");
+    QVERIFY(line->saidAt(QPoint(qRound(line->xOf(20.0)), 12)).join(' ').contains("Point 1 touched"));
 }
 
 void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()

@@ -9,9 +9,11 @@ namespace {
 /// Two moments nearer than this are one: the position that is told is behind by a beat.
 constexpr double kSameS = 0.025;
 
-bool changesTheTooth(const Mark& mark)
+/// It changed the tooth, or what is shown on it.
+bool isStep(const Mark& mark)
 {
-    return mark.kind == Mark::Kind::Undo || mark.kind == Mark::Kind::Redo || mark.kind == Mark::Kind::StartAgain;
+    return mark.kind == Mark::Kind::Undo || mark.kind == Mark::Kind::Redo || mark.kind == Mark::Kind::StartAgain ||
+           mark.kind == Mark::Kind::Touched;
 }
 
 }  // namespace
@@ -23,7 +25,7 @@ double Course::stepAfter(double seconds) const
         if (stroke.doneS > seconds + kSameS)
             next = std::min(next, stroke.doneS);
     for (const Mark& mark : marks)
-        if (changesTheTooth(mark) && mark.atS > seconds + kSameS)
+        if (isStep(mark) && mark.atS > seconds + kSameS)
             next = std::min(next, mark.atS);
     return next;
 }
@@ -35,7 +37,7 @@ double Course::stepBefore(double seconds) const
         if (stroke.doneS < seconds - kSameS)
             last = std::max(last, stroke.doneS);
     for (const Mark& mark : marks)
-        if (changesTheTooth(mark) && mark.atS < seconds - kSameS)
+        if (isStep(mark) && mark.atS < seconds - kSameS)
             last = std::max(last, mark.atS);
     return last;
 }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "core/grading/Referee.h"
 
@@ -31,13 +34,23 @@ struct Mark
         Aids,       ///< value: those in use from now on, bits of core::session::Aid
         Note,       ///< value: its code
         Home,       ///< the hand was led home
-        Resumed     ///< the attempt was taken up again
+        Resumed,    ///< the attempt was taken up again
+        Touched     ///< value: index of the point of an exercise that was touched, for the first time
     };
     Kind kind = Kind::Undo;
     double atS = 0.0;
     std::uint64_t value = 0;
     std::string name = {};
     bool operator==(const Mark&) const = default;
+};
+
+/// A point that was to be touched, of an exercise.
+struct TouchPoint
+{
+    glm::dvec2 placeMm{0.0};  ///< tooth frame, seen from above
+    double reachMm = 0.6;
+    std::optional<double> touchedAtS;
+    bool operator==(const TouchPoint&) const = default;
 };
 
 /// How an attempt went, as far as it is known: what is drawn on a time line. All in order of time.
@@ -48,8 +61,9 @@ struct Course
     std::vector<Stroke> strokes;
     std::vector<Mark> marks;
     std::vector<core::grading::Infraction> infractions;
+    std::vector<TouchPoint> points;
 
-    /// The end of the first stroke or of the first step through the history after a moment; the end of all when there
+    /// The first end of a stroke, step through the history or touched point after a moment; the end of all when there
     /// is none.
     [[nodiscard]] double stepAfter(double seconds) const;
     /// The last such before a moment; the beginning when there is none.

@@ -93,6 +93,10 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     case Mark::Kind::Aids:
         painter.drawEllipse(at, 3.0, 3.0);
         break;
+    case Mark::Kind::Touched:
+        painter.drawLine(at + QPointF(-3.0, 0.0), at + QPointF(-1.0, 2.5));
+        painter.drawLine(at + QPointF(-1.0, 2.5), at + QPointF(3.5, -3.0));
+        break;
     case Mark::Kind::Handpiece:
     case Mark::Kind::Note:
     case Mark::Kind::Home:
@@ -144,6 +148,8 @@ QString markWords(const Mark& mark)
         return noteWords(mark.value);
     case Mark::Kind::Home:
         return QCoreApplication::translate("TimeLine", "The hand was led home");
+    case Mark::Kind::Touched:
+        return QCoreApplication::translate("TimeLine", "Point %1 touched").arg(mark.value + 1);
     case Mark::Kind::Resumed:
         break;
     }

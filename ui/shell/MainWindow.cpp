@@ -405,6 +405,8 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
 void MainWindow::setBesideCourse(const replay::Course& course)
 {
     m_room->replay().setBeside(asMayBeTold(course));
+    m_besideCourse = course;
+    markExercise();
 }
 
 void MainWindow::hideBeside()
@@ -413,6 +415,7 @@ void MainWindow::hideBeside()
         return;
     m_room->setBeside(nullptr);
     delete std::exchange(m_beside, nullptr);
+    m_besideCourse = {};
     m_room->replay().setBeside({});
     m_room->setSectionVisible(m_actions->section->isChecked());
     m_actions->beside->setChecked(false);
@@ -494,12 +497,27 @@ void MainWindow::layExercise()
     placeOverlays();
 }
 
+/// The points of the recordings that are played, here and beside, each as it was at the same share of its time.
+std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> MainWindow::replayedPoints() const
+{
+    const auto pointsAt = [](const replay::Course& course, double seconds) {
+        std::vector<tooth::PointMark> points;
+        for (const replay::TouchPoint& point : course.points)
+            points.push_back({point.placeMm, point.reachMm, point.touchedAtS && *point.touchedAtS <= seconds});
+        return points;
+    };
+    const double share = m_replayCourse.lengthS > 0.0 ? m_session.recordedS / m_replayCourse.lengthS : 0.0;
+    return {pointsAt(m_replayCourse, m_session.recordedS), pointsAt(m_besideCourse, share * m_besideCourse.lengthS)};
+}
+
 /// What of it is seen on the tooth: rings on points; or the pads' outlines alone, until they have been graded.
 void MainWindow::markExercise()
 {
     using namespace core::grading;
     tooth::ExerciseMarks marks;
     const bool isThere = m_exerciseCard->isVisibleTo(m_room);
+    auto replayed = replayedPoints();
+    marks.points = std::move(replayed.first);
     if (const auto* touch = isThere ? std::get_if<PointsToTouch>(&*m_assignment->exercise) : nullptr)
         for (std::size_t k = 0; k < touch->pointsMm.size(); ++k)
             marks.points.push_back({touch->pointsMm[k], touch->reachMm, m_touched && m_touched->atS.at(k)});
@@ -514,7 +532,7 @@ void MainWindow::markExercise()
     }
     m_view->setExercise(marks);
     if (m_beside != nullptr)
-        m_beside->setExercise(isUnseen ? marks : tooth::ExerciseMarks{});
+        m_beside->setExercise(isUnseen ? marks : tooth::ExerciseMarks{std::move(replayed.second), {}, false});
     m_room->panel().setBlindfold(isUnseen);
     showHistory();
     enableActions();
@@ -697,10 +715,13 @@ void MainWindow::takeSession()
     const core::session::SessionState& now = m_links.session.latest();
     const bool moved = now.undoSteps != m_session.undoSteps || now.redoSteps != m_session.redoSteps;
     tellHarm(now);
+    const auto marked = replayedPoints();
     m_session = now;
-    if (m_replaying)
+    if (m_replaying) {
         m_room->replay().setPosition(m_session.recordedS);
-    else if (m_session.toothGeneration == m_ownGeneration) {
+        if (replayedPoints() != marked)
+            markExercise();
+    } else if (m_session.toothGeneration == m_ownGeneration) {
         if (m_assignment && m_assignment->lesson)
             m_room->lesson().setTime(m_session.recordedS);
         m_room->history().follow(m_session.historyVersion);
@@ -1113,6 +1134,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
         m_workAtRest = ownWork();
     m_replaying = replaying;
     m_replayIdeal = std::move(ideal);
+    m_replayCourse = {};
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
@@ -1127,6 +1149,8 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
 void MainWindow::setReplayCourse(const replay::Course& course)
 {
     m_room->replay().setCourse(asMayBeTold(course));
+    m_replayCourse = course;
+    markExercise();
 }
 
 /// One's own attempt so far, saved and played, would tell what went wrong.

@@ -28,6 +28,7 @@
 #include "ui/study/ScoredWork.h"
 #include "ui/study/ToleranceSweep.h"
 #include "ui/text/Texts.h"
+#include "ui/tooth/ExerciseMarks.h"
 
 class QStackedWidget;
 
@@ -262,6 +263,7 @@ private:
     /// The student's lesson is an exam, and has not been graded yet.
     [[nodiscard]] bool isExamRunning() const;
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
+    [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
     void setDrillFor(lessons::Task task);
     void showXray();
     void savePicture(const QString& path, const QImage& picture);
@@ -302,6 +304,8 @@ private:
     std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
+    replay::Course m_replayCourse;
+    replay::Course m_besideCourse;  ///< of the one beside it
     lessons::Aids m_aids;
     std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth
