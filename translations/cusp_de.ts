@@ -3122,10 +3122,6 @@
         <translation>Das Ideal erreicht an sich selbst nur %1; es verliert bei: %2</translation>
     </message>
     <message>
-        <source>Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
-        <translation>An diesem Ideal nicht messbar, also hilft keine Toleranz: %1. Bewerten Sie nach anderen Kriterien.</translation>
-    </message>
-    <message>
         <source>Recordings (%1)</source>
         <translation>Aufzeichnungen (%1)</translation>
     </message>
@@ -3163,6 +3159,15 @@
     <message>
         <source>An exercise has no ideal that could be checked.</source>
         <translation>Eine Übung hat kein Ideal, das zu prüfen wäre.</translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <extracomment>%1: where in the lesson, and what is wrong there</extracomment>
+        <translation>Falsch: %1</translation>
+    </message>
+    <message>
+        <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
+        <translation>An diesem Ideal nicht gemessen oder nicht verdient, da hilft keine Toleranz: %1. Bewerten Sie nach einem anderen Schema.</translation>
     </message>
 </context>
 <context>
@@ -3384,6 +3389,32 @@
     <message>
         <source>All weights: %1 points; they must make 100</source>
         <translation>Alle Gewichte: %1 Punkte; es müssen 100 sein</translation>
+    </message>
+    <message>
+        <source>Targets and spans</source>
+        <translation>Ziele und Spannen</translation>
+    </message>
+    <message>
+        <source>What each measure ought to be, and how far beyond the tolerance all points are lost</source>
+        <translation>Was jedes Maß sein soll, und wie weit jenseits der Toleranz alle Punkte verloren sind</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Target of: %1</source>
+        <translation>Ziel von: %1</translation>
+    </message>
+    <message>
+        <source>all lost over</source>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <translation>alles verloren über</translation>
+    </message>
+    <message>
+        <source>Span of: %1</source>
+        <translation>Spanne von: %1</translation>
     </message>
 </context>
 <context>

@@ -3122,10 +3122,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recordings (%1)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3162,6 +3158,15 @@
     </message>
     <message>
         <source>An exercise has no ideal that could be checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <extracomment>%1: where in the lesson, and what is wrong there</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3383,6 +3388,32 @@
     </message>
     <message>
         <source>All weights: %1 points; they must make 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Targets and spans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each measure ought to be, and how far beyond the tolerance all points are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all lost over</source>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Span of: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lesson editor: a draft and what it comes to, the page, and the sweep over tolerances.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -48,6 +49,7 @@ private slots:
     void theTitleIsTakenBackAsWell();
     void nothingOfTheLessonBeforeIsLeft();
     void draftsAreKeptAndSavedTogether();
+    void targetsAndSpansAreChanged();
     void anExerciseHasNoIdealToCheck();
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
@@ -328,7 +330,8 @@ void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
     m_editor->edit(scan, m_folder->path());
     QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
     QVERIFY2(!words->text().contains("pass;"), qPrintable(words->text()));
-    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("as soon as nothing is wrong"), qPrintable(check()), kLoadedMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(check().startsWith(QStringLiteral("⚠ Wrong: scan.lesson.json")), qPrintable(check()),
+                              kLoadedMs);
     QVERIFY(m_editor->findChild<QDoubleSpinBox*>("depth_mm") == nullptr);
     QVERIFY2(anyFault(""), "what is wrong is said");
     QVERIFY(m_editor->findChild<QDoubleSpinBox*>("tolerance.outline") == nullptr);
@@ -348,6 +351,7 @@ void TestLessonEditor::draftsAreKeptAndSavedTogether()
     // Back at the first, it is as it was left.
     open("class1-36");
     QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.75, kLoadedMs);
+    QVERIFY(m_editor->findChild<QLineEdit*>("draftTitle")->text().contains("(own version)"));
     // One that cannot be saved comes to the page, with its reason.
     open("class1-37");
     auto* weight = [&] {
@@ -357,6 +361,7 @@ void TestLessonEditor::draftsAreKeptAndSavedTogether()
         return static_cast<QDoubleSpinBox*>(nullptr);
     }();
     weight->setValue(weight->value() + 5.0);
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("those of all criteria make 105"), qPrintable(check()), kLoadedMs);
     open("class1-36");
     QVERIFY(!m_editor->saveAll());
     QVERIFY2(saidBelow().contains("Not saved") && saidBelow().contains("class1-37"), qPrintable(saidBelow()));
@@ -365,6 +370,29 @@ void TestLessonEditor::draftsAreKeptAndSavedTogether()
     QVERIFY(m_editor->saveAll());
     QVERIFY(m_editor->unsaved().isEmpty() && m_editor->unsavedFiles().isEmpty());
     QVERIFY(!saved("class1-37-own.lesson.json").isEmpty());
+}
+
+void TestLessonEditor::targetsAndSpansAreChanged()
+{
+    open("class1-36");
+    QVERIFY(!spin("span.outline")->isVisible());
+    m_editor->findChild<QCheckBox*>("targetsAndSpans")->click();
+    QVERIFY(spin("span.outline")->isVisible() && spin("target.pulp_exposure")->isVisible());
+    QVERIFY(m_editor->findChild<QDoubleSpinBox*>("span.pulp_exposure") == nullptr);
+    QCOMPARE(spin("span.outline")->value(), 0.7);
+    QCOMPARE(spin("target.ridge")->value(), 1.6);
+    spin("span.outline")->setValue(1.4);
+    spin("target.ridge")->setValue(1.2);
+    QVERIFY(m_editor->saveAll());
+    const QJsonArray criteria = saved("class1-36-own.lesson.json")["rubric"].toObject()["criteria"].toArray();
+    for (const QJsonValue entry : criteria) {
+        const QJsonObject criterion = entry.toObject();
+        if (criterion["id"] == QStringLiteral("outline"))
+            QCOMPARE(criterion["span"].toDouble(), 1.4);
+        if (criterion["id"] == QStringLiteral("ridge"))
+            QCOMPARE(criterion["target"].toDouble(), 1.2);
+    }
+    QCOMPARE(criteria.size(), 10);
 }
 
 void TestLessonEditor::anExerciseHasNoIdealToCheck()

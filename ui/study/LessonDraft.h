@@ -82,7 +82,7 @@ public:
     /// @param name  of a file beside the lesson; empty: by rule again
     void setCaptured(const QString& name, const std::optional<core::preparation::Tolerances>& tolerances);
     void setPassMark(double points);
-    /// @param key  "tolerance" or "weight"
+    /// @param key  of a number of a criterion: "tolerance", "weight", "target", "span"
     void setCriterion(int index, const char* key, double value);
 
 private:

@@ -375,12 +375,18 @@ void LessonEditor::showCheck()
                 losing << text::criterionName(line);
     const bool isFull = m_now->isFullMarks();
     QPalette colours = palette();
-    if (itself && !isFull)
+    const auto wrong = std::find_if(m_now->read.faults.begin(), m_now->read.faults.end(),
+                                    [](const ::lessons::Fault& fault) { return fault.grave; });
+    if (wrong != m_now->read.faults.end())
+        colours.setColor(QPalette::WindowText, tones(palette()).harmText);
+    else if (itself && !isFull)
         colours.setColor(QPalette::WindowText, tones(palette()).attentionText);
     m_check->setPalette(colours);
     m_check->setText(
-        !m_now->assignment ? tr("The ideal is checked as soon as nothing is wrong.")
-        : !itself          ? tr("An exercise has no ideal that could be checked.")
+        //: %1: where in the lesson, and what is wrong there
+        wrong != m_now->read.faults.end() ? QStringLiteral("⚠ ") + tr("Wrong: %1").arg(wrong->sentence())
+        : !m_now->assignment              ? tr("The ideal is checked as soon as nothing is wrong.")
+        : !itself                         ? tr("An exercise has no ideal that could be checked.")
         : isFull
             ? QStringLiteral("✓ ") + tr("The ideal scores %1 on itself").arg(text::points(itself->totalTenths))
             //: %1: points; %2: names of criteria
@@ -400,7 +406,7 @@ void LessonEditor::fitTolerances()
     for (std::size_t k = 0; k < lines.size() && k < rules.size(); ++k) {
         if (lines[k].share <= 0.0)
             continue;
-        if (!lines[k].measured) {
+        if (!lines[k].measured || lines[k].isTooEarly) {
             left << text::criterionName(lines[k]);
             continue;
         }
@@ -410,7 +416,7 @@ void LessonEditor::fitTolerances()
     }
     changed();
     if (!left.isEmpty())
-        say(tr("Not measured on this ideal, so no tolerance helps: %1. Mark by another rubric.")
+        say(tr("Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.")
                 .arg(left.join(QStringLiteral(", "))),
             true);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -41,7 +42,14 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace2);
-    column->addWidget(formWords(tr("Marking"), kBody, QFont::DemiBold, QPalette::WindowText, this));
+    auto* head = new QHBoxLayout;
+    head->addWidget(formWords(tr("Marking"), kBody, QFont::DemiBold, QPalette::WindowText, this), 1);
+    m_more = new QCheckBox(tr("Targets and spans"), this);
+    m_more->setObjectName(QStringLiteral("targetsAndSpans"));
+    m_more->setToolTip(tr("What each measure ought to be, and how far beyond the tolerance all points are lost"));
+    connect(m_more, &QCheckBox::toggled, this, &RubricForm::showMore);
+    head->addWidget(m_more);
+    column->addLayout(head);
     m_slot = new QVBoxLayout;
     column->addLayout(m_slot);
     m_sum = formWords({}, kBody, QFont::Medium, QPalette::WindowText, this);
@@ -90,10 +98,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
         grid->addWidget(formWords(name, kBody, QFont::Normal, QPalette::WindowText, m_inputs), row, 0);
         const auto add = [&](QDoubleSpinBox* input, const char* key, int column) {
             grid->addWidget(input, row, column);
-            connect(input, &QDoubleSpinBox::valueChanged, this, [this, index, key](double value) {
-                if (!m_isFilling)
-                    emit criterionSet(index, key, value);
-            });
+            connectInput(input, index, key);
             return input;
         };
         Criterion inputs;
@@ -111,12 +116,59 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
             inputs.weight = add(numberInput(0.1, 100.0, 1, {}, tr("Weight of: %1").arg(name), m_inputs), "weight", 2);
             inputs.weight->setFixedWidth(kInputPx - kSpace6);
         }
+        inputs.more = makeMore(rule, inputs);
+        connectInput(inputs.target, index, "target");
+        if (inputs.span != nullptr)
+            connectInput(inputs.span, index, "span");
+        grid->addWidget(inputs.more, ++row, 0, 1, 3);
         inputs.fault = faultLabel(m_inputs);
         grid->addWidget(inputs.fault, ++row, 0, 1, 3);
         m_criteria.push_back(inputs);
         ++row;
     }
     m_slot->addWidget(m_inputs);
+    showMore();
+}
+
+void RubricForm::connectInput(QDoubleSpinBox* input, int index, const char* key)
+{
+    connect(input, &QDoubleSpinBox::valueChanged, this, [this, index, key](double value) {
+        if (!m_isFilling)
+            emit criterionSet(index, key, value);
+    });
+}
+
+/// What a measure ought to be, and over how much too far the points go.
+QWidget* RubricForm::makeMore(const ::lessons::CriterionRule& rule, Criterion& inputs)
+{
+    auto* more = new QWidget(m_inputs);
+    auto* row = new QHBoxLayout(more);
+    row->setContentsMargins(kSpace4, 0, 0, kSpace2);
+    row->setSpacing(kSpace2);
+    const QString name = titleOf(rule);
+    const auto add = [&](const QString& label, double low, const QString& heard, const char* key) {
+        row->addWidget(formWords(label, kSmall, QFont::Normal, QPalette::PlaceholderText, more));
+        auto* input =
+            numberInput(low, 10000.0, decimalsOf(rule.unit), text::unitName(rule.unit), heard.arg(name), more);
+        input->setSingleStep(stepOf(rule.unit));
+        input->setFixedWidth(kInputPx - kSpace2);
+        input->setObjectName(QLatin1String(key) + u'.' + QString::fromStdString(rule.id));
+        row->addWidget(input);
+        return input;
+    };
+    //: What a measure ought to be; %1: a criterion
+    inputs.target = add(tr("Target"), -10000.0, tr("Target of: %1"), "target");
+    if (!rule.critical)
+        //: How far beyond the tolerance all points of a criterion are lost; %1: a criterion
+        inputs.span = add(tr("all lost over"), 0.0, tr("Span of: %1"), "span");
+    row->addStretch(1);
+    return more;
+}
+
+void RubricForm::showMore()
+{
+    for (const Criterion& inputs : m_criteria)
+        inputs.more->setVisible(m_more->isChecked());
 }
 
 void RubricForm::showValues(const QJsonObject& rubric)
@@ -128,6 +180,9 @@ void RubricForm::showValues(const QJsonObject& rubric)
         m_criteria[k].tolerance->setValue(criterion.value(QStringLiteral("tolerance")).toDouble());
         if (m_criteria[k].weight != nullptr)
             m_criteria[k].weight->setValue(criterion.value(QStringLiteral("weight")).toDouble());
+        m_criteria[k].target->setValue(criterion.value(QStringLiteral("target")).toDouble());
+        if (m_criteria[k].span != nullptr)
+            m_criteria[k].span->setValue(criterion.value(QStringLiteral("span")).toDouble());
     }
     m_passMark->setValue(rubric.value(QStringLiteral("pass_mark")).toDouble());
 }

@@ -8,6 +8,7 @@
 
 #include "lessons/LessonReader.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QJsonObject;
 class QLabel;
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] static int decimalsOf(const std::string& unit);
 
 signals:
-    /// @param key  "tolerance" or "weight", of the criterion of this number
+    /// @param key  "tolerance", "weight", "target" or "span", of the criterion of this number
     void criterionSet(int index, const char* key, double value);
     void passMarkSet(double points);
 
@@ -44,15 +45,22 @@ private:
         std::string id;
         QDoubleSpinBox* tolerance = nullptr;
         QDoubleSpinBox* weight = nullptr;  ///< null for a critical one
+        QDoubleSpinBox* target = nullptr;
+        QDoubleSpinBox* span = nullptr;  ///< null for a critical one
+        QWidget* more = nullptr;         ///< the row of target and span
         QLabel* fault = nullptr;
     };
 
     [[nodiscard]] bool offers(const std::vector<::lessons::CriterionRule>& criteria) const;
+    [[nodiscard]] QWidget* makeMore(const ::lessons::CriterionRule& rule, Criterion& inputs);
+    void connectInput(QDoubleSpinBox* input, int index, const char* key);
+    void showMore();
     void sumUp();
 
     QVBoxLayout* m_slot = nullptr;
     QWidget* m_inputs = nullptr;
     std::vector<Criterion> m_criteria;
+    QCheckBox* m_more = nullptr;  ///< targets and spans are shown
     QLabel* m_sum = nullptr;
     QDoubleSpinBox* m_passMark = nullptr;
     bool m_isFilling = false;
