@@ -10,6 +10,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/LessonParts.h"
+#include "core/drilling/Reach.h"
 #include "core/recording/Recording.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
@@ -118,13 +119,28 @@ int listLessons(const QStringList& arguments)
     return kDone;
 }
 
+/// The ideal as far as a bur reaches.
+core::terrain::Tooth cutToTheIdeal(const lessons::Assignment& assignment)
+{
+    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+    const auto lowest = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    std::vector<float> top = *assignment.ideal->top;
+    for (std::size_t k = 0; k < top.size(); ++k) {
+        if (!(top[k] < anatomy.top[k]))
+            continue;
+        top[k] = std::min(anatomy.top[k], std::max(top[k], lowest));
+        if (!(top[k] > anatomy.bottom[k]))
+            top[k] = core::terrain::kEmptyTop;
+    }
+    return core::terrain::restored(assignment.anatomy, std::move(top));
+}
+
 /// What the rubric takes from whoever cuts exactly the ideal; nothing where all is as it should be.
 QString lostByTheIdeal(const lessons::Assignment& assignment)
 {
     if (!assignment.ideal)
         return {};
-    const auto marked = lessons::mark(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top),
-                                      lessons::Conduct{});
+    const auto marked = lessons::mark(assignment, cutToTheIdeal(assignment), lessons::Conduct{});
     if (!marked || marked->sheet.totalTenths == lessons::kFullTenths)
         return {};
     QStringList costly;

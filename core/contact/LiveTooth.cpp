@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/contact/Head.h"
+#include "core/drilling/Reach.h"
 
 namespace core::contact {
 namespace {
@@ -82,9 +83,7 @@ double lengthOf(glm::dvec2 v)
 }  // namespace
 
 LiveTooth::LiveTooth(terrain::Tooth tooth)
-    : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy),
-      m_floorMm(static_cast<double>(*std::max_element(m_tooth.anatomy->top.begin(), m_tooth.anatomy->top.end())) -
-                drilling::kChuckMm),
+    : m_tooth(std::move(tooth)), m_sides(*m_tooth.anatomy), m_floorMm(drilling::lowestTipMm(*m_tooth.anatomy)),
       m_kernels(contact::kernels())
 {
     for (const drilling::Bur& bur : drilling::burs())

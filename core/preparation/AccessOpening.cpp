@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drilling/Reach.h"
 #include "core/preparation/AxisRegion.h"
 #include "core/teeth/ToothTable.h"
 
@@ -193,9 +194,11 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
         return unexpected(ErrorCode::BadStructure,
                           "tooth " + anatomy.name + " has no pulp chamber that could be opened from above");
     // Half of a molar's chamber has its floor in common, whatever canals leave it; an incisor's has none, and is opened
-    // down to where its horns have joined.
+    // towards where its horns have joined.
     std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());
-    const double floorMm = isMolar ? floors[floors.size() / 2] : highest - kChamberMm;
+    const double chamberMm = isMolar ? floors[floors.size() / 2] : highest - kChamberMm;
+    // Nothing is asked for that no bur reaches.
+    const double floorMm = std::max(chamberMm, drilling::lowestTipMm(anatomy));
 
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
     const std::vector<glm::dvec2> around = isMolar ? trapezoidAround(hull) : triangleAround(hull, lingual);

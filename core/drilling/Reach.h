@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "core/drilling/Bur.h"
+#include "core/terrain/Tooth.h"
+
+namespace core::drilling {
+
+/// How low the tip of any bur comes on a tooth, mm in its frame: then the head of the handpiece lies on the highest
+/// cusp.
+[[nodiscard]] inline double lowestTipMm(const terrain::ToothAnatomy& anatomy)
+{
+    return static_cast<double>(*std::max_element(anatomy.top.begin(), anatomy.top.end())) - kChuckMm;
+}
+
+}  // namespace core::drilling
