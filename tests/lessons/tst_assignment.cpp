@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <set>
 
-#include "core/drilling/Bur.h"
+#include "core/drilling/Reach.h"
 #include "core/grading/MeasureTable.h"
 #include "core/preparation/ToothDesign.h"
 #include "core/teeth/Block.h"
@@ -44,6 +44,48 @@ core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float
     return core::terrain::restored(assignment.anatomy, top);
 }
 
+/// As far down as a bur comes, nothing raised.
+core::terrain::Tooth cutAsFarAsCanBe(const Assignment& assignment, std::vector<float> top)
+{
+    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+    const auto lowest = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    for (std::size_t k = 0; k < top.size(); ++k) {
+        top[k] = std::min(anatomy.top[k], std::max(top[k], lowest));
+        if (!(top[k] > anatomy.bottom[k]))
+            top[k] = core::terrain::kEmptyTop;
+    }
+    return cutTo(assignment, top);
+}
+
+/// What students do to a preparation that is otherwise the ideal.
+enum class Slip { FloorTooDeep, GougeBeside, QuarterGroundOff, FlatToTheFloor };
+
+std::vector<float> spoiled(const Assignment& assignment, Slip slip)
+{
+    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+    const core::terrain::Grid& grid = anatomy.grid;
+    const std::vector<float>& ideal = *assignment.ideal->top;
+    std::vector<float> top = ideal;
+    float lowest = 0.0F;
+    for (std::size_t k = 0; k < top.size(); ++k)
+        if (assignment.ideal->parts[k] == core::grading::Part::Floor)
+            lowest = std::min(lowest, ideal[k]);
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const glm::dvec2 at = grid.nodeMm(i, j);
+            if (slip == Slip::FloorTooDeep && assignment.ideal->parts[k] == core::grading::Part::Floor)
+                top[k] -= 1.2F;
+            if (slip == Slip::GougeBeside && at.y > 2.8 && at.y < 3.8 && std::abs(at.x) < 1.5)
+                top[k] = std::min(top[k], anatomy.top[k] - 1.5F);
+            if (slip == Slip::QuarterGroundOff && at.x > 0.0 && at.y > 0.0)
+                top[k] = std::min(top[k], anatomy.top[k] - 1.5F);
+            if (slip == Slip::FlatToTheFloor)
+                top[k] = std::min(top[k], lowest);
+        }
+    return top;
+}
+
 }  // namespace
 
 class TestAssignment : public QObject
@@ -57,6 +99,8 @@ private slots:
     void everyLesionCanBeCleared();
     void decayLeftAloneEarnsNothing();
     void everyClassOneIsThereAndNothingDonePassesNone();
+    void whatNoInstructorPassesFails_data();
+    void whatNoInstructorPassesFails();
     void tooDeepCostsDepthAlone();
     void aRecordingIsMarkedForItsLesson();
     void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
@@ -74,7 +118,7 @@ void TestAssignment::everyIdealEarnsFullPoints_data()
         QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
 }
 
-/// Whoever cuts exactly what is asked for loses nothing, and whoever does nothing earns nothing.
+/// Whoever cuts what is asked for, as far as a bur reaches, loses nothing, and whoever does nothing earns nothing.
 void TestAssignment::everyIdealEarnsFullPoints()
 {
     QFETCH(QString, id);
@@ -85,7 +129,7 @@ void TestAssignment::everyIdealEarnsFullPoints()
         QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
         const Assignment& assignment = assigned->assignment;
         QVERIFY(assignment.ideal.has_value());
-        const auto perfect = mark(assignment, cutTo(assignment, *assignment.ideal->top));
+        const auto perfect = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top));
         QVERIFY(perfect.has_value());
         for (const Criterion& line : perfect->sheet.criteria)
             QVERIFY2(line.lostTenths == 0,
@@ -148,6 +192,39 @@ void TestAssignment::everyClassOneIsThereAndNothingDonePassesNone()
         if (lesson.ideal && lesson.ideal->kind == "class1")
             teeth << std::get<MadeTooth>(lesson.tooth).fdi;
     QCOMPARE(teeth, (QSet<int>{24, 25, 26, 27, 34, 35, 36, 37}));
+}
+
+void TestAssignment::whatNoInstructorPassesFails_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<int>("slip");
+    const auto row = [](const char* id, const char* what, Slip slip) {
+        QTest::addRow("%s, %s", id, what) << QString::fromLatin1(id) << static_cast<int>(slip);
+    };
+    for (const char* id : {"class1-36", "class1-24", "class1-26", "class2-36-distal", "access-36", "access-21"}) {
+        row(id, "floor too deep", Slip::FloorTooDeep);
+        row(id, "gouge beside", Slip::GougeBeside);
+        row(id, "quarter ground off", Slip::QuarterGroundOff);
+    }
+    for (const char* id : {"block-circle", "block-cross", "block-staircase"}) {
+        row(id, "floor too deep", Slip::FloorTooDeep);
+        row(id, "quarter ground off", Slip::QuarterGroundOff);
+        row(id, "flat to the floor", Slip::FlatToTheFloor);
+    }
+}
+
+/// Over 1.0 mm too deep or too wide fails (teeth.md section 7), as does who cuts through side or bottom of a block,
+/// however well the rest is done.
+void TestAssignment::whatNoInstructorPassesFails()
+{
+    QFETCH(QString, id);
+    QFETCH(int, slip);
+    const auto assigned = assign(shipped(id.toStdString()));
+    QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+    const Assignment& assignment = assigned->assignment;
+    const auto marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip))));
+    QVERIFY(marked.has_value());
+    QVERIFY2(!marked->sheet.passed(), qPrintable(QString::number(0.1 * marked->sheet.totalTenths)));
 }
 
 void TestAssignment::tooDeepCostsDepthAlone()
