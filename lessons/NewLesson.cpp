@@ -129,7 +129,11 @@ core::Status nameCaptured(QJsonObject& object, const QString& captured, const QS
     }
     object.insert(QStringLiteral("ideal"), names);
     const QString draft = QDir(folder).filePath(QStringLiteral("draft.lesson.json"));
-    if (const ReadLesson read = readDraft(object, draft); read.lesson)
+    const ReadLesson read = readDraft(object, draft);
+    if (read.lesson && read.lesson->task != Task::CutIdeal)
+        return refused(QStringLiteral("a captured ideal is there to be cut, and this lesson asks for something else; "
+                                      "say --task cut_ideal"));
+    if (read.lesson)
         object.insert(QStringLiteral("rubric"), withTolerances(ownRubric(*read.lesson), ideal->tolerances));
     return {};
 }
@@ -169,7 +173,10 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         if (!wishes.title.isEmpty())
             object.insert(QStringLiteral("title"), wishes.title);
     } else {
-        const Task task = wishes.task.value_or(wishes.block.isEmpty() ? Task::RemoveDecay : Task::TraceShape);
+        const Task usual = !wishes.captured.isEmpty() ? Task::CutIdeal
+                           : wishes.block.isEmpty()   ? Task::RemoveDecay
+                                                      : Task::TraceShape;
+        const Task task = wishes.task.value_or(usual);
         if (task == Task::TraceShape && wishes.block.isEmpty())
             return refused(QStringLiteral("a shape is traced in a practice block; name one, such as \"cross\""));
         const Beginning& beginning = kBeginnings[static_cast<std::size_t>(task)];

@@ -104,6 +104,35 @@ void TestLessonCommand::aCapturedIdealGoesIntoALesson()
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"), refused.error.constData());
     QVERIFY(!QFileInfo::exists(out));
+
+    // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
+    const QString work = file("work");
+    QVERIFY(runCusp({"demo", "--lesson", "class1-24", "--out", work}).exitCode != 2);
+    QCOMPARE(
+        runCusp({"lesson", "capture", "--out", file("cut.cuspideal"), work + "/attempt.cusprec", "--depth", "0.33"})
+            .exitCode,
+        0);
+    const QStringList begin{"lesson", "new", "--id", "mine", "--captured", file("cut.cuspideal"), "--out", out};
+    const Ending begun = runCusp(begin + QStringList{"--tooth", "24"});
+    QVERIFY2(begun.exitCode == 0, begun.error.constData());
+    QFile lesson(out);
+    QVERIFY(lesson.open(QIODevice::ReadOnly));
+    const QJsonObject written = QJsonDocument::fromJson(lesson.readAll()).object();
+    QCOMPARE(written["task"].toString(), QString("cut_ideal"));
+    const QJsonObject depth = written["rubric"].toObject()["criteria"].toArray()[0].toObject();
+    QCOMPARE(depth["measure"].toString(), QString("depth_error_p95_mm"));
+    QCOMPARE(depth["tolerance"].toDouble(), 0.33);
+    const Ending checked = runCusp({"lesson", "check", out, "--json"});
+    QCOMPARE(checked.exitCode, 0);
+    QVERIFY2(checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray().isEmpty(), checked.out.constData());
+    QVERIFY(lesson.remove());
+    for (const QStringList& otherwise :
+         {QStringList{"--tooth", "24", "--task", "remove_decay"}, QStringList{"--from", "decay-24-small"}}) {
+        const Ending refusedToo = runCusp(begin + otherwise);
+        QCOMPARE(refusedToo.exitCode, 1);
+        QVERIFY2(refusedToo.isOneSentence() && refusedToo.error.contains("cut_ideal"), refusedToo.error.constData());
+        QVERIFY(!QFileInfo::exists(out));
+    }
 }
 
 void TestLessonCommand::aScanGoesIntoALesson()
