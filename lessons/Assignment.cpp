@@ -299,7 +299,7 @@ core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth
                         const std::optional<Conduct>& conduct)
 {
     Mark result;
-    result.measured.measures = core::grading::measure(tooth);
+    result.measured.measures = core::grading::measure(tooth, assignment.shownIdeal());
     if (conduct) {
         result.measured.process = conduct->process;
         result.measured.infractions = conduct->infractions;

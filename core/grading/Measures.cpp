@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grading/Columns.h"
+#include "core/grading/Perforation.h"
 
 namespace core::grading {
 namespace {
@@ -192,7 +193,7 @@ double overcutOf(const ToothAnatomy& anatomy, std::size_t k, float top)
     return soundOf(terrain::lengthsBetween(anatomy.layers[k], now, needed)) * static_cast<double>(anatomy.areaMm2[k]);
 }
 
-Measures measure(const Tooth& tooth)
+Measures measure(const Tooth& tooth, const IdealTop& ideal)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
     Measures result;
@@ -202,7 +203,7 @@ Measures measure(const Tooth& tooth)
     double mostOvercutMm3 = 0.0;
     double mostCariesMm3 = 0.0;
     double deepestInPulpMm = -1.0;
-    const std::vector<std::uint8_t> holes = terrain::perforations(tooth);
+    const std::vector<std::uint8_t> holes = perforationsBeside(tooth, ideal);
     for (std::size_t k = 0; k < anatomy.top.size(); ++k) {
         if (!wasSolid(anatomy, k))
             continue;

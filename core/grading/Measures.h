@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/grading/IdealCavity.h"
 #include "core/terrain/Tooth.h"
 
 namespace core::grading {
@@ -35,7 +36,7 @@ struct Measures
     double deepestCutMm = 0.0;
     /// mm2, area of the columns, seen from above, that were cut down to pulp or through it.
     double pulpExposedMm2 = 0.0;
-    /// mm2, area of the columns of holes that go right through the tooth, seen from above.
+    /// mm2, area of the columns of holes that go right through the tooth, seen from above, where none was asked for.
     double perforatedMm2 = 0.0;
     /// True if there is a pulp and a cut; only then does remainingOverPulpMm say anything.
     bool hasRemainingOverPulp = false;
@@ -58,6 +59,7 @@ struct Measures
 [[nodiscard]] double overcutOf(const terrain::ToothAnatomy& anatomy, std::size_t k, float top);
 
 /// Measures a finished (or running) attempt. A few milliseconds at 150 x 150. Any thread that owns the tooth.
-[[nodiscard]] Measures measure(const terrain::Tooth& tooth);
+/// @param ideal  over the tooth's grid: what it cuts through is no perforation. May be null
+[[nodiscard]] Measures measure(const terrain::Tooth& tooth, const IdealTop& ideal = nullptr);
 
 }  // namespace core::grading

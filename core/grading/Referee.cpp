@@ -10,6 +10,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/grading/Columns.h"
+#include "core/grading/Perforation.h"
 #include "core/teeth/Lattice.h"
 
 namespace core::grading {
@@ -63,7 +64,7 @@ std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
 }  // namespace
 
 Referee::Referee(const Rules& rules, std::shared_ptr<const ToothAnatomy> anatomy, const IdealTop& ideal)
-    : m_rules(rules), m_anatomy(std::move(anatomy))
+    : m_rules(rules), m_anatomy(std::move(anatomy)), m_ideal(ideal)
 {
     if (m_rules.besideLimitMm && ideal != nullptr)
         m_besideMm = besideOf(*m_anatomy, *ideal);
@@ -124,7 +125,7 @@ std::vector<Infraction> Referee::look(const session::ServoState& state, const dr
     if (m_mayBeHole && state.tick >= m_holesAskedAt + kTicksBetweenHoles) {
         m_holesAskedAt = state.tick;
         m_mayBeHole = false;
-        if (!terrain::perforations(tooth).empty())
+        if (hasHole(tooth))
             find(Breach::Perforated, 0.0, 0.0);
     }
     return std::exchange(m_found, {});
@@ -161,6 +162,12 @@ void Referee::lookBeside(const session::ServoState& state)
         standing(Breach::NeighbourHit) = false;
 }
 
+bool Referee::hasHole(const terrain::Tooth& tooth) const
+{
+    const std::vector<std::uint8_t> holes = perforationsBeside(tooth, m_ideal);
+    return std::find(holes.begin(), holes.end(), 1) != holes.end();
+}
+
 void Referee::lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
@@ -195,7 +202,7 @@ void Referee::restored(const terrain::Tooth& tooth)
     // What the earlier state had broken already is not told again.
     m_found.clear();
     lookAtColumns({0, 0, tooth.grid().side - 1, tooth.grid().side - 1}, tooth);
-    if (m_mayBeHole && !terrain::perforations(tooth).empty())
+    if (m_mayBeHole && hasHole(tooth))
         standing(Breach::Perforated) = true;
     m_mayBeHole = false;
     m_found.clear();

@@ -20,7 +20,7 @@ namespace core::grading {
 /// What must not happen in an attempt, the gravest first.
 enum class Breach : std::uint8_t {
     PulpExposed,   ///< a column was cut down to pulp
-    Perforated,    ///< a hole goes through the tooth
+    Perforated,    ///< a hole goes through the tooth where none was asked for
     TooDeep,       ///< deeper below the original surface than the limit
     RidgeCut,      ///< nearer to the mesial or distal surface than the limit
     WrongPlace,    ///< cut farther beside what was to be cut than the limit
@@ -72,7 +72,8 @@ inline constexpr std::chrono::milliseconds kForcePatience{200};
 class Referee
 {
 public:
-    /// @param ideal  what is to be cut; null: nothing is, so no place is wrong
+    /// @param ideal  what is to be cut; null: nothing is, so no place is wrong and
+    ///               every hole is one
     Referee(const Rules& rules, std::shared_ptr<const terrain::ToothAnatomy> anatomy, const IdealTop& ideal);
 
     /// After a step: the new infractions, few if any.
@@ -87,11 +88,13 @@ private:
 
     void lookBeside(const session::ServoState& state);
     void lookAtColumns(const drilling::CutRect& rect, const terrain::Tooth& tooth);
+    [[nodiscard]] bool hasHole(const terrain::Tooth& tooth) const;
     void find(Breach breach, double value, double limit);
     [[nodiscard]] bool& standing(Breach breach) { return m_standing[static_cast<std::size_t>(breach)]; }
 
     Rules m_rules;
     std::shared_ptr<const terrain::ToothAnatomy> m_anatomy;
+    IdealTop m_ideal;
     std::vector<float> m_besideMm;  ///< distance from what is to be cut, [side * side]; empty: not watched
     std::vector<float> m_ridgeMm;   ///< distance to the nearer of mesial and distal outline along x; empty: not watched
     std::array<bool, kBreaches> m_standing{};

@@ -239,6 +239,14 @@ void TestMeasures::aPerforationIsTheAreaOfItsHole()
     QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.03));
     cut(tooth, 40, 45, 40, 45, -9.5F);  // deep, not through
     QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.03));
+
+    // Where the ideal goes through, a hole is none, nor is what hangs together with it; one elsewhere is.
+    auto ideal = std::make_shared<std::vector<float>>(tooth.anatomy->top);
+    (*ideal)[tooth.grid().index(11, 50)] = kEmptyTop;
+    QVERIFY(near(grading::measure(tooth, ideal).perforatedMm2, 0.0));
+    goThrough(30, 30);
+    QVERIFY(near(grading::measure(tooth, ideal).perforatedMm2, 0.01));
+    QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.04));
 }
 
 void TestMeasures::aToothWithoutLesionOrPulpGivesZeros()

@@ -312,6 +312,14 @@ void TestReferee::tellsAHoleThrough()
         found.push_back(late);
     QCOMPARE(found.size(), std::size_t{1});
     QCOMPARE(found.front().breach, Breach::Perforated);
+
+    // Where a hole is asked for, it is none.
+    auto ideal = std::make_shared<std::vector<float>>(m_anatomy->top);
+    (*ideal)[k] = terrain::kEmptyTop;
+    Referee lenient(rules, m_anatomy, ideal);
+    m_state.tick = 1;
+    QVERIFY(lenient.look(m_state, {m_middle, m_middle, m_middle, m_middle}, *m_tooth, kTick).empty());
+    QVERIFY(wait(lenient, 100).empty());
 }
 
 void TestReferee::liveAndReplayFindTheSame()

@@ -101,6 +101,7 @@ private slots:
     void everyClassOneIsThereAndNothingDonePassesNone();
     void whatNoInstructorPassesFails_data();
     void whatNoInstructorPassesFails();
+    void aShellLeftBeforeTheNeighbourIsNoHole();
     void tooDeepCostsDepthAlone();
     void aRecordingIsMarkedForItsLesson();
     void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
@@ -225,6 +226,30 @@ void TestAssignment::whatNoInstructorPassesFails()
     const auto marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip))));
     QVERIFY(marked.has_value());
     QVERIFY2(!marked->sheet.passed(), qPrintable(QString::number(0.1 * marked->sheet.totalTenths)));
+}
+
+/// The box is cut through where the tooth bulges over it, and the last shell goes last (teeth.md section 7).
+void TestAssignment::aShellLeftBeforeTheNeighbourIsNoHole()
+{
+    const auto assigned = assign(shipped("class2-36-distal"));
+    QVERIFY(assigned.has_value());
+    const Assignment& assignment = assigned->assignment;
+    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+    const int shell = static_cast<int>(0.3 / anatomy.grid.cellMm);
+    std::vector<float> top = *assignment.ideal->top;
+    for (int j = 0; j < anatomy.grid.side; ++j) {
+        int rim = anatomy.grid.side - 1;
+        while (rim >= 0 && !(anatomy.top[anatomy.grid.index(rim, j)] > anatomy.bottom[anatomy.grid.index(rim, j)]))
+            --rim;
+        for (int i = std::max(0, rim - shell); i <= rim; ++i)
+            top[anatomy.grid.index(i, j)] = anatomy.top[anatomy.grid.index(i, j)];
+    }
+    const core::terrain::Tooth tooth = cutTo(assignment, top);
+    QVERIFY(!core::terrain::perforations(tooth).empty());
+    const auto marked = mark(assignment, tooth);
+    QVERIFY(marked.has_value());
+    QCOMPARE(marked->measured.measures.perforatedMm2, 0.0);
+    QVERIFY(!marked->sheet.failedCritically());
 }
 
 void TestAssignment::tooDeepCostsDepthAlone()
