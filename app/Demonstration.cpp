@@ -61,9 +61,9 @@ core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& 
     }
     if (!assignment.ideal)
         return letWork(haptics::DemoHand(), assignment, options, simulatedFalcon);
-    return letWork(
-        haptics::IdealHand(*assignment.anatomy, *assignment.ideal->top, core::drilling::burs()[options.burIndex]),
-        assignment, options, simulatedFalcon);
+    return letWork(haptics::IdealHand(*assignment.anatomy, *assignment.ideal->top,
+                                      core::drilling::burs()[options.burIndex], assignment.neighbours.get()),
+                   assignment, options, simulatedFalcon);
 }
 
 }  // namespace app

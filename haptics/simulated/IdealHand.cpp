@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace haptics {
@@ -25,9 +26,9 @@ constexpr int kThere = 6;           ///< a decision counts so many times where t
 }  // namespace
 
 IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
-                     const core::drilling::Bur& bur)
+                     const core::drilling::Bur& bur, const core::terrain::HeightMaps* beside)
     : m_grid(anatomy.grid), m_lowestMm(m_grid.count(), kEmptyTop), m_reachMm(anatomy.top), m_fromAt(m_grid.count()),
-      m_isGivenUp(m_grid.count())
+      m_isKeptOff(m_grid.count()), m_isGivenUp(m_grid.count())
 {
     const int span = static_cast<int>(std::floor(bur.headRadiusMm / m_grid.cellMm));
     std::vector<Part> head;
@@ -36,6 +37,8 @@ IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const
             if (const double radius = m_grid.cellMm * std::sqrt(i * i + j * j); radius <= bur.headRadiusMm)
                 head.push_back({i, j, static_cast<float>(bur.undersideMm(radius))});
     findLowest(idealTop, head);
+    if (beside != nullptr)
+        keepOff(*beside, bur);
     findReach(head);
 }
 
@@ -48,6 +51,29 @@ void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Part
                 if (m_grid.contains(i + part.i, j + part.j))
                     lowest = std::max(lowest, idealTop[m_grid.index(i + part.i, j + part.j)] - part.heightMm);
         }
+}
+
+/// Over a neighbour the bur stays above it, however little it would touch.
+void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::drilling::Bur& bur)
+{
+    const core::terrain::Grid& other = beside.grid;
+    const int span = static_cast<int>(bur.headRadiusMm / other.cellMm) + 1;
+    for (std::size_t k = 0; k < m_grid.count(); ++k) {
+        const glm::dvec2 place = nodeMm(k);
+        const glm::ivec2 at(glm::floor(other.latticeOf(place) + 0.5));
+        for (int j = at.y - span; j <= at.y + span; ++j)
+            for (int i = at.x - span; i <= at.x + span; ++i) {
+                if (!other.contains(i, j))
+                    continue;
+                const glm::dvec2 way = other.nodeMm(i, j) - place;
+                const double radius = std::sqrt(glm::dot(way, way));
+                const float top = beside.top[other.index(i, j)];
+                if (radius > bur.headRadiusMm || !(top > beside.bottom[other.index(i, j)]))
+                    continue;
+                m_lowestMm[k] = std::max(m_lowestMm[k], top - static_cast<float>(bur.undersideMm(radius)));
+                m_isKeptOff[k] = true;
+            }
+    }
 }
 
 void IdealHand::findReach(std::span<const Part> head)
@@ -109,6 +135,12 @@ double IdealHand::lowestAt(glm::dvec2 placeMm) const
     return m_grid.contains(i, j) ? static_cast<double>(m_lowestMm[m_grid.index(i, j)]) : kEmptyTop;
 }
 
+bool IdealHand::isKeptOff(glm::dvec2 placeMm) const
+{
+    const glm::ivec2 at(glm::floor(m_grid.latticeOf(placeMm) + 0.5));
+    return m_grid.contains(at.x, at.y) && m_isKeptOff[m_grid.index(at.x, at.y)];
+}
+
 double IdealHand::lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const
 {
     const glm::dvec2 way = toMm - fromMm;
@@ -154,6 +186,9 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
         want.targetMm = bur + way * (std::max(distance, kLeadMm) / distance);
         want.hoverMm = std::max(onTheWay, state.anchorMm.z - kSinkMm);
     }
+    // Where nothing holds the bur back, what leads it into the tooth would lead it on into what it is to spare.
+    if (isKeptOff(want.targetMm))
+        want.targetMm = nodeMm(aim);
     return want;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/drilling/Bur.h"
 #include "core/session/Links.h"
+#include "core/terrain/Rasteriser.h"
 #include "core/terrain/Tooth.h"
 
 namespace haptics {
@@ -19,8 +20,9 @@ class IdealHand
 {
 public:
     /// @param idealTop  as core::grading::IdealTop, of the anatomy that is cut
+    /// @param beside    the neighbours, which the bur keeps off; may be null, is not kept
     IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
-              const core::drilling::Bur& bur);
+              const core::drilling::Bur& bur, const core::terrain::HeightMaps* beside = nullptr);
 
     /// What the hand wants now, given the bur and the tooth. Call once every few ticks.
     [[nodiscard]] core::session::PointerInput decide(const core::session::ServoState& state,
@@ -38,17 +40,20 @@ private:
     };
 
     void findLowest(std::span<const float> idealTop, std::span<const Part> head);
+    void keepOff(const core::terrain::HeightMaps& beside, const core::drilling::Bur& bur);
     void findReach(std::span<const Part> head);
     [[nodiscard]] bool isWanting(const core::terrain::Tooth& tooth, std::size_t column) const;
     [[nodiscard]] std::optional<std::size_t> nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const;
     [[nodiscard]] glm::dvec2 nodeMm(std::size_t node) const;
     [[nodiscard]] double lowestAt(glm::dvec2 placeMm) const;
+    [[nodiscard]] bool isKeptOff(glm::dvec2 placeMm) const;
     [[nodiscard]] double lowestOnTheWay(glm::dvec2 fromMm, glm::dvec2 toMm) const;
 
     core::terrain::Grid m_grid;
     std::vector<float> m_lowestMm;        ///< of the tip at each node, so that no column is cut below its ideal
     std::vector<float> m_reachMm;         ///< to which this bur can cut each column
     std::vector<std::size_t> m_fromAt;    ///< the node from which it does
+    std::vector<bool> m_isKeptOff;        ///< nodes from which the bur would touch a neighbour
     std::vector<bool> m_isGivenUp;        ///< nodes where nothing yields any more
     std::optional<std::size_t> m_column;  ///< the one that is cut now
     int m_patience = 0;                   ///< decisions spent on it

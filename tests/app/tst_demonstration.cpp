@@ -29,6 +29,7 @@ void TestDemonstration::cutsTheIdeal_data()
 {
     QTest::addColumn<QString>("lesson");
     QTest::newRow("Class I") << "class1-24";
+    QTest::newRow("Class II, beside a neighbour") << "class2-36-distal";
     QTest::newRow("a block") << "block-line";
     QTest::newRow("decay") << "decay-36-small";
 }
