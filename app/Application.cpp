@@ -167,7 +167,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         m_window->setSelfDrilling();
         m_window->offerHome();
         m_demoBeat.setInterval(kDemoBeatMs);
-        connect(&m_demoBeat, &QTimer::timeout, this, &Application::letDemoHandDecide);
+        connect(&m_demoBeat, &QTimer::timeout, this, &Application::letHandDecide);
         m_demoBeat.start();
     }
     static_cast<void>(m_links.commands.tryPush(core::session::SetBur{1}));
@@ -397,19 +397,23 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_ownGeneration = ++m_generation;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
-    m_demoHand = {};
+    m_demoHand.reset();
     m_window->showTooth(m_assignment.anatomy, m_ownGeneration, notes, unitInDoubt);
 }
 
-void Application::letDemoHandDecide()
+void Application::letHandDecide()
 {
     if (m_replay && m_replay->isLeading()) {  // it goes along willingly
         const glm::dvec3 shown = m_links.servo.latest().anchorMm;
         m_demoWish.publish({.targetMm = glm::dvec2(shown), .hoverMm = shown.z, .pushing = false});
     }
     const auto tooth = m_session.toothSoFar();
-    if (!m_replay && tooth && tooth->anatomy == m_assignment.anatomy)
-        m_demoWish.publish(m_demoHand.decide(m_links.servo.latest(), *tooth));
+    if (m_replay || m_assignment.exercise || !tooth || tooth->anatomy != m_assignment.anatomy)
+        return;
+    const core::session::ServoState& state = m_links.servo.latest();
+    if (!m_demoHand || std::exchange(m_demoBur, state.burIndex) != state.burIndex)
+        m_demoHand = handFor(m_assignment, state.burIndex);
+    m_demoWish.publish(m_demoHand->decide(state, *tooth));
 }
 
 /// In practice a breach of the lesson's rules stops the bur and is explained. In an exam it is only noted.

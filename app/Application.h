@@ -17,7 +17,7 @@
 #include "database/sql/Database.h"
 #include "database/sql/SqlAttemptRepository.h"
 #include "haptics/ServoLoop.h"
-#include "haptics/simulated/DemoHand.h"
+#include "haptics/simulated/IdealHand.h"
 #include "lessons/Assignment.h"
 #include "ui/shell/MainWindow.h"
 
@@ -31,7 +31,7 @@ struct WindowOptions
     QString recording;     ///< play this instead of beginning with a tooth
     QString databaseFile;  ///< empty: the user's own
     QString picture;       ///< draw the tooth, or the end of the recording, into this file and quit
-    /// A DemoHand and a simulated Falcon take the decay out; the student watches.
+    /// A simulated hand with a simulated Falcon does the work; the student watches.
     bool simulatedDevice = false;
 };
 
@@ -97,7 +97,7 @@ private:
     void putReplayAway();
     void stopReplay();
     void drawPicture();
-    void letDemoHandDecide();
+    void letHandDecide();
     void startLoops();
     void stopLoops();
 
@@ -105,8 +105,9 @@ private:
     core::teeth::ToothSource m_source;  ///< of the tooth taken last
     core::session::UiLinks m_links;
     core::session::ServoLinks m_servoLinks;
-    core::rt::TripleBuffer<core::session::PointerInput> m_demoWish;  ///< of the DemoHand
-    haptics::DemoHand m_demoHand;
+    core::rt::TripleBuffer<core::session::PointerInput> m_demoWish;  ///< of m_demoHand
+    std::optional<haptics::IdealHand> m_demoHand;
+    std::uint8_t m_demoBur = 0;  ///< that it holds
     std::unique_ptr<haptics::HapticDevice> m_device;
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;

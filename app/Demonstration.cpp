@@ -6,9 +6,8 @@
 #include "core/drilling/Bur.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
-#include "haptics/simulated/DemoHand.h"
+#include "haptics/simulated/DecayCavity.h"
 #include "haptics/simulated/GuidedFalcon.h"
-#include "haptics/simulated/IdealHand.h"
 
 namespace app {
 namespace {
@@ -17,8 +16,7 @@ constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
 constexpr std::uint64_t kTicksPerDecision = 16;
 constexpr std::uint64_t kTicksAfterwards = 500;
 
-template <class Hand>
-core::Result<haptics::SimulationOutcome> letWork(Hand hand, const lessons::Assignment& assignment,
+core::Result<haptics::SimulationOutcome> letWork(haptics::IdealHand hand, const lessons::Assignment& assignment,
                                                  const haptics::SimulationOptions& options, bool simulatedFalcon)
 {
     core::rt::TripleBuffer<core::session::PointerInput> pointer;
@@ -43,6 +41,14 @@ core::Result<haptics::SimulationOutcome> letWork(Hand hand, const lessons::Assig
 
 }  // namespace
 
+haptics::IdealHand handFor(const lessons::Assignment& assignment, std::size_t burIndex)
+{
+    const core::drilling::Bur& bur = core::drilling::burs()[burIndex];
+    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+    const std::vector<float> wanted = assignment.ideal ? *assignment.ideal->top : haptics::decayCavity(anatomy, bur);
+    return haptics::IdealHand(anatomy, wanted, bur, assignment.neighbours.get());
+}
+
 core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& assignment, bool simulatedFalcon)
 {
     if (assignment.exercise)
@@ -59,11 +65,7 @@ core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& 
         if (!assignment.lesson->burs.empty())
             options.burIndex = core::drilling::findBur(assignment.lesson->burs.front()).value_or(options.burIndex);
     }
-    if (!assignment.ideal)
-        return letWork(haptics::DemoHand(), assignment, options, simulatedFalcon);
-    return letWork(haptics::IdealHand(*assignment.anatomy, *assignment.ideal->top,
-                                      core::drilling::burs()[options.burIndex], assignment.neighbours.get()),
-                   assignment, options, simulatedFalcon);
+    return letWork(handFor(assignment, options.burIndex), assignment, options, simulatedFalcon);
 }
 
 }  // namespace app

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/simulated/IdealHand.h"
 #include "haptics/simulated/Simulation.h"
 #include "lessons/Assignment.h"
 
 namespace app {
 
-/// An attempt at an assignment by a simulated hand: it cuts the ideal (haptics::IdealHand), or takes the decay out
-/// (haptics::DemoHand), with the first bur that is allowed. The same assignment gives the same recording. A second or
-/// two; any thread that may wait. WrongKind for an exercise, where nothing is to be cut.
+/// A hand that cuts what an assignment asks for: its ideal, or about the smallest cavity that clears the decay.
+/// @param burIndex  of core::drilling::burs(), that it holds
+[[nodiscard]] haptics::IdealHand handFor(const lessons::Assignment& assignment, std::size_t burIndex);
+
+/// An attempt at an assignment by such a hand with the first bur that is allowed. The same assignment gives the same
+/// recording. A second or two; any thread that may wait. WrongKind for an exercise, where nothing is to be cut.
 /// @param simulatedFalcon  the hand holds a simulated Falcon, and no pointer
 [[nodiscard]] core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& assignment,
                                                                    bool simulatedFalcon);

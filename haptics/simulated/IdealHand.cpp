@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/drilling/Reach.h"
+
 namespace haptics {
 namespace {
 
@@ -15,39 +17,55 @@ using core::terrain::kEmptyTop;
 
 constexpr double kPushN = 1.2;
 constexpr float kLeftMm = 0.03F;  ///< what is left so thin is let be
+constexpr float kThroughMm = 0.1F;
 constexpr double kReachedMm = 0.01;
-constexpr double kClearMm = 0.3;    ///< over what stands in the way
-constexpr double kLeadMm = 0.6;     ///< the hand goes so far ahead of the bur into what is to be cut
-constexpr double kSinkMm = 0.8;     ///< and at most so far below it
-constexpr double kPress = 4.0;      ///< times what is missing sideways: a bur cuts from a threshold of force on
-constexpr int kMostPatience = 240;  ///< decisions before a column is given up
-constexpr int kThere = 6;           ///< a decision counts so many times where the bur stands and should be cutting
+constexpr double kClearMm = 0.3;     ///< over what stands in the way
+constexpr double kLeadMm = 0.6;      ///< the hand goes so far ahead of the bur into what is to be cut
+constexpr double kSinkMm = 0.8;      ///< and at most so far below it
+constexpr double kPress = 4.0;       ///< times what is missing sideways: a bur cuts from a threshold of force on
+constexpr int kMostPatience = 120;   ///< decisions before a column is given up
+constexpr float kDeep = 2.0F;        ///< times the head's length: what is deeper is cut in layers from the beginning
+constexpr double kLayerShare = 0.8;  ///< of the head's length: above it the shank does not cut
+constexpr int kThere = 6;            ///< a decision counts so many times where the bur stands and should be cutting
 
 }  // namespace
 
 IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const float> idealTop,
                      const core::drilling::Bur& bur, const core::terrain::HeightMaps* beside)
     : m_grid(anatomy.grid), m_lowestMm(m_grid.count(), kEmptyTop), m_reachMm(anatomy.top), m_fromAt(m_grid.count()),
-      m_isKeptOff(m_grid.count()), m_isGivenUp(m_grid.count())
+      m_isKeptOff(m_grid.count()), m_isGivenUp(m_grid.count()), m_layerMm(kEmptyTop),
+      m_thickMm(static_cast<float>(kLayerShare * bur.headLengthMm))
 {
-    const int span = static_cast<int>(std::floor(bur.headRadiusMm / m_grid.cellMm));
-    std::vector<Part> head;
-    for (int j = -span; j <= span; ++j)
-        for (int i = -span; i <= span; ++i)
-            if (const double radius = m_grid.cellMm * std::sqrt(i * i + j * j); radius <= bur.headRadiusMm)
-                head.push_back({i, j, static_cast<float>(bur.undersideMm(radius))});
-    findLowest(idealTop, head);
+    const std::vector<FootprintPart> head = footprint(bur, m_grid);
+    // What is to go altogether goes down to just below its own bottom.
+    std::vector<float> wantedTop(idealTop.begin(), idealTop.end());
+    for (std::size_t k = 0; k < m_grid.count(); ++k)
+        if (anatomy.top[k] > anatomy.bottom[k])
+            wantedTop[k] = std::max(wantedTop[k], anatomy.bottom[k] - kThroughMm);
+    findLowest(wantedTop, head);
+    const auto lowestTip = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    for (float& lowest : m_lowestMm)
+        lowest = std::max(lowest, lowestTip);
     if (beside != nullptr)
         keepOff(*beside, bur);
     findReach(head);
+    float highest = kEmptyTop;
+    float deepest = 0.0F;
+    for (std::size_t k = 0; k < m_grid.count(); ++k)
+        if (anatomy.top[k] > m_reachMm[k] + kLeftMm) {
+            highest = std::max(highest, anatomy.top[k]);
+            deepest = std::max(deepest, anatomy.top[k] - m_reachMm[k]);
+        }
+    if (deepest > kDeep * static_cast<float>(bur.headLengthMm))
+        m_layerMm = highest - m_thickMm;
 }
 
-void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Part> head)
+void IdealHand::findLowest(std::span<const float> idealTop, std::span<const FootprintPart> head)
 {
     for (int j = 0; j < m_grid.side; ++j)
         for (int i = 0; i < m_grid.side; ++i) {
             float& lowest = m_lowestMm[m_grid.index(i, j)];
-            for (const Part& part : head)
+            for (const FootprintPart& part : head)
                 if (m_grid.contains(i + part.i, j + part.j))
                     lowest = std::max(lowest, idealTop[m_grid.index(i + part.i, j + part.j)] - part.heightMm);
         }
@@ -76,7 +94,7 @@ void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::dri
     }
 }
 
-void IdealHand::findReach(std::span<const Part> head)
+void IdealHand::findReach(std::span<const FootprintPart> head)
 {
     for (std::size_t k = 0; k < m_grid.count(); ++k) {
         m_fromAt[k] = k;
@@ -85,7 +103,7 @@ void IdealHand::findReach(std::span<const Part> head)
     for (int j = 0; j < m_grid.side; ++j)
         for (int i = 0; i < m_grid.side; ++i) {
             const std::size_t from = m_grid.index(i, j);
-            for (const Part& part : head) {
+            for (const FootprintPart& part : head) {
                 if (!m_grid.contains(i + part.i, j + part.j))
                     continue;
                 const std::size_t column = m_grid.index(i + part.i, j + part.j);
@@ -97,9 +115,30 @@ void IdealHand::findReach(std::span<const Part> head)
         }
 }
 
+/// What did not yield is tried again in layers, from the top on; false when all has been tried.
+bool IdealHand::goDown(const core::terrain::Tooth& tooth)
+{
+    float highest = kEmptyTop;
+    float lowest = std::numeric_limits<float>::max();
+    for (std::size_t k = 0; k < m_grid.count(); ++k)
+        if (tooth.isSolid(k) && tooth.top[k] > m_reachMm[k] + kLeftMm) {
+            highest = std::max(highest, tooth.top[k]);
+            lowest = std::min(lowest, m_lowestMm[m_fromAt[k]]);
+        }
+    if (m_layerMm > kEmptyTop)
+        highest = m_layerMm;
+    if (highest <= lowest)
+        return false;
+    m_layerMm = highest - m_thickMm;
+    m_isGivenUp.assign(m_grid.count(), false);
+    return true;
+}
+
 bool IdealHand::isWanting(const core::terrain::Tooth& tooth, std::size_t column) const
 {
-    return !m_isGivenUp[m_fromAt[column]] && tooth.isSolid(column) && tooth.top[column] > m_reachMm[column] + kLeftMm;
+    const float aboveMm = std::max(0.0F, m_layerMm - m_lowestMm[m_fromAt[column]]);
+    return !m_isGivenUp[m_fromAt[column]] && tooth.isSolid(column) &&
+           tooth.top[column] > m_reachMm[column] + aboveMm + kLeftMm;
 }
 
 /// The deepest to begin with, then the nearest.
@@ -132,7 +171,7 @@ double IdealHand::lowestAt(glm::dvec2 placeMm) const
     const glm::dvec2 at = m_grid.latticeOf(placeMm);
     const auto i = static_cast<int>(std::lround(at.x));
     const auto j = static_cast<int>(std::lround(at.y));
-    return m_grid.contains(i, j) ? static_cast<double>(m_lowestMm[m_grid.index(i, j)]) : kEmptyTop;
+    return m_grid.contains(i, j) ? static_cast<double>(std::max(m_layerMm, m_lowestMm[m_grid.index(i, j)])) : kEmptyTop;
 }
 
 bool IdealHand::isKeptOff(glm::dvec2 placeMm) const
@@ -160,7 +199,9 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
         m_isGivenUp[m_fromAt[*m_column]] = m_patience > kMostPatience;
     }
     if (!m_column || !isWanting(tooth, *m_column)) {
-        m_column = nextColumn(tooth, bur);
+        do
+            m_column = nextColumn(tooth, bur);
+        while (!m_column && goDown(tooth));
         m_patience = 0;
     }
     m_isDone = !m_column;
@@ -171,7 +212,7 @@ core::session::PointerInput IdealHand::decide(const core::session::ServoState& s
         return want;
 
     const std::size_t aim = m_fromAt[*m_column];
-    const double there = m_lowestMm[aim];
+    const double there = std::max(m_layerMm, m_lowestMm[aim]);
     const glm::dvec2 way = nodeMm(aim) - bur;
     const double distance = std::sqrt(glm::dot(way, way));
     const double onTheWay = lowestOnTheWay(bur, nodeMm(aim));

@@ -10,12 +10,13 @@
 #include "core/session/Links.h"
 #include "core/terrain/Rasteriser.h"
 #include "core/terrain/Tooth.h"
+#include "haptics/simulated/BurFootprint.h"
 
 namespace haptics {
 
-/// A patient expert: cuts an ideal and nothing beside it, with one bur. It plunges where most is to go, then mills on
-/// to the nearest column that is not yet cut, at depth where the way there is free. It steers a PointerDevice as a
-/// mouse would. What is much deeper than the bur's head is long it does not manage: the shank stands in its way.
+/// A patient expert: cuts an ideal and nothing beside it, with one bur, in layers that are thinner than its head is
+/// long. It plunges where most is to go, then mills on to the nearest column that is not yet cut, at depth where the
+/// way there is free. It steers a PointerDevice as a mouse would.
 class IdealHand
 {
 public:
@@ -32,16 +33,10 @@ public:
     [[nodiscard]] bool isDone() const { return m_isDone; }
 
 private:
-    struct Part
-    {
-        int i = 0;
-        int j = 0;
-        float heightMm = 0.0F;
-    };
-
-    void findLowest(std::span<const float> idealTop, std::span<const Part> head);
+    void findLowest(std::span<const float> idealTop, std::span<const FootprintPart> head);
     void keepOff(const core::terrain::HeightMaps& beside, const core::drilling::Bur& bur);
-    void findReach(std::span<const Part> head);
+    void findReach(std::span<const FootprintPart> head);
+    [[nodiscard]] bool goDown(const core::terrain::Tooth& tooth);
     [[nodiscard]] bool isWanting(const core::terrain::Tooth& tooth, std::size_t column) const;
     [[nodiscard]] std::optional<std::size_t> nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const;
     [[nodiscard]] glm::dvec2 nodeMm(std::size_t node) const;
@@ -55,6 +50,8 @@ private:
     std::vector<std::size_t> m_fromAt;    ///< the node from which it does
     std::vector<bool> m_isKeptOff;        ///< nodes from which the bur would touch a neighbour
     std::vector<bool> m_isGivenUp;        ///< nodes where nothing yields any more
+    float m_layerMm = 0.0F;               ///< the tip goes no lower now
+    float m_thickMm = 0.0F;               ///< of a layer
     std::optional<std::size_t> m_column;  ///< the one that is cut now
     int m_patience = 0;                   ///< decisions spent on it
     bool m_isDone = false;

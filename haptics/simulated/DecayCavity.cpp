@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/simulated/DecayCavity.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "core/drilling/Reach.h"
+#include "haptics/simulated/BurFootprint.h"
+
+namespace haptics {
+namespace {
+
+using core::terrain::ColumnLayers;
+
+constexpr float kPulpMarginMm = 0.3F;    ///< dentin that is left over the pulp
+constexpr float kThroughMm = 0.5F;       ///< tooth that is left below a cut
+constexpr float kDeeperMm = 0.05F;       ///< so far the tip may go below the decay that it clears, if that is enough
+constexpr float kDecayMarginMm = 0.02F;  ///< so far below the decay, that none is left by a hair
+
+/// The lowest that each column may be cut to: its decay goes all the same.
+std::vector<float> limits(const core::terrain::ToothAnatomy& anatomy)
+{
+    std::vector<float> limit(anatomy.grid.count());
+    for (std::size_t k = 0; k < limit.size(); ++k) {
+        const ColumnLayers& layers = anatomy.layers[k];
+        limit[k] = anatomy.bottom[k] + kThroughMm;
+        if (core::terrain::hasPulp(anatomy, k))
+            limit[k] = std::max(limit[k], layers.pulpRoof + kPulpMarginMm);
+        if (layers.cariesRoof > layers.cariesFloor)
+            limit[k] = std::min(limit[k], layers.cariesFloor - kDecayMarginMm);
+    }
+    return limit;
+}
+
+/// The columns with decay.
+std::vector<std::size_t> deepestFirst(const core::terrain::ToothAnatomy& anatomy)
+{
+    std::vector<std::size_t> decayed;
+    for (std::size_t k = 0; k < anatomy.grid.count(); ++k)
+        if (const ColumnLayers& layers = anatomy.layers[k];
+            layers.cariesRoof > layers.cariesFloor && anatomy.top[k] > layers.cariesFloor)
+            decayed.push_back(k);
+    std::stable_sort(decayed.begin(), decayed.end(), [&](std::size_t a, std::size_t b) {
+        return anatomy.layers[a].cariesFloor < anatomy.layers[b].cariesFloor;
+    });
+    return decayed;
+}
+
+}  // namespace
+
+std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const core::drilling::Bur& bur)
+{
+    const core::terrain::Grid& grid = anatomy.grid;
+    const std::vector<FootprintPart> head = footprint(bur, grid);
+    const std::vector<float> limit = limits(anatomy);
+    const auto lowestTip = static_cast<float>(core::drilling::lowestTipMm(anatomy));
+    std::vector<float> top = anatomy.top;
+    // What a cut costs in height of sound columns, with its tip at such a place; nothing where it must not be.
+    const auto costOf = [&](int i, int j, float tipMm) -> std::optional<float> {
+        float cost = 0.0F;
+        for (const FootprintPart& part : head) {
+            if (!grid.contains(i + part.i, j + part.j))
+                continue;
+            const std::size_t k = grid.index(i + part.i, j + part.j);
+            const float cutMm = tipMm + part.heightMm;
+            if (anatomy.top[k] <= anatomy.bottom[k] || cutMm >= top[k])
+                continue;
+            if (cutMm < limit[k])
+                return std::nullopt;
+            cost += top[k] - cutMm;
+        }
+        return cost;
+    };
+    for (const std::size_t decayed : deepestFirst(anatomy)) {
+        const float floorMm = anatomy.layers[decayed].cariesFloor - kDecayMarginMm;
+        if (top[decayed] <= floorMm)
+            continue;
+        const int i = static_cast<int>(decayed) % grid.side;
+        const int j = static_cast<int>(decayed) / grid.side;
+        const FootprintPart* best = nullptr;
+        float least = std::numeric_limits<float>::max();
+        // With the flat of the head where that can be; what lies below decay is sound.
+        for (const float mostMm : {kDeeperMm, std::numeric_limits<float>::max()}) {
+            for (const FootprintPart& part : head) {
+                const float tipMm = floorMm - part.heightMm;
+                if (part.heightMm > mostMm || !grid.contains(i - part.i, j - part.j) || tipMm < lowestTip)
+                    continue;
+                const auto cost = costOf(i - part.i, j - part.j, tipMm);
+                if (cost && *cost < least) {
+                    least = *cost;
+                    best = &part;
+                }
+            }
+            if (best != nullptr)
+                break;
+        }
+        if (best == nullptr)
+            continue;
+        for (const FootprintPart& part : head)
+            if (grid.contains(i - best->i + part.i, j - best->j + part.j)) {
+                float& column = top[grid.index(i - best->i + part.i, j - best->j + part.j)];
+                column = std::min(column, floorMm - best->heightMm + part.heightMm);
+            }
+    }
+    return top;
+}
+
+}  // namespace haptics
