@@ -58,7 +58,7 @@ core::terrain::Tooth cutAsFarAsCanBe(const Assignment& assignment, std::vector<f
 }
 
 /// What students do to a preparation that is otherwise the ideal.
-enum class Slip { FloorTooDeep, GougeBeside, QuarterGroundOff, FlatToTheFloor };
+enum class Slip { TooShallow, FloorTooDeep, GougeBeside, QuarterGroundOff, FlatToTheFloor };
 
 std::vector<float> spoiled(const Assignment& assignment, Slip slip)
 {
@@ -74,6 +74,8 @@ std::vector<float> spoiled(const Assignment& assignment, Slip slip)
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
             const glm::dvec2 at = grid.nodeMm(i, j);
+            if (slip == Slip::TooShallow && ideal[k] < anatomy.top[k])
+                top[k] = anatomy.top[k] - 0.78F * (anatomy.top[k] - ideal[k]);
             if (slip == Slip::FloorTooDeep && assignment.ideal->parts[k] == core::grading::Part::Floor)
                 top[k] -= 1.2F;
             if (slip == Slip::GougeBeside && at.y > 2.8 && at.y < 3.8 && std::abs(at.x) < 1.5)
@@ -207,6 +209,7 @@ void TestAssignment::whatNoInstructorPassesFails_data()
         row(id, "gouge beside", Slip::GougeBeside);
         row(id, "quarter ground off", Slip::QuarterGroundOff);
     }
+    row("access-21", "chamber not opened", Slip::TooShallow);
     for (const char* id : {"block-circle", "block-cross", "block-staircase"}) {
         row(id, "floor too deep", Slip::FloorTooDeep);
         row(id, "quarter ground off", Slip::QuarterGroundOff);
