@@ -119,12 +119,12 @@ int listLessons(const QStringList& arguments)
     return kDone;
 }
 
-/// The ideal as far as a bur reaches.
-core::terrain::Tooth cutToTheIdeal(const lessons::Assignment& assignment)
+/// What is asked for, as far as a bur reaches.
+core::terrain::Tooth cutTo(const std::vector<float>& ideal, const lessons::Assignment& assignment)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
     const auto lowest = static_cast<float>(core::drilling::lowestTipMm(anatomy));
-    std::vector<float> top = *assignment.ideal->top;
+    std::vector<float> top = ideal;
     for (std::size_t k = 0; k < top.size(); ++k) {
         if (!(top[k] < anatomy.top[k]))
             continue;
@@ -135,21 +135,36 @@ core::terrain::Tooth cutToTheIdeal(const lessons::Assignment& assignment)
     return core::terrain::restored(assignment.anatomy, std::move(top));
 }
 
-/// What the rubric takes from whoever cuts exactly the ideal; nothing where all is as it should be.
+/// Whether every attempt tells of it, and nobody knows what.
+bool isOfTheWay(const std::string& measure)
+{
+    const auto known = core::grading::findMeasure(measure);
+    return known && core::grading::isOfProcess(*known) && !core::grading::isOfExercise(*known);
+}
+
+/// What the rubric takes from whoever cuts exactly what is asked for; nothing where all is as it should be, and of an
+/// exercise, where nothing is cut.
 QString lostByTheIdeal(const lessons::Assignment& assignment)
 {
-    if (!assignment.ideal)
+    const core::grading::IdealTop ideal = assignment.shownIdeal();
+    if (ideal == nullptr)
         return {};
-    const auto marked = lessons::mark(assignment, cutToTheIdeal(assignment), lessons::Conduct{});
-    if (!marked || marked->sheet.totalTenths == lessons::kFullTenths)
+    const auto marked = lessons::mark(assignment, cutTo(*ideal, assignment), lessons::Conduct{});
+    if (!marked)
         return {};
+    int lost = 0;
     QStringList costly;
-    for (const lessons::Criterion& line : marked->sheet.criteria)
-        if (line.lostTenths > 0)
-            costly << QString::fromStdString(line.id) +
-                          (line.measured ? QString() : QStringLiteral(" (cannot be measured here)"));
+    for (const lessons::Criterion& line : marked->sheet.criteria) {
+        if (line.lostTenths == 0 || isOfTheWay(line.measure))
+            continue;
+        lost += line.lostTenths;
+        costly << QString::fromStdString(line.id) +
+                      (line.measured ? QString() : QStringLiteral(" (cannot be measured here)"));
+    }
+    if (costly.isEmpty())
+        return {};
     return QStringLiteral("who cuts exactly what is asked for gets %1 of 100 points, because of %2")
-        .arg(0.1 * marked->sheet.totalTenths, 0, 'f', 1)
+        .arg(0.1 * (lessons::kFullTenths - lost), 0, 'f', 1)
         .arg(costly.join(QStringLiteral(", ")));
 }
 

@@ -590,6 +590,19 @@ std::optional<MeasureInfo> findMeasure(std::string_view id)
     return found != kTable.end() ? std::optional(*found) : std::nullopt;
 }
 
+bool isOfExercise(const MeasureInfo& measure)
+{
+    Measured done;
+    bool isTold = false;
+    // There is one kind at a time.
+    for (const Practised& practised : {Practised(Touched{{0.0}}), Practised(Held{1.0, 1.0, 1.0, 1.0, 0.0, true}),
+                                       Practised(Named{{terrain::Material::Enamel}, 1})}) {
+        done.practised = practised;
+        isTold = isTold || measure.value(done).has_value();
+    }
+    return isTold && !measure.value(Measured{}).has_value();
+}
+
 bool isOfProcess(const MeasureInfo& measure)
 {
     Process complete;
@@ -599,14 +612,7 @@ bool isOfProcess(const MeasureInfo& measure)
     way.process = complete;
     way.infractions = 0;
     way.aidsUsed = 0;
-    // Of an exercise there is one kind at a time.
-    bool isTold = measure.value(way).has_value();
-    for (const Practised& practised : {Practised(Touched{{0.0}}), Practised(Held{1.0, 1.0, 1.0, 1.0, 0.0, true}),
-                                       Practised(Named{{terrain::Material::Enamel}, 1})}) {
-        way.practised = practised;
-        isTold = isTold || measure.value(way).has_value();
-    }
-    return isTold && !measure.value(Measured{}).has_value();
+    return isOfExercise(measure) || (measure.value(way).has_value() && !measure.value(Measured{}).has_value());
 }
 
 }  // namespace core::grading

@@ -52,6 +52,9 @@ struct MeasureInfo
 /// Nothing for an id that is none.
 [[nodiscard]] std::optional<MeasureInfo> findMeasure(std::string_view id);
 
+/// Whether a measure is about an exercise of the first minutes, and is told of nothing else.
+[[nodiscard]] bool isOfExercise(const MeasureInfo& measure);
+
 /// Whether a measure is about the way an attempt went (time, force, air, breaches, aids) and not about the tooth.
 [[nodiscard]] bool isOfProcess(const MeasureInfo& measure);
 

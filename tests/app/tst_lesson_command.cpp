@@ -172,6 +172,16 @@ void TestLessonCommand::checkSaysWhatCannotBeEarned()
     QCOMPARE(noted.exitCode, 0);
     QVERIFY2(noted.out.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"),
              noted.out.constData());
+    // Decay as well; what is about the way of an attempt, nobody knows beforehand.
+    write("held.lesson.json", R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "held",
+        "rubric": {"id": "held", "title": "Held", "criteria": [
+            {"id": "left", "measure": "caries_left_percent", "weight": 50},
+            {"id": "start", "measure": "time_to_first_cut_s", "tolerance": 60, "weight": 20},
+            {"id": "hold", "measure": "hold_longest_s", "side": "under", "target": 5, "weight": 30}]}})");
+    const Ending held = runCusp({"lesson", "check", file("held.lesson.json")});
+    QCOMPARE(held.exitCode, 0);
+    QVERIFY2(held.out.contains("gets 70.0 of 100 points, because of hold (cannot be measured here)"),
+             held.out.constData());
     // An expert's recording that cannot be replayed: the lesson can be given without it, and the teacher is told.
     write("expert.cusprec", "CUSPREC");
     write("led.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
