@@ -162,6 +162,8 @@ private slots:
     void unsavedWorkIsAskedAbout();
     void savedWorkIsLeftWithoutAQuestion();
     void workThatWaitsForAReplayIsAskedAbout();
+    void typingSearchesTheLessons();
+    void theForecastIsAnsweredWithTheKeys();
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
 
@@ -2201,6 +2203,63 @@ void TestMainWindow::unsavedLessonsAreAskedAbout()
     QCOMPARE(m_window->isVisible(), answer == "cancel");
     QCOMPARE(QFile::exists(file), answer == "save");
     QCOMPARE(editor->unsaved().isEmpty(), answer == "save");
+}
+
+void TestMainWindow::typingSearchesTheLessons()
+{
+    m_window->setLessons(lessons::readCatalog({}), {});
+    QSignalSpy begun(child<ui::study::LessonsPage>(), &ui::study::LessonsPage::lessonChosen);
+    actions().lessons->trigger();
+    auto* list = child<QListView>("lessonList");
+    QVERIFY(list->hasFocus());
+    auto* search = child<ui::study::LessonsPage>()->findChild<QLineEdit*>();
+    // Wherever one is; the letters are no shortcuts here.
+    for (const Qt::Key key : {Qt::Key_T, Qt::Key_E, Qt::Key_M})
+        press(key);
+    QCOMPARE(search->text().toLower(), QString("tem"));
+    QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+    QVERIFY(search->hasFocus());
+    QVERIFY2(!child<QPushButton>("startLesson")->isEnabled(), "nothing fits");
+    const auto edits = child<ui::study::LessonsPage>()->findChildren<QPushButton*>();
+    QVERIFY(std::none_of(edits.begin(), edits.end(), [](const QPushButton* button) {
+        return button->isVisible() && button->text().contains("Edit");
+    }));
+    // The first that fits is chosen, also where another one that fits was chosen before.
+    search->setText("class1-36");
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 36"));
+    search->setText("36");
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Touch the points"));
+    search->setText("class1-37");
+    search->clear();
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 37"));
+    // Typed from the list, a new search begins.
+    search->setText("37");
+    press(Qt::Key_Down);
+    QVERIFY(list->hasFocus());
+    press(Qt::Key_2);
+    QCOMPARE(search->text(), QString("2"));
+    search->setText("class1-26");
+    press(Qt::Key_Return);
+    QCOMPARE(begun.size(), 1);
+    QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
+}
+
+void TestMainWindow::theForecastIsAnsweredWithTheKeys()
+{
+    const auto assignment = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    m_window->setAssignment(assignment);
+    m_window->askForecast();
+    QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
+    press(Qt::Key_Right);
+    press(Qt::Key_Tab);
+    auto* show = child<QPushButton>("showScore");
+    QVERIFY(!show->isEnabled());
+    press(Qt::Key_Down);
+    press(Qt::Key_Return);
+    QVERIFY2(show->isEnabled(), "the answer is chosen");
+    QCOMPARE(given.size(), 0);
+    press(Qt::Key_Return);
+    QCOMPARE(given.size(), 1);
 }
 
 void TestMainWindow::anotherToothIsChosenWithTheMouse()

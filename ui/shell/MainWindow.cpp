@@ -310,7 +310,9 @@ void MainWindow::editChosenLesson()
         return;
     }
     const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
-    if (entry == nullptr || !entry->read.lesson) {
+    if (entry == nullptr)  // nothing fits the search, and the page says so
+        return;
+    if (!entry->read.lesson) {
         showMessage(
             tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
         return;
