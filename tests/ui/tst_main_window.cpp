@@ -1127,6 +1127,15 @@ void TestMainWindow::aBreachStopsTheBurAndIsExplained()
     press(Qt::Key_Escape);
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
     QCOMPARE(back.count(), 1);
+    infraction.breach = core::grading::Breach::BurInAir;
+    m_window->tellInfraction(infraction, true);
+    QVERIFY2(!child<QPushButton>("takeBack")->isVisible(), "in the air nothing was cut");
+    press(Qt::Key_Escape);
+    // How wide a marginal ridge is, is seen along the tooth only.
+    QVERIFY(child<ui::inside::SectionView>()->angleDeg() != 0);
+    infraction.breach = core::grading::Breach::RidgeCut;
+    m_window->tellInfraction(infraction, true);
+    QCOMPARE(child<ui::inside::SectionView>()->angleDeg(), 0);
 }
 
 void TestMainWindow::whatALessonLocksRests()
