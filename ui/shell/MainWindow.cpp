@@ -1183,6 +1183,7 @@ void MainWindow::endExam()
     if (!isExam())
         return;
     m_examIsOver = true;
+    m_room->lesson().conclude();
     m_burRests = false;
     wishDrill(false);
     enableActions();
