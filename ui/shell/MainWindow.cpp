@@ -931,10 +931,11 @@ void MainWindow::placeOverlays()
     m_help->setGeometry(m_pages->rect());
     if (m_help->isVisible())
         m_help->raise();
-    const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
+    const bool inRoom = m_pages->currentWidget() == m_room;
+    const QRect area = inRoom ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
-    m_messages->placeIn(area);
+    m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
     m_busy->placeIn(area);
 }
 
