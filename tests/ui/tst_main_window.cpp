@@ -1855,6 +1855,7 @@ void TestMainWindow::anExamEndsOnce()
         session.recordedS = seconds;
         ServoState servo;
         servo.tick = 1;
+        servo.drillOn = true;
         publish(servo, session);
         QTest::qWait(150);
     };
@@ -1885,6 +1886,14 @@ void TestMainWindow::anExamEndsOnce()
         QVERIFY(actions().saveRecording->isEnabled());
         actions().reload->trigger();
         QCOMPARE(again.count(), byTime ? 1 : 2);
+        // It begins as the first did, with the bur turning.
+        static_cast<void>(sent());
+        begin();
+        bool turns = false;
+        for (const SessionCommand& command : sent())
+            if (const auto* drill = std::get_if<SetDrill>(&command))
+                turns = drill->on;
+        QVERIFY(turns);
     }
     exam.lesson->exam = false;
     begin();

@@ -1185,6 +1185,7 @@ void MainWindow::endExam()
         return;
     m_examIsOver = true;
     m_room->lesson().conclude();
+    m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
     m_burRests = false;
     wishDrill(false);
     enableActions();
