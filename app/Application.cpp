@@ -476,7 +476,9 @@ void Application::grade()
         return;
     }
     if (m_assignment.exercise && !(practised && core::grading::isBegun(*practised))) {
-        m_window->showMessage(tr("This exercise has not been begun yet, so there is nothing to grade."));
+        m_window->showMessage(m_assignment.lesson && m_assignment.lesson->task == lessons::Task::TellLayers
+                                  ? tr("No pad has been named yet: say beneath the view what each is made of.")
+                                  : tr("This exercise has not been begun yet, so there is nothing to grade."));
         return;
     }
     if (!m_assignment.exercise && tooth->top == tooth->anatomy->top) {

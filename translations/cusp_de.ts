@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>The bur is inside the tooth: lift it out, then it works.</source>
-        <translation>Das Instrument steckt im Zahn: Heben Sie es heraus, dann arbeitet es.</translation>
+        <translation>Der Bohrer steckt im Zahn: Heben Sie ihn heraus, dann arbeitet er.</translation>
     </message>
     <message>
         <source>The handpiece answers late: the tooth is made softer to the hand.</source>
@@ -1017,7 +1017,7 @@
     </message>
     <message>
         <source>Bur %1: %2</source>
-        <translation>Instrument %1: %2</translation>
+        <translation>Bohrer %1: %2</translation>
     </message>
     <message>
         <source>Note %1</source>
@@ -1033,7 +1033,7 @@
     </message>
     <message>
         <source>colour of the bur</source>
-        <translation>Farbe des Instruments</translation>
+        <translation>Farbe des Bohrers</translation>
     </message>
     <message>
         <source>held within the outline</source>
@@ -1138,9 +1138,9 @@
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>too deep by, mm</source>
-        <extracomment>Titles of a scale of colours: how deep a cut is, and how much deeper than it should be</extracomment>
-        <translation>zu tief um, mm</translation>
+        <source>off the ideal, mm</source>
+        <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
+        <translation>neben dem Ideal, mm</translation>
     </message>
 </context>
 <context>
@@ -1220,6 +1220,10 @@
     <message>
         <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
         <translation>Keine Lehrkraft hat diese Lektion aufgezeichnet, und eine simulierte Hand schafft sie nicht.</translation>
+    </message>
+    <message>
+        <source>No pad has been named yet: say beneath the view what each is made of.</source>
+        <translation>Noch ist kein Feld benannt: Sagen Sie unter dem Bild, woraus jedes besteht.</translation>
     </message>
 </context>
 <context>
@@ -1449,7 +1453,7 @@
     </message>
     <message>
         <source>Let the bur turn, or stop it</source>
-        <translation>Das Instrument laufen lassen oder anhalten</translation>
+        <translation>Den Bohrer laufen lassen oder anhalten</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -1489,7 +1493,7 @@
     </message>
     <message>
         <source>Take this bur</source>
-        <translation>Dieses Instrument nehmen</translation>
+        <translation>Diesen Bohrer nehmen</translation>
     </message>
     <message>
         <source>Other hand</source>
@@ -1935,7 +1939,7 @@
     <name>ui::shell::BurChooser</name>
     <message>
         <source>Burs</source>
-        <translation>Instrumente</translation>
+        <translation>Bohrer</translation>
     </message>
 </context>
 <context>
@@ -1990,7 +1994,7 @@
     <name>ui::shell::HelpOverlay</name>
     <message>
         <source>Move the bur</source>
-        <translation>Instrument führen</translation>
+        <translation>Bohrer führen</translation>
     </message>
     <message>
         <source>mouse</source>
@@ -2082,7 +2086,7 @@
     </message>
     <message>
         <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
-        <translation>Der türkise Bogen neben dem Instrument zeigt, wie fest es drückt; bei der eingestellten Kraft ist er voll.</translation>
+        <translation>Der türkise Bogen neben dem Bohrer zeigt, wie fest er drückt; bei der eingestellten Kraft ist er voll.</translation>
     </message>
     <message>
         <source>Turn the handpiece</source>
@@ -2255,7 +2259,7 @@
     </message>
     <message>
         <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
-        <translation>Von unten wird nicht präpariert: Das Instrument arbeitet auf der anderen Seite des Zahns. Drehen Sie ihn zurück oder drücken Sie V.</translation>
+        <translation>Von unten wird nicht präpariert: Der Bohrer arbeitet auf der anderen Seite des Zahns. Drehen Sie den Zahn zurück oder drücken Sie V.</translation>
     </message>
     <message>
         <source>The simulated handpiece is at work</source>
@@ -2432,7 +2436,7 @@
     </message>
     <message>
         <source>Under the bur</source>
-        <translation>Unter dem Instrument</translation>
+        <translation>Unter dem Bohrer</translation>
     </message>
     <message>
         <source>Force</source>
@@ -2453,7 +2457,7 @@
     </message>
     <message>
         <source>Bur</source>
-        <translation>Instrument</translation>
+        <translation>Bohrer</translation>
     </message>
     <message>
         <source>Push with</source>
@@ -2465,7 +2469,7 @@
     </message>
     <message>
         <source>How hard the mouse and the keys push the bur against the tooth</source>
-        <translation>Wie stark Maus und Tasten das Instrument an den Zahn drücken</translation>
+        <translation>Wie stark Maus und Tasten den Bohrer an den Zahn drücken</translation>
     </message>
     <message>
         <source>Air</source>
@@ -2504,7 +2508,7 @@
     </message>
     <message>
         <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
-        <translation>Das Handstück liegt auf der Krone auf: Tiefer kommt das Instrument nicht.</translation>
+        <translation>Das Handstück liegt auf der Krone auf: Tiefer kommt der Bohrer nicht.</translation>
     </message>
     <message>
         <source>Dentin over pulp</source>
@@ -3201,6 +3205,10 @@
         <source>Time left of %1</source>
         <translation>Übrige Zeit von %1</translation>
     </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
+        <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note, R beginnt einen neuen Versuch.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>
@@ -3739,7 +3747,7 @@
     </message>
     <message>
         <source>Arrow keys move the bur, page down pushes, page up lifts.</source>
-        <translation>Pfeiltasten führen das Instrument, Bild ab drückt, Bild auf hebt ab.</translation>
+        <translation>Pfeiltasten führen den Bohrer, Bild ab drückt, Bild auf hebt ab.</translation>
     </message>
     <message>
         <source>%1 N</source>

@@ -1138,8 +1138,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>too deep by, mm</source>
-        <extracomment>Titles of a scale of colours: how deep a cut is, and how much deeper than it should be</extracomment>
+        <source>off the ideal, mm</source>
+        <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1219,6 +1219,10 @@
     </message>
     <message>
         <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No pad has been named yet: say beneath the view what each is made of.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3199,6 +3203,10 @@
     </message>
     <message>
         <source>Time left of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "ui/shell/TabularLabel.h"
 #include "ui/study/LessonStrip.h"
 
 using ui::study::LessonStrip;
@@ -32,6 +33,7 @@ private slots:
     void aHintIsForWhoAsks();
     void whatIsNewIsToldToWhoListens();
     void theKeysStayWithTheStrip();
+    void anExamThatIsOverSaysSo();
 
 private:
     QString words() const { return m_strip->findChild<QLabel*>("lessonStep")->text(); }
@@ -109,6 +111,27 @@ void TestLessonStrip::theKeysStayWithTheStrip()
     QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
     QCOMPARE(words(), QString("First"));
     QVERIFY(arrow("The next step").hasFocus());
+}
+
+void TestLessonStrip::anExamThatIsOverSaysSo()
+{
+    ::lessons::Lesson exam = threeSteps();
+    exam.exam = true;
+    exam.minutes = 1.0;
+    m_strip->setLesson(exam);
+    const auto* time = m_strip->findChild<ui::shell::TabularLabel*>("lessonTime");
+    m_strip->setTime(60.5);
+    QCOMPARE(time->text(), QString("0:00"));
+    m_strip->conclude();
+    QVERIFY(words().contains("The exam is over"));
+    QVERIFY(!hint().isVisible() && !arrow("The next step").isVisible());
+    m_strip->setTime(70.0);
+    QCOMPARE(time->text(), QString("0:00"));
+    // Another attempt begins as the first did.
+    m_strip->setLesson(exam);
+    QCOMPARE(words(), QString("First"));
+    m_strip->setTime(10.0);
+    QCOMPARE(time->text(), QString("0:50"));
 }
 
 QTEST_MAIN(TestLessonStrip)

@@ -162,6 +162,8 @@ private slots:
     void unsavedWorkIsAskedAbout();
     void savedWorkIsLeftWithoutAQuestion();
     void workThatWaitsForAReplayIsAskedAbout();
+    void typingSearchesTheLessons();
+    void theForecastIsAnsweredWithTheKeys();
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
 
@@ -1125,6 +1127,15 @@ void TestMainWindow::aBreachStopsTheBurAndIsExplained()
     press(Qt::Key_Escape);
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
     QCOMPARE(back.count(), 1);
+    infraction.breach = core::grading::Breach::BurInAir;
+    m_window->tellInfraction(infraction, true);
+    QVERIFY2(!child<QPushButton>("takeBack")->isVisible(), "in the air nothing was cut");
+    press(Qt::Key_Escape);
+    // How wide a marginal ridge is, is seen along the tooth only.
+    QVERIFY(child<ui::inside::SectionView>()->angleDeg() != 0);
+    infraction.breach = core::grading::Breach::RidgeCut;
+    m_window->tellInfraction(infraction, true);
+    QCOMPARE(child<ui::inside::SectionView>()->angleDeg(), 0);
 }
 
 void TestMainWindow::whatALessonLocksRests()
@@ -1844,6 +1855,7 @@ void TestMainWindow::anExamEndsOnce()
         session.recordedS = seconds;
         ServoState servo;
         servo.tick = 1;
+        servo.drillOn = true;
         publish(servo, session);
         QTest::qWait(150);
     };
@@ -1874,6 +1886,14 @@ void TestMainWindow::anExamEndsOnce()
         QVERIFY(actions().saveRecording->isEnabled());
         actions().reload->trigger();
         QCOMPARE(again.count(), byTime ? 1 : 2);
+        // It begins as the first did, with the bur turning.
+        static_cast<void>(sent());
+        begin();
+        bool turns = false;
+        for (const SessionCommand& command : sent())
+            if (const auto* drill = std::get_if<SetDrill>(&command))
+                turns = drill->on;
+        QVERIFY(turns);
     }
     exam.lesson->exam = false;
     begin();
@@ -2201,6 +2221,63 @@ void TestMainWindow::unsavedLessonsAreAskedAbout()
     QCOMPARE(m_window->isVisible(), answer == "cancel");
     QCOMPARE(QFile::exists(file), answer == "save");
     QCOMPARE(editor->unsaved().isEmpty(), answer == "save");
+}
+
+void TestMainWindow::typingSearchesTheLessons()
+{
+    m_window->setLessons(lessons::readCatalog({}), {});
+    QSignalSpy begun(child<ui::study::LessonsPage>(), &ui::study::LessonsPage::lessonChosen);
+    actions().lessons->trigger();
+    auto* list = child<QListView>("lessonList");
+    QVERIFY(list->hasFocus());
+    auto* search = child<ui::study::LessonsPage>()->findChild<QLineEdit*>();
+    // Wherever one is; the letters are no shortcuts here.
+    for (const Qt::Key key : {Qt::Key_T, Qt::Key_E, Qt::Key_M})
+        press(key);
+    QCOMPARE(search->text().toLower(), QString("tem"));
+    QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+    QVERIFY(search->hasFocus());
+    QVERIFY2(!child<QPushButton>("startLesson")->isEnabled(), "nothing fits");
+    const auto edits = child<ui::study::LessonsPage>()->findChildren<QPushButton*>();
+    QVERIFY(std::none_of(edits.begin(), edits.end(), [](const QPushButton* button) {
+        return button->isVisible() && button->text().contains("Edit");
+    }));
+    // The first that fits is chosen, also where another one that fits was chosen before.
+    search->setText("class1-36");
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 36"));
+    search->setText("36");
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Touch the points"));
+    search->setText("class1-37");
+    search->clear();
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 37"));
+    // Typed from the list, a new search begins.
+    search->setText("37");
+    press(Qt::Key_Down);
+    QVERIFY(list->hasFocus());
+    press(Qt::Key_2);
+    QCOMPARE(search->text(), QString("2"));
+    search->setText("class1-26");
+    press(Qt::Key_Return);
+    QCOMPARE(begun.size(), 1);
+    QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
+}
+
+void TestMainWindow::theForecastIsAnsweredWithTheKeys()
+{
+    const auto assignment = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    m_window->setAssignment(assignment);
+    m_window->askForecast();
+    QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
+    press(Qt::Key_Right);
+    press(Qt::Key_Tab);
+    auto* show = child<QPushButton>("showScore");
+    QVERIFY(!show->isEnabled());
+    press(Qt::Key_Down);
+    press(Qt::Key_Return);
+    QVERIFY2(show->isEnabled(), "the answer is chosen");
+    QCOMPARE(given.size(), 0);
+    press(Qt::Key_Return);
+    QCOMPARE(given.size(), 1);
 }
 
 void TestMainWindow::anotherToothIsChosenWithTheMouse()

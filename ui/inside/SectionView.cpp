@@ -190,6 +190,11 @@ void SectionView::turn()
     setAngle((angleDeg() / kTurnDeg + 1) * kTurnDeg % kHalfTurnDeg);
 }
 
+void SectionView::showAlongX()
+{
+    setAngle(0);
+}
+
 void SectionView::setAngle(int degrees)
 {
     m_angle->setValue(degrees);

@@ -310,7 +310,9 @@ void MainWindow::editChosenLesson()
         return;
     }
     const lessons::CatalogEntry* const entry = m_lessonsPage->chosen();
-    if (entry == nullptr || !entry->read.lesson) {
+    if (entry == nullptr)  // nothing fits the search, and the page says so
+        return;
+    if (!entry->read.lesson) {
         showMessage(
             tr("This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first."));
         return;
@@ -929,10 +931,11 @@ void MainWindow::placeOverlays()
     m_help->setGeometry(m_pages->rect());
     if (m_help->isVisible())
         m_help->raise();
-    const QRect area = m_pages->currentWidget() == m_room ? m_room->viewArea() : m_pages->rect();
+    const bool inRoom = m_pages->currentWidget() == m_room;
+    const QRect area = inRoom ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
     m_infractionCard->placeIn(area);
-    m_messages->placeIn(area);
+    m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
     m_busy->placeIn(area);
 }
 
@@ -1061,13 +1064,16 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         m_infractionStopped = m_actions->drill->isChecked();
     wishDrill(false);
     m_room->section().setHeld(infraction.placeMm);
+    if (infraction.breach == core::grading::Breach::RidgeCut)
+        m_room->section().showAlongX();
     // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
     if (m_aids.section && !m_actions->section->isChecked()) {
         m_actions->section->setChecked(true);
         m_room->setSectionVisible(true);
         enableActions();
     }
-    m_infractionCard->tell(infraction, canTakeBack);
+    // A bur that ran in the air has done nothing that could be taken back.
+    m_infractionCard->tell(infraction, canTakeBack && infraction.breach != core::grading::Breach::BurInAir);
     m_room->setHintVisible(false);
     placeOverlays();
 }
@@ -1178,6 +1184,8 @@ void MainWindow::endExam()
     if (!isExam())
         return;
     m_examIsOver = true;
+    m_room->lesson().conclude();
+    m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
     m_burRests = false;
     wishDrill(false);
     enableActions();

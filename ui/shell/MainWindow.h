@@ -316,7 +316,7 @@ private:
     QElapsedTimer m_sinceGuide;
     std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
     std::optional<core::grading::Touched> m_touched;
-    bool m_drillWasOn = false;           ///< before an exercise for which it rests
+    bool m_drillWasOn = false;           ///< before what it rests for: an exercise, an exam that is over
     bool m_infractionStopped = false;    ///< the bur turned when it was told
     std::uint64_t m_infractionTick = 0;  ///< of the one that is told
     bool m_isGraded = false;             ///< the student's work has been, as it stood

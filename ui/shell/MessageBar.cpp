@@ -18,7 +18,7 @@
 namespace ui::shell {
 namespace {
 
-constexpr int kWidthPx = 640;
+constexpr int kWidthPx = 720;
 constexpr int kIconPx = 22;
 
 }  // namespace
@@ -144,22 +144,26 @@ void MessageBar::present(const Message& message)
     setAccessibleDescription(message.sentence);
     QFrame::show();
     raise();
-    placeIn(m_area);
+    placeIn(m_area, m_place);
     if (message.kind == Kind::News)
         m_timer.start(kNewsMs);
     else
         m_timer.stop();
 }
 
-void MessageBar::placeIn(const QRect& area)
+void MessageBar::placeIn(const QRect& area, Place place)
 {
     m_area = area;
+    m_place = place;
     const int width = std::min(kWidthPx, area.width() - 2 * kSpace4);
     if (width <= 0)
         return;
     layout()->invalidate();
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
-    setGeometry(area.center().x() - width / 2, area.top() + kSpace4, width, height);
+    if (place == Place::OverTheView)
+        setGeometry(area.center().x() - width / 2, area.top() + kSpace4, width, height);
+    else
+        setGeometry(area.right() - kSpace4 - width, area.top() + kSpace1, width, height);
 }
 
 void MessageBar::enterEvent(QEnterEvent* event)

@@ -56,8 +56,10 @@ public:
     void withdraw(Topic topic);
 
     [[nodiscard]] QString sentence() const;
+    /// Over the middle of the tooth's view; on a page in the line of its title, so that it covers nothing.
+    enum class Place { OverTheView, BesideTheTitle };
     /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs.
-    void placeIn(const QRect& area);
+    void placeIn(const QRect& area, Place place);
 
 protected:
     void enterEvent(QEnterEvent* event) override;
@@ -74,6 +76,7 @@ private:
     QToolButton* m_close;
     QTimer m_timer;
     QRect m_area;
+    Place m_place = Place::OverTheView;
     Message m_now;
     QList<Message> m_waiting;
 };

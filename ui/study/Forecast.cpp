@@ -150,13 +150,19 @@ void Forecast::showMissing()
                                     : QString());
 }
 
-/// Enter goes on from wherever one is.
+/// Enter goes on from wherever one is: an answer that is only looked at it chooses first.
 void Forecast::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
-        m_show->click();
-    else
+    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) {
         Page::keyPressEvent(event);
+        return;
+    }
+    for (QAbstractButton* answer : m_worst->buttons())
+        if (answer->hasFocus() && !answer->isChecked()) {
+            answer->click();
+            return;
+        }
+    m_show->click();
 }
 
 void Forecast::showEvent(QShowEvent* event)

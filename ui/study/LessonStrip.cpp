@@ -80,6 +80,7 @@ void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
     m_lesson = lesson;
     m_step = 0;
     m_overSaid = false;
+    m_isConcluded = false;
     m_hint->setChecked(false);
     showStep();
     setTime(0.0);
@@ -96,7 +97,7 @@ void LessonStrip::goTo(std::size_t step)
 
 void LessonStrip::showStep()
 {
-    const std::size_t count = m_lesson.steps.size();
+    const std::size_t count = m_isConcluded ? 0 : m_lesson.steps.size();
     for (QWidget* part :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_number)})
         part->setVisible(count > 1);
@@ -111,7 +112,11 @@ void LessonStrip::showStep()
     const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
     m_hint->setVisible(hasHint);
     const bool showsHint = hasHint && m_hint->isChecked();
-    const QString step = count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
+    const QString step = m_isConcluded
+                             ? tr("The exam is over, and nothing more can be cut. G shows the score; R begins "
+                                  "another attempt.")
+                         : count == 0 ? said(m_lesson.goal)
+                                      : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
     m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
@@ -119,8 +124,16 @@ void LessonStrip::showStep()
         control->setAccessibleDescription(m_text->text());
 }
 
+void LessonStrip::conclude()
+{
+    m_isConcluded = true;
+    showStep();
+}
+
 void LessonStrip::setTime(double workedS)
 {
+    if (m_isConcluded)
+        return;
     const double limitS = m_lesson.minutes * kSecondsAMinute;
     if (limitS <= 0.0) {
         m_time->setText(text::duration(workedS));
@@ -129,7 +142,9 @@ void LessonStrip::setTime(double workedS)
     }
     const double leftS = limitS - workedS;
     const Tones tone = tones(roomPalette());
-    m_time->setText(leftS >= 0.0 ? text::duration(leftS) : QChar(0x2212) + text::duration(-leftS));
+    m_time->setText(leftS >= 0.0    ? text::duration(leftS)
+                    : m_lesson.exam ? text::duration(0.0)
+                                    : QChar(0x2212) + text::duration(-leftS));
     m_time->setColour(leftS < 0.0 ? tone.harmText : leftS < kSoonS ? tone.attentionText : QColor());
     m_time->setToolTip(tr("Time left of %1").arg(timeWords(m_lesson)));
     if (leftS < 0.0 && !std::exchange(m_overSaid, true))

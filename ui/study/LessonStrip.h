@@ -26,6 +26,8 @@ public:
     void setLesson(const ::lessons::Lesson& lesson);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
+    /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
+    void conclude();
 
 signals:
     /// The lesson's time is over; said once.
@@ -38,6 +40,7 @@ private:
     ::lessons::Lesson m_lesson;
     std::size_t m_step = 0;
     bool m_overSaid = false;
+    bool m_isConcluded = false;
     QLabel* m_number = nullptr;
     QLabel* m_text = nullptr;
     QPushButton* m_hint = nullptr;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -142,9 +143,15 @@ QWidget* LessonsPage::makeList()
     m_list->setProperty("kind", "plain");
     m_list->setObjectName(QStringLiteral("lessonList"));
     column->addWidget(m_list, 1);
-    connect(m_search, &QLineEdit::textChanged, this, &LessonsPage::fillList);
+    connect(m_search, &QLineEdit::textChanged, this, &LessonsPage::search);
+    m_list->installEventFilter(this);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &LessonsPage::describe);
     connect(m_list, &QListView::activated, this, &LessonsPage::start);
+    // A click beside the rows chooses nothing else.
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        if (m_list->currentIndex().isValid() && !m_list->selectionModel()->hasSelection())
+            m_list->selectionModel()->select(m_list->currentIndex(), QItemSelectionModel::Select);
+    });
     return side;
 }
 
@@ -183,7 +190,8 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     folder->setAutoDefault(false);
     connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
     buttons->addWidget(m_start);
-    buttons->addWidget(pageButton(actions.editLesson, "", whole));
+    m_edit = pageButton(actions.editLesson, "", whole);
+    buttons->addWidget(m_edit);
     buttons->addWidget(folder);
     buttons->addStretch(1);
     stack->addLayout(buttons);
@@ -272,6 +280,16 @@ void LessonsPage::fillList()
     describe();
 }
 
+/// The first that fits is chosen, so that Enter starts it.
+void LessonsPage::search()
+{
+    fillList();
+    if (m_search->text().trimmed().isEmpty())
+        return;
+    m_list->setCurrentIndex(m_model->index(std::min(1, m_model->rowCount() - 1), 0));  // beneath its heading
+    m_list->scrollToTop();
+}
+
 const CatalogEntry* LessonsPage::chosen() const
 {
     const QVariant entry = m_list->currentIndex().data(kEntry);
@@ -292,6 +310,7 @@ void LessonsPage::describe()
     const CatalogEntry* entry = chosen();
     const bool isSound = entry != nullptr && entry->read.lesson.has_value();
     m_start->setEnabled(isSound);
+    m_edit->setVisible(isSound);
     m_title->setText(entry == nullptr ? tr("No lesson fits the search")
                      : isSound        ? said(entry->read.lesson->title)
                                       : QFileInfo(entry->read.file).fileName());
@@ -343,9 +362,24 @@ void LessonsPage::showEvent(QShowEvent* event)
     m_list->setFocus();
 }
 
-/// From the search one goes on in the list, without the mouse.
+/// From the search one goes on in the list without the mouse, and back by typing.
 bool LessonsPage::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched == m_list && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isWord = !key->text().isEmpty() && key->text().front().isPrint() && key->key() != Qt::Key_Space &&
+                            (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
+        if (isWord && event->type() == QEvent::ShortcutOverride) {
+            event->accept();
+            return true;
+        }
+        if (isWord) {
+            m_search->setFocus();
+            m_search->selectAll();
+            QCoreApplication::sendEvent(m_search, event);
+            return true;
+        }
+    }
     if (watched == m_search && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Down || key->key() == Qt::Key_Up) {

@@ -55,6 +55,7 @@ private:
     QWidget* makeList();
     QWidget* makeDetails(const shell::Actions& actions);
     void fillList();
+    void search();
     void describe();
     void start();
 
@@ -70,6 +71,7 @@ private:
     QVBoxLayout* m_factsSlot = nullptr;
     QWidget* m_facts = nullptr;
     QPushButton* m_start = nullptr;
+    QPushButton* m_edit = nullptr;
 };
 
 }  // namespace ui::study

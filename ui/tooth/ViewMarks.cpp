@@ -99,14 +99,21 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     const bool aboutIdeal = look.depthColours == render::DepthColours::AgainstIdeal;
     const double endMm = aboutIdeal ? render::kIdealScaleMm : render::kDepthScaleMm;
     const double beginMm = aboutIdeal ? -endMm : 0.0;
-    // Half way up: below, a hint or the bar of a replay may lie over the view.
-    const QRectF bar(kMargin + 8.0, 0.5 * (view.height() - kScaleHigh), kScaleWide, kScaleHigh);
     painter.setFont(wordsFont(painter));
     const QFontMetricsF words(painter.font());
-    //: Titles of a scale of colours: how deep a cut is, and how much deeper than it should be
-    const QString title = aboutIdeal ? QCoreApplication::translate("ViewMarks", "too deep by, mm")
+    //: Titles of a scale of colours: how deep a cut is, and how far from the ideal
+    const QString title = aboutIdeal ? QCoreApplication::translate("ViewMarks", "off the ideal, mm")
                                      : QCoreApplication::translate("ViewMarks", "depth, mm");
-    const double wide = std::max(words.horizontalAdvance(title), kScaleWide + 58.0);
+    // Beyond an end the colour stays.
+    const QString end = QStringLiteral("\u2265\u2009") + QLocale().toString(endMm, 'f', 1);
+    const QString first = aboutIdeal ? QCoreApplication::translate("ViewMarks", "%1 to go").arg(end)
+                                     : QLocale().toString(beginMm, 'f', 1);
+    const QString last = aboutIdeal ? QCoreApplication::translate("ViewMarks", "%1 too deep").arg(end) : end;
+    const double wide =
+        std::max(words.horizontalAdvance(title),
+                 kScaleWide + 9.0 + std::max(words.horizontalAdvance(first), words.horizontalAdvance(last)));
+    // At the right, half way up: at the left lies the history, below a hint or the bar of a replay.
+    const QRectF bar(view.width() - kMargin - wide, 0.5 * (view.height() - kScaleHigh), kScaleWide, kScaleHigh);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);
     painter.drawRoundedRect(QRectF(bar.left() - 10.0, bar.top() - 34.0, wide + 20.0, kScaleHigh + 46.0), 6.0, 6.0);
@@ -125,16 +132,7 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
         const double y = bar.top() + share * kScaleHigh;
         painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 5.0, y));
         const double mm = beginMm + (endMm - beginMm) * share;
-        QString figure = QLocale().toString(std::abs(mm), 'f', 1);
-        if (mm < 0.0)
-            figure.prepend(QChar(0x2212));
-        else if (aboutIdeal && mm > 0.0)
-            figure.prepend(u'+');
-        // Beyond an end the colour stays.
-        if (k == steps)
-            figure.prepend(QStringLiteral("\u2265\u2009"));
-        else if (k == 0 && aboutIdeal)
-            figure.prepend(QStringLiteral("\u2264\u2009"));
+        const QString figure = k == 0 ? first : k == steps ? last : QLocale().toString(std::abs(mm), 'f', 1);
         painter.drawText(QPointF(bar.right() + 9.0, y + 0.36 * kWordsPx), figure);
     }
 }
