@@ -18,13 +18,14 @@ using core::terrain::kEmptyTop;
 constexpr double kPushN = 1.2;
 constexpr float kLeftMm = 0.03F;  ///< what is left so thin is let be
 constexpr float kThroughMm = 0.1F;
+constexpr std::size_t kFewShare = 40;  ///< of the columns to be cut: fewer that do not yield are let be
 constexpr double kReachedMm = 0.01;
 constexpr double kClearMm = 0.3;     ///< over what stands in the way
 constexpr double kLeadMm = 0.6;      ///< the hand goes so far ahead of the bur into what is to be cut
 constexpr double kSinkMm = 0.8;      ///< and at most so far below it
 constexpr double kPress = 4.0;       ///< times what is missing sideways: a bur cuts from a threshold of force on
 constexpr int kMostPatience = 120;   ///< decisions before a column is given up
-constexpr float kDeep = 2.0F;        ///< times the head's length: what is deeper is cut in layers from the beginning
+constexpr float kDeep = 4.0F;        ///< times the head's length: what is deeper is cut in layers from the beginning
 constexpr double kLayerShare = 0.8;  ///< of the head's length: above it the shank does not cut
 constexpr int kThere = 6;            ///< a decision counts so many times where the bur stands and should be cutting
 
@@ -53,6 +54,7 @@ IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const
     float deepest = 0.0F;
     for (std::size_t k = 0; k < m_grid.count(); ++k)
         if (anatomy.top[k] > m_reachMm[k] + kLeftMm) {
+            ++m_wanted;
             highest = std::max(highest, anatomy.top[k]);
             deepest = std::max(deepest, anatomy.top[k] - m_reachMm[k]);
         }
@@ -120,14 +122,16 @@ bool IdealHand::goDown(const core::terrain::Tooth& tooth)
 {
     float highest = kEmptyTop;
     float lowest = std::numeric_limits<float>::max();
+    std::size_t left = 0;
     for (std::size_t k = 0; k < m_grid.count(); ++k)
         if (tooth.isSolid(k) && tooth.top[k] > m_reachMm[k] + kLeftMm) {
+            ++left;
             highest = std::max(highest, tooth.top[k]);
             lowest = std::min(lowest, m_lowestMm[m_fromAt[k]]);
         }
     if (m_layerMm > kEmptyTop)
         highest = m_layerMm;
-    if (highest <= lowest)
+    if (highest <= lowest || left * kFewShare < m_wanted)
         return false;
     m_layerMm = highest - m_thickMm;
     m_isGivenUp.assign(m_grid.count(), false);

@@ -50,6 +50,7 @@ private:
     std::vector<std::size_t> m_fromAt;    ///< the node from which it does
     std::vector<bool> m_isKeptOff;        ///< nodes from which the bur would touch a neighbour
     std::vector<bool> m_isGivenUp;        ///< nodes where nothing yields any more
+    std::size_t m_wanted = 0;             ///< columns that are to be cut
     float m_layerMm = 0.0F;               ///< the tip goes no lower now
     float m_thickMm = 0.0F;               ///< of a layer
     std::optional<std::size_t> m_column;  ///< the one that is cut now
