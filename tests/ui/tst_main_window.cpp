@@ -1127,9 +1127,12 @@ void TestMainWindow::aBreachStopsTheBurAndIsExplained()
     press(Qt::Key_Escape);
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
     QCOMPARE(back.count(), 1);
+    press(Qt::Key_X);
+    QVERIFY(!child<ui::inside::SectionView>()->isVisible());
     infraction.breach = core::grading::Breach::BurInAir;
     m_window->tellInfraction(infraction, true);
     QVERIFY2(!child<QPushButton>("takeBack")->isVisible(), "in the air nothing was cut");
+    QVERIFY2(!child<ui::inside::SectionView>()->isVisible(), "there is nothing to be seen");
     press(Qt::Key_Escape);
     // How wide a marginal ridge is, is seen along the tooth only.
     QVERIFY(child<ui::inside::SectionView>()->angleDeg() != 0);

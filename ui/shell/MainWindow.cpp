@@ -1063,17 +1063,19 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
     if (m_infractionCard->isHidden())
         m_infractionStopped = m_actions->drill->isChecked();
     wishDrill(false);
-    m_room->section().setHeld(infraction.placeMm);
+    // A bur that ran in the air has done nothing to be looked at or taken back.
+    const bool didHarm = infraction.breach != core::grading::Breach::BurInAir;
+    if (didHarm)
+        m_room->section().setHeld(infraction.placeMm);
     if (infraction.breach == core::grading::Breach::RidgeCut)
         m_room->section().showAlongX();
     // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
-    if (m_aids.section && !m_actions->section->isChecked()) {
+    if (didHarm && m_aids.section && !m_actions->section->isChecked()) {
         m_actions->section->setChecked(true);
         m_room->setSectionVisible(true);
         enableActions();
     }
-    // A bur that ran in the air has done nothing that could be taken back.
-    m_infractionCard->tell(infraction, canTakeBack && infraction.breach != core::grading::Breach::BurInAir);
+    m_infractionCard->tell(infraction, canTakeBack && didHarm);
     m_room->setHintVisible(false);
     placeOverlays();
 }
