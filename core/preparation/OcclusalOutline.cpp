@@ -136,21 +136,36 @@ private:
                                                  const Lobes& over, double guess) const
     {
         constexpr double kScanMm = 0.1;
+        std::vector<double> ends;
+        for (double t = -kSearchMm; t < kSearchMm; t += kScanMm)
+            ends.push_back(t);
+        ends.push_back(ends.back() + kScanMm);
+        std::vector<std::optional<double>> known(ends.size());
         const auto rise = [&](double t) { return height(over, at(t)) - height(under, at(t)); };
+        const auto riseAtEnd = [&](std::size_t k) { return known[k] ? *known[k] : known[k].emplace(rise(ends[k])); };
+        // Outwards from the guess, until nothing nearer can come.
+        const std::size_t cells = ends.size() - 1;
+        const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, guess);
+        auto next = static_cast<std::size_t>(after - ends.begin()) - 1;
+        std::size_t before = next;  // one past the cell
+        constexpr double kNever = std::numeric_limits<double>::max();
         std::optional<double> best;
-        double before = rise(-kSearchMm);
-        for (double t = -kSearchMm; t < kSearchMm; t += kScanMm) {
-            const double after = rise(t + kScanMm);
-            if (before < 0.0 && after >= 0.0 && (!best || std::abs(t - guess) < std::abs(*best - guess))) {
-                double low = t;
-                double high = t + kScanMm;
-                for (int k = 0; k < 30; ++k) {
-                    const double middle = 0.5 * (low + high);
-                    (rise(middle) < 0.0 ? low : high) = middle;
-                }
-                best = high;
+        while (next < cells || before > 0) {
+            const double ahead = next < cells ? ends[next] - guess : kNever;
+            const double behind = before > 0 ? guess - ends[before] : kNever;
+            if (best && std::abs(*best - guess) <= std::min(ahead, behind))
+                break;
+            const std::size_t cell = ahead < behind ? next++ : --before;
+            if (riseAtEnd(cell) >= 0.0 || riseAtEnd(cell + 1) < 0.0)
+                continue;
+            double low = ends[cell];
+            double high = ends[cell + 1];
+            for (int k = 0; k < 30; ++k) {
+                const double middle = 0.5 * (low + high);
+                (rise(middle) < 0.0 ? low : high) = middle;
             }
-            before = after;
+            if (!best || std::abs(high - guess) < std::abs(*best - guess))
+                best = high;
         }
         return best;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -185,6 +186,11 @@ Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
 
 Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
 {
+    // Who makes a preparation asks for the same one several times in a row, and it takes a mesh to know its size.
+    thread_local std::optional<PosteriorForm> last;
+    thread_local std::pair<int, std::uint64_t> lastOf;
+    if (last && lastOf == std::pair(fdi, seed))
+        return *last;
     const auto mean = findToothSizes(fdi);
     const auto drawn = drawToothSizes(fdi, seed);
     if (!mean || !drawn)
@@ -197,6 +203,8 @@ Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
     const Move move = moveOf(builder.points(), *mean, *drawn);
     form.originMm = move.origin;
     form.scale = move.scale;
+    last = form;
+    lastOf = {fdi, seed};
     return form;
 }
 

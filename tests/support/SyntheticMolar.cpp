@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace support {
 namespace {
@@ -57,9 +58,7 @@ double chewing(double x, double y)
     return z;
 }
 
-}  // namespace
-
-std::shared_ptr<const core::terrain::ToothAnatomy> syntheticMolar(int side)
+std::shared_ptr<const core::terrain::ToothAnatomy> make(int side)
 {
     auto tooth = std::make_shared<core::terrain::ToothAnatomy>();
     tooth->name = "synthetic";
@@ -102,6 +101,17 @@ std::shared_ptr<const core::terrain::ToothAnatomy> syntheticMolar(int side)
             }
         }
     }
+    return tooth;
+}
+
+}  // namespace
+
+std::shared_ptr<const core::terrain::ToothAnatomy> syntheticMolar(int side)
+{
+    static std::map<int, std::shared_ptr<const core::terrain::ToothAnatomy>> made;
+    std::shared_ptr<const core::terrain::ToothAnatomy>& tooth = made[side];
+    if (tooth == nullptr)
+        tooth = make(side);
     return tooth;
 }
 

@@ -8,7 +8,8 @@
 namespace support {
 
 /// A molar-like crown from closed formulas: five cusps, a cross of fissures, enamel over dentin over a pulp chamber,
-/// and one open lesion of decay around kLesionMm. No generator, no file: what pictures are tested with.
+/// and one open lesion of decay around kLesionMm. No generator, no file: what pictures are tested with. Made once for
+/// each side and kept. Main thread.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> syntheticMolar(int side = 150);
 
 /// Middle of the lesion and its radius, tooth frame.

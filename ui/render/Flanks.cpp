@@ -2,9 +2,11 @@
 #include "ui/render/Flanks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -32,23 +34,32 @@ constexpr float kAlikeMm = 0.25F;  ///< of heights: what is much higher or lower
 /// A plane through values around a node, by weighted least squares; places in cells.
 struct Plane
 {
-    glm::dmat3 squares{0.0};
+    double ones = 0.0;  ///< sums of weights, and of weights times places
+    double x = 0.0;
+    double y = 0.0;
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
     glm::dvec3 values{0.0};
 
     void add(glm::dvec2 at, double value, double weight)
     {
-        const glm::dvec3 row(1.0, at);
-        squares += weight * glm::outerProduct(row, row);
-        values += weight * value * row;
+        ones += weight;
+        x += weight * at.x;
+        y += weight * at.y;
+        xx += weight * (at.x * at.x);
+        xy += weight * (at.x * at.y);
+        yy += weight * (at.y * at.y);
+        values += weight * value * glm::dvec3(1.0, at);
     }
+    [[nodiscard]] glm::dmat3 squares() const { return {ones, x, y, x, xx, xy, y, xy, yy}; }
     [[nodiscard]] bool isKnown() const
     {
-        const double size = squares[0][0];
-        return size > 0.0 && glm::determinant(squares) > 1.0e-3 * size * size * size;
+        return ones > 0.0 && glm::determinant(squares()) > 1.0e-3 * ones * ones * ones;
     }
     [[nodiscard]] glm::vec2 slopePerCell() const
     {
-        const glm::dvec3 found = glm::inverse(squares) * values;
+        const glm::dvec3 found = glm::inverse(squares()) * values;
         return {static_cast<float>(found.y), static_cast<float>(found.z)};
     }
 };
@@ -127,8 +138,9 @@ Flanks::Flanks(const core::terrain::Grid& lattice, const std::vector<float>& top
                 const float further = (glm::dot(to, to) - away * away) / (2.0F * kContourBlur * kContourBlur);
                 if (further > 12.0F)
                     continue;
-                sum += std::exp(-further) * rim.heightMm;
-                weights += std::exp(-further);
+                const float weight = std::exp(-further);
+                sum += weight * rim.heightMm;
+                weights += weight;
             }
             node.contourMm = sum / weights;
             node.share = 1.0F - glm::smoothstep(kFadesFrom, static_cast<float>(kReach), away);
@@ -137,15 +149,25 @@ Flanks::Flanks(const core::terrain::Grid& lattice, const std::vector<float>& top
     for (std::size_t k = 0; k < inwards.size(); ++k)
         if (glm::dot(inwards[k], inwards[k]) > 0.0F)
             inwards[k] = glm::normalize(inwards[k]);
+    // Weights fall as a Gaussian turned to the rim. Its exponent is a polynomial of di and dj: a product of factors for
+    // di², dj² and di dj, the last of which grows evenly along a row, takes a fifth of the exponentials.
     const auto around = [&](int i, int j, glm::vec2 inward, auto&& use) {
+        const glm::vec2 across = inward / kBlurAcross;
+        const glm::vec2 along = glm::vec2(-inward.y, inward.x) / kBlurAlong;
+        const glm::vec2 straight = across * across + along * along;
+        const float slanted = across.x * across.y + along.x * along.y;
+        std::array<glm::vec2, kSlopeReach + 1> fall;
+        for (std::size_t d = 0; d < fall.size(); ++d)
+            fall[d] = glm::exp(-0.5F * static_cast<float>(d * d) * straight);
         for (int dj = -kSlopeReach; dj <= kSlopeReach; ++dj) {
-            for (int di = -kSlopeReach; di <= kSlopeReach; ++di) {
+            const float onwards = std::exp(-slanted * static_cast<float>(dj));
+            float slant = std::exp(slanted * static_cast<float>(dj * kSlopeReach));
+            for (int di = -kSlopeReach; di <= kSlopeReach; ++di, slant *= onwards) {
                 if (!isSolid(i + di, j + dj) || distance[lattice.index(i + di, j + dj)] > kReach)
                     continue;
-                const glm::vec2 to(di, dj);
-                const float across = glm::dot(inward, to) / kBlurAcross;
-                const float along = (inward.x * to.y - inward.y * to.x) / kBlurAlong;
-                use(lattice.index(i + di, j + dj), to, std::exp(-0.5F * (across * across + along * along)));
+                const float near =
+                    fall[static_cast<std::size_t>(std::abs(di))].x * fall[static_cast<std::size_t>(std::abs(dj))].y;
+                use(lattice.index(i + di, j + dj), glm::vec2(di, dj), near * slant);
             }
         }
     };

@@ -2,6 +2,7 @@
 #include "ui/render/ToothSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -416,6 +417,12 @@ void ToothSurface::spreadLayers()
 void ToothSurface::softenDecay(const std::vector<std::uint8_t>& caries)
 {
     const std::vector<glm::vec4> own = m_upperLayers;
+    std::array<float, kDecayReach + 1> fade;
+    for (std::size_t d = 0; d < fade.size(); ++d)
+        fade[d] = std::exp(-0.35F * static_cast<float>(d * d));
+    const auto weightOf = [&](int di, int dj) {
+        return fade[static_cast<std::size_t>(std::abs(di))] * fade[static_cast<std::size_t>(std::abs(dj))];
+    };
     for (int j = 0; j < m_lattice.side; ++j) {
         for (int i = 0; i < m_lattice.side; ++i) {
             const std::size_t k = m_lattice.index(i, j);
@@ -429,7 +436,7 @@ void ToothSurface::softenDecay(const std::vector<std::uint8_t>& caries)
                     if (!m_lattice.contains(i + di, j + dj))
                         continue;
                     const std::size_t n = m_lattice.index(i + di, j + dj);
-                    const float weight = std::exp(-0.35F * static_cast<float>(di * di + dj * dj));
+                    const float weight = weightOf(di, dj);
                     weights += weight;
                     if (caries[n] == 0)
                         continue;
