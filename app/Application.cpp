@@ -12,6 +12,7 @@
 #include <QPointer>
 #include <QRandomGenerator>
 #include <QStandardPaths>
+#include <QThread>
 #include <QThreadPool>
 #include <QUrl>
 
@@ -43,6 +44,8 @@ using ui::text::Failed;
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
+constexpr int kLooksForJournal = 6;
+constexpr unsigned long kJournalRestMs = 500;
 constexpr int kMostKnownAttempts = 200;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
@@ -737,15 +740,23 @@ void Application::offerUnfinished()
         [folder = journalFolder(m_options.databaseFile)] {
             Search search;
             core::recording::tidyJournals(folder);
-            for (const std::filesystem::path& path : core::recording::journalsIn(folder)) {
-                auto found = core::recording::findAttempt(path);
-                if (!found) {
-                    search.failure = found.error();
-                    if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
-                        core::recording::discardJournal(path);
-                } else if (*found) {
-                    search.found = std::move(*found);
-                    break;
+            // A program that was just killed may hold its journal for a moment more.
+            bool isInUse = true;
+            for (int look = 0; look < kLooksForJournal && isInUse && !search.found; ++look) {
+                QThread::msleep(look > 0 ? kJournalRestMs : 0);
+                isInUse = false;
+                for (const std::filesystem::path& path : core::recording::journalsIn(folder)) {
+                    auto found = core::recording::findAttempt(path);
+                    if (!found) {
+                        search.failure = found.error();
+                        if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
+                            core::recording::discardJournal(path);
+                    } else if (*found) {
+                        search.found = std::move(*found);
+                        break;
+                    } else {
+                        isInUse = true;
+                    }
                 }
             }
             return search;

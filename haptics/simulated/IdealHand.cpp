@@ -18,7 +18,7 @@ using core::terrain::kEmptyTop;
 constexpr double kPushN = 1.2;
 constexpr float kLeftMm = 0.03F;  ///< what is left so thin is let be
 constexpr float kThroughMm = 0.1F;
-constexpr std::size_t kFewShare = 40;  ///< of the columns to be cut: fewer that do not yield are let be
+constexpr std::size_t kFewShare = 10;  ///< of the columns to be cut: fewer that do not yield are let be
 constexpr double kReachedMm = 0.01;
 constexpr double kClearMm = 0.3;     ///< over what stands in the way
 constexpr double kLeadMm = 0.6;      ///< the hand goes so far ahead of the bur into what is to be cut

@@ -45,6 +45,7 @@ private slots:
     void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
     void theSimulatedHandpieceDrillsByItself();
+    void anUnfinishedAttemptIsOfferedWhenItIsLetGo();
     void anUnfinishedAttemptIsOfferedAndTakenUp();
     void discardedAttemptsMakeWayForOlderOnes();
 
@@ -146,6 +147,20 @@ QString TestApplication::leaveUnfinished(glm::dvec3 pointMm, const QString& into
         qFatal("a program that ends in order leaves nothing behind");
     QFile::rename(kept, m_folder->filePath("unfinished/" + into));
     return own;
+}
+
+/// A program that dies holds what it has locked until it is gone.
+void TestApplication::anUnfinishedAttemptIsOfferedWhenItIsLetGo()
+{
+    static_cast<void>(leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal"));
+    auto held = core::recording::findAttempt(
+        std::filesystem::path(m_folder->filePath("unfinished/1-1.cuspjournal").toStdString()));
+    QVERIFY(held && *held);
+    start();
+    QTest::qWait(300);
+    QVERIFY(!message().contains("an attempt of"));
+    held->reset();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
 }
 
 void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()

@@ -46,8 +46,8 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     head->addWidget(formWords(tr("Marking"), kBody, QFont::DemiBold, QPalette::WindowText, this), 1);
     m_more = new QCheckBox(tr("Targets and spans"), this);
     m_more->setObjectName(QStringLiteral("targetsAndSpans"));
-    m_more->setToolTip(brokenIntoLines(
-        tr("What each measure ought to be, and how far beyond the tolerance all points are lost")));
+    m_more->setToolTip(
+        brokenIntoLines(tr("What each measure ought to be, and how far beyond the tolerance all points are lost")));
     connect(m_more, &QCheckBox::toggled, this, &RubricForm::showMore);
     head->addWidget(m_more);
     column->addLayout(head);
