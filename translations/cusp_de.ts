@@ -2350,6 +2350,10 @@
         <source>Another attempt at the exam begins.</source>
         <translation>Ein weiterer Versuch der Prüfung beginnt.</translation>
     </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
+        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G für die Note; danach kann ein neuer Versuch beginnen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -3722,6 +3726,10 @@
     <message>
         <source>Nothing to show yet: what is wrong is said at the left.</source>
         <translation>Noch nichts zu zeigen: Was falsch ist, steht links.</translation>
+    </message>
+    <message>
+        <source>The ideal is being made …</source>
+        <translation>Das Ideal wird angelegt …</translation>
     </message>
 </context>
 <context>

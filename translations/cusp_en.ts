@@ -2350,6 +2350,10 @@
         <source>Another attempt at the exam begins.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -3721,6 +3725,10 @@
     </message>
     <message>
         <source>Nothing to show yet: what is wrong is said at the left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal is being made …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -142,7 +142,7 @@ void Referee::lookBeside(const session::ServoState& state)
     const double reach = radius / beside.grid.cellMm;
     const auto last = static_cast<double>(beside.grid.side - 1);
     bool isIn = false;
-    if (state.drillOn && at.x > reach && at.y > reach && at.x < last - reach && at.y < last - reach) {
+    if (at.x > reach && at.y > reach && at.x < last - reach && at.y < last - reach) {
         const auto from = [](double v) { return static_cast<int>(std::ceil(v)); };
         const auto to = [](double v) { return static_cast<int>(std::floor(v)); };
         for (int j = from(at.y - reach); j <= to(at.y + reach) && !isIn; ++j) {
@@ -156,10 +156,11 @@ void Referee::lookBeside(const session::ServoState& state)
             }
         }
     }
-    if (isIn)
-        find(Breach::NeighbourHit, 0.0, 0.0);
-    else
+    // Told once until the bur has left it, however often it is stopped there.
+    if (!isIn)
         standing(Breach::NeighbourHit) = false;
+    else if (state.drillOn)
+        find(Breach::NeighbourHit, 0.0, 0.0);
 }
 
 bool Referee::hasHole(const terrain::Tooth& tooth) const

@@ -288,6 +288,10 @@ void TestReferee::theToothBesideIsSpared()
         QCOMPARE(found.size(), std::size_t{1});
         QCOMPARE(found.front().breach, Breach::NeighbourHit);
         QVERIFY2(at(beyond, -2.6).empty(), "told once");
+        m_state.drillOn = false;
+        QVERIFY(at(beyond, -2.6).empty());
+        m_state.drillOn = true;
+        QVERIFY2(at(beyond, -2.6).empty(), "nor again where it was stopped and goes on");
         QVERIFY(at(0.0, 5.0).empty());
         m_state.drillOn = false;
         QVERIFY2(at(beyond, -2.5).empty(), "a bur at rest does no harm");

@@ -1882,6 +1882,9 @@ void TestMainWindow::anExamEndsOnce()
         QVERIFY(!actions().undo->isEnabled() && !actions().history->isEnabled());
         if (byTime) {
             QVERIFY(!actions().saveRecording->isEnabled());
+            actions().reload->trigger();
+            QCOMPARE(again.count(), 0);
+            QVERIFY2(message().contains("no grade yet"), qPrintable(message()));
             m_window->showScore(sheet(3.2, 40, 0.5), {});
             actions().back->trigger();
         }

@@ -225,6 +225,10 @@ void MainWindow::connectActions()
     });
     on(m_actions->reload, [this] {
         goTo(m_room);
+        if (m_examIsOver && !m_isGraded) {
+            showMessage(tr("This exam is over, but has no grade yet. Press G for it; then another attempt can begin."));
+            return;
+        }
         m_isGraded = false;
         if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
             const QString begins =

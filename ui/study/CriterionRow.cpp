@@ -20,7 +20,8 @@ namespace {
 using namespace ui::shell;
 using ::lessons::Moment;
 
-constexpr int kAbovePx = 3;  ///< and below: ten criteria are seen at a glance on 800 px
+constexpr int kAbovePx = 3;        ///< and below: twelve criteria are seen at a glance on 800 px
+constexpr int kAboveNoughtPx = 1;  ///< where nothing was lost
 constexpr double kTogetherS = 10.0;
 constexpr std::size_t kShownMoments = 3;
 constexpr int kChipsARow = 3;
@@ -98,7 +99,8 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     const Tones tone = tones(palette());
 
     m_slot = new QGridLayout(this);
-    m_slot->setContentsMargins(kSpace2, kAbovePx, kSpace2, kAbovePx);
+    const int above = criterion.lostTenths > 0 ? kAbovePx : kAboveNoughtPx;
+    m_slot->setContentsMargins(kSpace2, above, kSpace2, above);
     m_slot->setHorizontalSpacing(kSpace4);
     m_slot->setVerticalSpacing(2);
     m_slot->setColumnStretch(0, 1);
@@ -117,7 +119,8 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
                                                 "away stands beside the tooth, in mm³.")));
     m_slot->addWidget(measured, 0, 1);
     auto* lost = new TabularLabel(this);
-    lost->setFont(typeface(kTitle, QFont::DemiBold));
+    // What cost nothing takes no more room than its name.
+    lost->setFont(typeface(criterion.lostTenths > 0 ? kTitle : kBody, QFont::DemiBold));
     lost->setAlignment(Qt::AlignRight);
     lost->setMinimumWidth(52);
     lost->setText(signedPoints(criterion.lostTenths));

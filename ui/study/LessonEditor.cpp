@@ -321,6 +321,8 @@ void LessonEditor::take(const std::shared_ptr<const Weighed>& weighed, bool isNe
     if (weighed->assignment) {
         m_good = weighed;
         m_view->show(weighed);
+    } else if (!m_good) {
+        m_view->show(weighed);  // which says that something is wrong
     }
     if (!isNewest)
         return;  // what is in the inputs is newer

@@ -36,7 +36,8 @@ using namespace ui::shell;
 
 constexpr int kWidestPx = 1720;
 constexpr int kNarrowestBesidePx = 1180;
-constexpr int kPictureBelowPx = 320;  ///< height of a picture that shares its rows with nothing
+constexpr int kPictureBelowPx = 320;     ///< height of a picture that shares its rows with nothing
+constexpr std::size_t kFewCriteria = 5;  ///< that leave room for the history below them
 constexpr qsizetype kListed = 4;
 constexpr std::size_t kShownHash = 12;
 constexpr qsizetype kCharted = 12;
@@ -168,9 +169,11 @@ void ScorePage::arrange()
         m_cards->removeWidget(card);
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside) {
-        m_cards->addWidget(m_criteriaCard, 1, 0, 2, 1);
-        m_cards->addWidget(m_placeCard, 1, 1);
-        m_cards->addWidget(m_historyCard, 2, 1);
+        // The pictures have the height that is left beside the criteria, or beside a few of them and the history.
+        const bool areFew = m_criterionCount <= kFewCriteria;
+        m_cards->addWidget(m_criteriaCard, 1, 0, areFew ? 1 : 2, 1);
+        m_cards->addWidget(m_placeCard, 1, 1, areFew ? 2 : 1, 1);
+        m_cards->addWidget(m_historyCard, 2, areFew ? 0 : 1);
     } else {
         m_cards->addWidget(m_criteriaCard, 1, 0, 1, 2);
         m_cards->addWidget(m_placeCard, 2, 0, 1, 2);
@@ -359,6 +362,7 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
                                                                    : tone.attention,
                                         26, devicePixelRatioF()));
     m_bar->setScore(sheet.totalTenths, sheet.passMarkTenths);
+    m_criterionCount = sheet.criteria.size();
     m_scored = scored;
     if (m_scored) {
         m_heat->setWork(*m_scored);

@@ -79,6 +79,7 @@ private:
     void fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet);
 
     std::optional<ScoredWork> m_scored;
+    std::size_t m_criterionCount = 0;
     QGridLayout* m_cards = nullptr;
     QWidget* m_resultCard = nullptr;
     QWidget* m_criteriaCard = nullptr;

@@ -70,7 +70,8 @@ void ToleranceView::paintEvent(QPaintEvent*)
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.setFont(shell::typeface(shell::kBody));
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("Nothing to show yet: what is wrong is said at the left."));
+                         m_weighed ? tr("Nothing to show yet: what is wrong is said at the left.")
+                                   : tr("The ideal is being made …"));
         return;
     }
     const ::lessons::Assignment& assignment = *m_weighed->assignment;
