@@ -46,9 +46,9 @@ double enamelAt(const ToothMaps& maps, const std::vector<ColumnLayers>& layers, 
     for (int j = std::max(0, j0 - reach); j <= std::min(grid.side - 1, j0 + reach); ++j) {
         for (int i = std::max(0, i0 - reach); i <= std::min(grid.side - 1, i0 + reach); ++i) {
             const std::size_t q = grid.index(i, j);
-            if (!solid(maps, q) || layers[q].dej <= maps.bottom[q])
-                continue;
             const double aside = grid.cellMm * std::hypot(i - i0, j - j0);
+            if (aside >= nearest || !solid(maps, q) || layers[q].dej <= maps.bottom[q])
+                continue;
             const double above = std::max(0.0, z - static_cast<double>(layers[q].dej));
             nearest = std::min(nearest, std::hypot(aside, above));
         }
@@ -84,22 +84,24 @@ QString broken(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
             const ColumnLayers& column = layers[k];
-            const QString where = QStringLiteral("column %1, %2: ").arg(i).arg(j);
+            const auto at = [&](const char* what) {
+                return QStringLiteral("column %1, %2: %3").arg(i).arg(j).arg(what);
+            };
             if (!solid(maps, k)) {
                 if (column != ColumnLayers{})
-                    return where + "empty column with layers";
+                    return at("empty column with layers");
                 continue;
             }
             if (!std::isfinite(column.dej) || !std::isfinite(column.pulpRoof) || !std::isfinite(column.pulpFloor))
-                return where + "not finite";
+                return at("not finite");
             if (column.cariesRoof > column.cariesFloor)
-                return where + "decay in a sound tooth";
+                return at("decay in a sound tooth");
             if (column.dej > maps.top[k])
-                return where + "junction above the surface";
+                return at("junction above the surface");
             if (column.pulpFloor > column.pulpRoof)
-                return where + "floor above roof";
+                return at("floor above roof");
             if (hasPulp(column) && (column.pulpRoof >= column.dej || column.pulpFloor < maps.bottom[k]))
-                return where + "pulp outside dentin";
+                return at("pulp outside dentin");
         }
     }
     return {};
@@ -119,6 +121,8 @@ double leastDentin(const ToothMaps& maps, const std::vector<ColumnLayers>& layer
             for (int nj = j - reach; nj <= j + reach; ++nj) {
                 for (int ni = i - reach; ni <= i + reach; ++ni) {
                     const double aside = grid.cellMm * std::hypot(ni - i, nj - j);
+                    if (aside >= least)
+                        continue;
                     if (!grid.contains(ni, nj) || !solid(maps, grid.index(ni, nj))) {
                         least = std::min(least, aside);
                         continue;
