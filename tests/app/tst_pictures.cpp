@@ -32,9 +32,9 @@ constexpr int kNear = 20;
 constexpr double kMostAway = 0.003;
 constexpr double kMeanNear = 1.5;
 
-/// Around a section stand words, and at the left of coloured depths; which letters a computer has is its own affair.
+/// Around a section stand words, and at the right of coloured depths; which letters a computer has is its own affair.
 constexpr QMargins kWords(32, 24, 8, 68);
-constexpr QMargins kScale(170, 0, 0, 0);
+constexpr QMargins kScale(0, 0, 180, 0);
 
 /// What a picture is drawn of.
 enum class Of { Tooth, Cutting, Cut, Nothing };

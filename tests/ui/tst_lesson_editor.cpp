@@ -392,7 +392,7 @@ void TestLessonEditor::targetsAndSpansAreChanged()
         if (criterion["id"] == QStringLiteral("ridge"))
             QCOMPARE(criterion["target"].toDouble(), 1.2);
     }
-    QCOMPARE(criteria.size(), 10);
+    QCOMPARE(criteria.size(), 12);
 }
 
 void TestLessonEditor::anExerciseHasNoIdealToCheck()
