@@ -16,6 +16,7 @@
 
 #include "core/base/WholeFile.h"
 #include "core/recording/Format.h"
+#include "lessons/Assignment.h"
 #include "lessons/JsonFiles.h"
 #include "lessons/LessonReader.h"
 
@@ -57,6 +58,15 @@ bool isNameInPack(const QString& name)
     });
 }
 
+/// A name that may be anything, as a sentence can show it.
+QString shown(const QString& name)
+{
+    QString safe = name.left(80);
+    std::replace_if(
+        safe.begin(), safe.end(), [](QChar letter) { return !letter.isPrint(); }, QChar(QChar::ReplacementCharacter));
+    return safe;
+}
+
 core::Result<QByteArray> contentOf(const QString& path, qint64 most)
 {
     QFile file(path);
@@ -77,6 +87,17 @@ bool holds(const QString& path, const QByteArray& content)
     return there && *there == content;
 }
 
+core::Status writeInto(const QString& path, const QByteArray& content)
+{
+    const QString folder = QFileInfo(path).absolutePath();
+    if (!QDir().mkpath(folder))
+        return refused(
+            core::ErrorCode::FileUnwritable,
+            QStringLiteral("The folder %1 cannot be made; name another.").arg(QDir::toNativeSeparators(folder)));
+    return core::writeWhole(std::filesystem::path(path.toStdU16String()),
+                            {content.constData(), static_cast<std::size_t>(content.size())}, "A file of the pack");
+}
+
 core::Result<PackedFile> packedFile(const QJsonObject& entry)
 {
     PackedFile file{entry.value(QStringLiteral("name")).toString(), {}};
@@ -85,7 +106,7 @@ core::Result<PackedFile> packedFile(const QJsonObject& entry)
             core::ErrorCode::BadStructure,
             QStringLiteral("The pack names a file \"%1\", which leads out of its folder or is of no kind that "
                            "lessons have; nothing was unpacked.")
-                .arg(file.name.left(80)));
+                .arg(shown(file.name)));
     const auto decoded = QByteArray::fromBase64Encoding(entry.value(QStringLiteral("base64")).toString().toLatin1(),
                                                         QByteArray::AbortOnBase64DecodingErrors);
     if (!decoded || hashOf(decoded.decoded) != entry.value(QStringLiteral("sha256")).toString())
@@ -113,6 +134,10 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
             return refused(core::ErrorCode::BadStructure,
                            QStringLiteral("%1. Only a lesson that can be given is packed.").arg(grave->sentence()));
         }
+        // A scan is looked at when its tooth is made.
+        if (std::holds_alternative<Scan>(read.lesson->tooth))
+            if (const auto assigned = assign(*read.lesson); !assigned)
+                return tl::unexpected(assigned.error());
         const QDir folder = QFileInfo(lessonFile).absoluteDir();
         for (const QString& path : read.uses) {
             const QString name = folder.relativeFilePath(QFileInfo(path).absoluteFilePath());
@@ -222,17 +247,17 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
                                "or name another folder.")
                     .arg(file.name, QDir::toNativeSeparators(folder)));
     }
+    QStringList made;
     for (const PackedFile* const file : missing) {
-        const QFileInfo place(into.filePath(file->name));
-        if (!QDir().mkpath(place.absolutePath()))
-            return refused(core::ErrorCode::FileUnwritable,
-                           QStringLiteral("The folder %1 cannot be made; name another.")
-                               .arg(QDir::toNativeSeparators(place.absolutePath())));
-        core::Status written = core::writeWhole(
-            std::filesystem::path(place.filePath().toStdU16String()),
-            {file->content.constData(), static_cast<std::size_t>(file->content.size())}, "A file of the pack");
-        if (!written)
+        const QString path = into.filePath(file->name);
+        core::Status written = writeInto(path, file->content);
+        if (!written) {
+            // A disk that is full half-way: half of a pack would be in the way of the next try.
+            for (const QString& other : made)
+                QFile::remove(other);
             return written;
+        }
+        made << path;
     }
     return {};
 }

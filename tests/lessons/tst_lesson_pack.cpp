@@ -43,6 +43,7 @@ private slots:
     void aFaultNamesThePack();
     void theCacheIsNotTrusted();
     void unpackingOverwritesNothing();
+    void whatCannotBeUnpackedWholeLeavesNothing();
     void refusesNamesThatLeadElsewhere_data();
     void refusesNamesThatLeadElsewhere();
     void refusesAWrongHash();
@@ -391,12 +392,21 @@ void TestLessonPack::unpackingOverwritesNothing()
     QVERIFY(!QFileInfo::exists(m_folder->filePath("own.cuspideal")));  // nothing was written
 }
 
+void TestLessonPack::whatCannotBeUnpackedWholeLeavesNothing()
+{
+    // The second name is longer than any file system takes, as a disk that is full would be found by the second file.
+    const QString tooLong = QString(240, u'x') + QStringLiteral(".longer.than.names.may.be.json");
+    QVERIFY(!putInto(m_folder->path(), {{"first.json", "{}"}, {tooLong, "{}"}}));
+    QVERIFY(QDir(m_folder->path()).isEmpty());
+    QVERIFY(putInto(m_folder->path(), {{"first.json", "{}"}, {"second.json", "{}"}}));
+}
+
 void TestLessonPack::refusesNamesThatLeadElsewhere_data()
 {
     QTest::addColumn<QString>("name");
-    for (const QString name :
-         {"../a.json", "/etc/a.json", "a/../../b.json", "C:\\a.json", ":/lessons/a.json", "", ".bashrc.json",
-          "a/.hidden/b.json", "a//b.json", "run.sh", "a.json/", "C:a.json", "tab\t.json", "a.desktop"})
+    for (const QString name : {"../a.json", "/etc/a.json", "a/../../b.json", "C:\\a.json", ":/lessons/a.json", "",
+                               ".bashrc.json", "a/.hidden/b.json", "a//b.json", "run.sh", "a.json/", "C:a.json",
+                               "tab\t.json", "a.desktop", "turned\u202Enosj.json"})
         QTest::addRow("%s", qPrintable(name)) << name;
 }
 
@@ -407,6 +417,8 @@ void TestLessonPack::refusesNamesThatLeadElsewhere()
     QVERIFY(!refused);
     QVERIFY2(refused.error().detail.find("leads out of its folder") != std::string::npos,
              refused.error().detail.c_str());
+    for (const QChar letter : QString::fromStdString(refused.error().detail))
+        QVERIFY(letter.isPrint());
 }
 
 void TestLessonPack::refusesAWrongHash()
@@ -491,6 +503,16 @@ void TestLessonPack::aFaultyLessonIsNotPacked()
     QVERIFY2(refused.error().detail.find("faulty.lesson.json, grid") == 0, refused.error().detail.c_str());
     QVERIFY(!packLessons({}));
     QVERIFY(!packLessons({m_folder->filePath("none.lesson.json")}));
+    QJsonObject scanned = lesson();
+    write("noise.stl", QByteArray("no mesh at all"));
+    scanned["tooth"] = QJsonObject{{"fdi", 36}, {"scan", "noise.stl"}};
+    scanned.remove("ideal");
+    scanned["task"] = "remove_decay";
+    scanned["lesion"] = QJsonObject{{"extent", 0.5}};
+    scanned["rubric"] = "decay_removal";
+    const auto noMesh = packLessons({write("scanned.lesson.json", scanned)});
+    QVERIFY(!noMesh);
+    QVERIFY2(noMesh.error().detail.find("noise.stl") != std::string::npos, noMesh.error().detail.c_str());
 }
 
 QTEST_GUILESS_MAIN(TestLessonPack)
