@@ -825,7 +825,13 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
 void Application::discardUnfinished()
 {
     if (m_unfinished)
-        core::recording::discardJournal(m_unfinished->path);
+        if (const auto kept = core::recording::discardJournal(m_unfinished->path))
+            m_window->offerToBringBack([this, kept = *kept] {
+                if (core::recording::bringBackJournal(kept))
+                    offerUnfinished();
+                else
+                    m_window->showMessage(tr("The attempt is no longer there."));
+            });
     m_unfinished.reset();
     offerUnfinished();
 }

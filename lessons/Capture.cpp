@@ -2,8 +2,10 @@
 #include "lessons/Capture.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
+#include <QCryptographicHash>
 #include <QJsonArray>
 
 #include "core/recording/Replay.h"
@@ -23,6 +25,11 @@ constexpr std::array<Meant, 4> kMeant{{{"outline_p95_mm", &Tolerances::outlineMm
                                        {"wall_angle_error_deg", &Tolerances::wallDeg},
                                        {"floor_flatness_mm", &Tolerances::floorMm}}};
 
+std::string hashOf(const std::string& bytes)
+{
+    return QCryptographicHash::hash(QByteArray::fromStdString(bytes), QCryptographicHash::Sha256).toStdString();
+}
+
 }  // namespace
 
 core::Result<core::preparation::CapturedIdeal> captureFrom(std::span<const std::filesystem::path> recordings,
@@ -31,12 +38,20 @@ core::Result<core::preparation::CapturedIdeal> captureFrom(std::span<const std::
 {
     std::vector<core::terrain::Tooth> teeth;
     std::vector<std::string> sources;
+    std::map<std::string, std::string> known;  // by bytes: name
     for (const std::filesystem::path& path : recordings) {
         if (mayGoOn && !mayGoOn())
             return core::unexpected(core::ErrorCode::BadStructure, "The capture was called off.");
         const auto recording = core::recording::readRecording(path);
         if (!recording)
             return tl::unexpected(recording.error());
+        const auto [same, isNew] = known.try_emplace(hashOf(recording->toBytes()), path.filename().string());
+        if (!isNew)
+            return core::unexpected(
+                core::ErrorCode::OutOfRange,
+                QStringLiteral("%1 is the attempt of %2 once more, and would count twice; name it once.")
+                    .arg(QString::fromStdString(path.filename().string()), QString::fromStdString(same->second))
+                    .toStdString());
         auto outcome = core::recording::replay(*recording);
         if (!outcome)
             return core::unexpected(outcome.error().code, path.string() + ": " + outcome.error().detail);

@@ -14,7 +14,8 @@
 namespace lessons {
 
 /// The ideal that recordings show: each is replayed to its end, and what most of them cut is averaged. Replaying takes
-/// a fraction of the time that the attempts took; any thread that may wait. An error names the file.
+/// a fraction of the time that the attempts took; any thread that may wait. An error names the file; one attempt twice,
+/// by whatever names, is an error, since it would outweigh the others.
 /// @param mayGoOn  asked between recordings; false ends it with an error. May be empty
 [[nodiscard]] core::Result<core::preparation::CapturedIdeal>
 captureFrom(std::span<const std::filesystem::path> recordings, const core::preparation::Tolerances& tolerances,

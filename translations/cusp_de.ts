@@ -1225,6 +1225,10 @@
         <source>No pad has been named yet: say beneath the view what each is made of.</source>
         <translation>Noch ist kein Feld benannt: Sagen Sie unter dem Bild, woraus jedes besteht.</translation>
     </message>
+    <message>
+        <source>The attempt is no longer there.</source>
+        <translation>Der Versuch ist nicht mehr da.</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>
@@ -2353,6 +2357,14 @@
     <message>
         <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
         <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G für die Note; danach kann ein neuer Versuch beginnen.</translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation>Der Versuch wurde verworfen; er bleibt sieben Tage aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Zurückholen</translation>
     </message>
 </context>
 <context>

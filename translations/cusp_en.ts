@@ -1225,6 +1225,10 @@
         <source>No pad has been named yet: say beneath the view what each is made of.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The attempt is no longer there.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>
@@ -2352,6 +2356,14 @@
     </message>
     <message>
         <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

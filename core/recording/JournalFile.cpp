@@ -355,7 +355,7 @@ Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
     return std::optional<FoundAttempt>(std::move(*found));
 }
 
-void discardJournal(const fs::path& path)
+std::optional<fs::path> discardJournal(const fs::path& path)
 {
     const fs::path folder = path.parent_path() / kDiscarded;
     std::error_code failure;
@@ -363,10 +363,18 @@ void discardJournal(const fs::path& path)
     fs::rename(path, folder / path.filename(), failure);
     if (failure) {
         fs::remove(path, failure);
-        return;
+        return std::nullopt;
     }
     // From now on its days are counted.
     fs::last_write_time(folder / path.filename(), fs::file_time_type::clock::now(), failure);
+    return folder / path.filename();
+}
+
+bool bringBackJournal(const fs::path& discarded)
+{
+    std::error_code failure;
+    fs::rename(discarded, discarded.parent_path().parent_path() / discarded.filename(), failure);
+    return !failure;
 }
 
 void tidyJournals(const fs::path& folder)

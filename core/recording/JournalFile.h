@@ -103,8 +103,10 @@ struct FoundAttempt
 [[nodiscard]] Result<std::optional<FoundAttempt>> findAttempt(const std::filesystem::path& path);
 
 /// Puts a journal into the folder "discarded" beside it, where it is kept for 7 days, or deletes it where that cannot
-/// be done.
-void discardJournal(const std::filesystem::path& path);
+/// be done. Returns where it is then; nothing if it is gone.
+std::optional<std::filesystem::path> discardJournal(const std::filesystem::path& path);
+/// Puts a discarded journal back to where it will be found; false if it has gone or cannot be moved.
+bool bringBackJournal(const std::filesystem::path& discarded);
 /// Deletes discarded journals older than 7 days.
 void tidyJournals(const std::filesystem::path& folder);
 

@@ -91,11 +91,11 @@ void TestLessonCommand::anExpertAtAnotherToothIsNoted()
 
 void TestLessonCommand::aCapturedIdealGoesIntoALesson()
 {
-    const Ending captured = runCusp(
-        {"lesson", "capture", "--out", file("own.cuspideal"), golden(), golden(), "--outline", "0.4", "--json"});
+    const Ending captured =
+        runCusp({"lesson", "capture", "--out", file("own.cuspideal"), golden(), "--outline", "0.4", "--json"});
     QVERIFY2(captured.exitCode == 0, captured.error.constData());
     QCOMPARE(captured.json()["outline_mm"].toDouble(), 0.4);
-    QCOMPARE(captured.json()["sources"].toArray().size(), 2);
+    QCOMPARE(captured.json()["sources"].toArray().size(), 1);
     QVERIFY(captured.json()["columns"].toInt() > 10);
     // That tooth is none that a lesson could name: it says so, and leaves nothing behind.
     const QString out = file("mine.lesson.json");
@@ -204,6 +204,10 @@ void TestLessonCommand::captureRefusesWithASentence()
         QVERIFY2(refused.isOneSentence(), refused.error.constData());
         QVERIFY2(refused.error.contains("cusprec"), refused.error.constData());
     }
+    QVERIFY(QFile::copy(golden(), file("again.cusprec")));
+    const Ending twice = runCusp({"lesson", "capture", "--out", out, golden(), file("again.cusprec")});
+    QVERIFY2(twice.exitCode == 1 && twice.isOneSentence() && twice.error.contains("once more"),
+             twice.error.constData());
     const Ending wide = runCusp({"lesson", "capture", "--out", out, golden(), "--depth", "-1"});
     QVERIFY2(wide.exitCode == 1 && wide.error.contains("tolerance of the depth"), wide.error.constData());
     QVERIFY(!QFileInfo::exists(out));

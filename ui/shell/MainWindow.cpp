@@ -1046,6 +1046,15 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
     m_messages->say(offer);
 }
 
+void MainWindow::offerToBringBack(const std::function<void()>& bringBack)
+{
+    m_messages->say({MessageBar::Kind::News,
+                     tr("The attempt was discarded; it is kept for seven days."),
+                     {},
+                     tr("Bring it back"),
+                     bringBack});
+}
+
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
                            const std::optional<study::Expectation>& expected,
                            const std::optional<study::ScoredWork>& scored)

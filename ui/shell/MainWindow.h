@@ -100,6 +100,8 @@ public slots:
     /// one of them is pressed, or it is closed.
     /// @param tooth  its title
     void offerUnfinished(const QString& tooth, const QDateTime& begun);
+    /// It was discarded; a button takes that back.
+    void offerToBringBack(const std::function<void()>& bringBack);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
     /// @param expected  what the student had said when asked
     /// @param scored  what was marked, for the pictures of it
