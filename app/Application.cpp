@@ -854,7 +854,8 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     ++m_generation;
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
-    m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal());
+    m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal(),
+                           m_replay->attempt().lesson());
     m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())

@@ -87,10 +87,12 @@ core::Result<std::unique_ptr<ReplayTrack>> ReplayTrack::make(const core::recordi
     if (!player)
         return tl::unexpected(player.error());
     // A lesson that cannot be read leaves nothing to be watched; the motion can still be seen.
-    Examination examination;
-    if (const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson()))
-        examination = lessons::examinationOf(*assignment);
-    return std::unique_ptr<ReplayTrack>(new ReplayTrack(std::move(*player), examination, links, generation));
+    const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson());
+    const Examination examination = assignment ? lessons::examinationOf(*assignment) : Examination{};
+    std::unique_ptr<ReplayTrack> track(new ReplayTrack(std::move(*player), examination, links, generation));
+    if (assignment)
+        track->m_lesson = assignment->lesson;
+    return track;
 }
 
 ReplayTrack::ReplayTrack(std::unique_ptr<Player> player, const Examination& examination, UiLinks& links,

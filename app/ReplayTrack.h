@@ -12,6 +12,7 @@
 #include "core/recording/Player.h"
 #include "core/session/Examiner.h"
 #include "core/session/Links.h"
+#include "lessons/Lesson.h"
 #include "ui/replay/Course.h"
 
 namespace app {
@@ -29,6 +30,8 @@ public:
     [[nodiscard]] double lengthS() const { return m_lengthS; }
     /// What the lesson asks for that the attempt was made for; null: nothing.
     [[nodiscard]] const core::grading::IdealTop& ideal() const { return m_ideal; }
+    /// That lesson; nothing: it was practised freely, or the lesson cannot be read.
+    [[nodiscard]] const std::optional<lessons::Lesson>& lesson() const { return m_lesson; }
 
     /// Works out so many ticks more; false when all are. One thread, the same or with its own order.
     bool prepare(std::uint64_t ticks);
@@ -57,6 +60,7 @@ private:
     std::unique_ptr<core::recording::Player> m_player;
     double m_lengthS;
     core::grading::IdealTop m_ideal;
+    std::optional<lessons::Lesson> m_lesson;
 
     // Of the thread that prepares.
     core::session::Examiner m_examiner;

@@ -147,6 +147,7 @@ private slots:
     void aReplayTellsItsTimeAndPauses();
     void aReplayHasEightSpeeds();
     void keysGoThroughAReplayByStrokes();
+    void aReplayIsCalledByItsLesson();
     void pointsAreMarkedAsTheyWereTouched();
     void theTimeLineIsScrubbedAndTellsWhatWas();
     void anotherAttemptIsShownBeside();
@@ -1682,6 +1683,25 @@ void TestMainWindow::keysGoThroughAReplayByStrokes()
     const double azimuth = m_window->view().camera().azimuthDeg();
     press(Qt::Key_Left, Qt::ControlModifier);
     QVERIFY(m_window->view().camera().azimuthDeg() != azimuth);
+}
+
+void TestMainWindow::aReplayIsCalledByItsLesson()
+{
+    const auto says = [this](const QString& words) {
+        const QList<QLabel*> labels = m_window->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->isVisible() && label->text() == words; });
+    };
+    const lessons::Lesson lesson = *shippedOf(lessons::Task::CutIdeal).lesson;
+    const QString title = QString::fromStdString(lesson.title.at("en"));
+    m_window->setReplaying(true, 60.0, {}, lesson);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    QVERIFY(m_window->windowTitle().startsWith(title));
+    QVERIFY(says("Still to cut") && !says("Decay left"));
+    m_window->setReplaying(false);
+    m_window->showTooth(support::syntheticMolar(), 3, {});
+    QVERIFY(!m_window->windowTitle().contains(title));
+    QVERIFY(says("Decay left") && !says("Still to cut"));
 }
 
 void TestMainWindow::pointsAreMarkedAsTheyWereTouched()

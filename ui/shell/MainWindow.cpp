@@ -87,6 +87,14 @@ QString droppedFile(const QMimeData* data)
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
 
+/// What the panel tells of the work; null: of a tooth that is practised on.
+SidePanel::Asked askedOf(const lessons::Lesson* lesson)
+{
+    if (lesson == nullptr || lesson->task == lessons::Task::RemoveDecay)
+        return SidePanel::Asked::Decay;
+    return lessons::isExercise(lesson->task) ? SidePanel::Asked::Nothing : SidePanel::Asked::Ideal;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
@@ -969,7 +977,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_view->setIdeal(m_ideal);
     showIdeal();
     layExercise();
-    const QString title = isAssigned ? workTitle() : text::toothTitle(*m_tooth);
+    const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
     //: Beside the name of the tooth, where otherwise "lower left first molar" stands
     m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
@@ -1101,11 +1109,19 @@ void MainWindow::askForecast()
     goTo(m_forecast);
 }
 
+/// Of the work on the table, or of the attempt that is played; null: none.
+const lessons::Lesson* MainWindow::lessonShown() const
+{
+    if (m_replaying)
+        return m_replayLesson ? &*m_replayLesson : nullptr;
+    return m_assignment && m_assignment->lesson ? &*m_assignment->lesson : nullptr;
+}
+
 /// The lesson, or the tooth that is practised on.
 QString MainWindow::workTitle() const
 {
-    if (m_assignment && m_assignment->lesson)
-        return study::said(m_assignment->lesson->title);
+    if (const lessons::Lesson* lesson = lessonShown())
+        return study::said(lesson->title);
     return m_tooth != nullptr ? text::toothTitle(*m_tooth) : QString();
 }
 
@@ -1115,10 +1131,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_isGraded = false;
     m_examIsOver = false;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
-    m_room->panel().setAsked(assignment.exercise ? SidePanel::Asked::Nothing
-                             : !assignment.lesson || assignment.lesson->task == lessons::Task::RemoveDecay
-                                 ? SidePanel::Asked::Decay
-                                 : SidePanel::Asked::Ideal);
+    m_room->panel().setAsked(askedOf(lessonShown()));
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
@@ -1149,12 +1162,15 @@ void MainWindow::showSaved(const QString& path)
         what();
 }
 
-void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal)
+void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal,
+                              std::optional<lessons::Lesson> lesson)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
     m_replayIdeal = std::move(ideal);
+    m_replayLesson = std::move(lesson);
+    m_room->panel().setAsked(askedOf(lessonShown()));
     m_replayCourse = {};
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};

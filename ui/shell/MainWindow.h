@@ -119,14 +119,16 @@ public slots:
     /// The handpieces of the attempt that is shown next, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
-    /// What was measured of attempts at the lesson that is edited, as it is.
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
+    /// What was measured of attempts at the lesson that is edited, as it is.
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
     /// it before the tooth is shown that goes with it.
     /// @param ideal  what was to be cut; null: nothing
-    void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {});
+    /// @param lesson  that it was made for; nothing: practised freely
+    void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {},
+                      std::optional<lessons::Lesson> lesson = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
     void setReplayCourse(const replay::Course& course);
     /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
@@ -252,6 +254,7 @@ private:
     void offerToStop(const QString& sentence);
     void enableActions();
     void placeOverlays();
+    [[nodiscard]] const lessons::Lesson* lessonShown() const;
     [[nodiscard]] QString workTitle() const;
     void editChosenLesson();
     void showIdeal();
@@ -306,6 +309,7 @@ private:
     std::optional<core::imaging::PulpChamber> m_pulp;  ///< of m_tooth
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
+    std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
     replay::Course m_replayCourse;
     replay::Course m_besideCourse;  ///< of the one beside it
     lessons::Aids m_aids;
