@@ -206,7 +206,7 @@ std::optional<QJsonObject> JsonFiles::read(const QString& name, std::vector<Faul
     };
     const QFileInfo info(name);
     if (!info.exists())
-        return complain(QStringLiteral("there is no such file"));
+        return complain(QStringLiteral("does not exist"));
     QFile file(name);
     if (!info.isFile() || !file.open(QIODevice::ReadOnly))
         return complain(QStringLiteral("cannot be read (%1)")

@@ -95,23 +95,30 @@ std::vector<CatalogEntry> readCatalog(const QString& folder)
     return entries;
 }
 
-core::Result<Lesson> lessonNamed(const QString& fileOrId)
+core::Result<QString> lessonFile(const QString& fileOrId)
 {
-    if (fileOrId.endsWith(QStringLiteral(".json"))) {
-        ReadLesson read = readLesson(fileOrId);
-        if (read.lesson)
-            return std::move(*read.lesson);
-        const auto grave =
-            std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
-        return core::unexpected(core::ErrorCode::BadStructure, grave->sentence().toStdString());
-    }
-    for (CatalogEntry& entry : readCatalog(teachersFolder()))
+    if (fileOrId.endsWith(QStringLiteral(".json")) || QFileInfo::exists(fileOrId))
+        return fileOrId;
+    for (const CatalogEntry& entry : readCatalog(teachersFolder()))
         if (entry.read.lesson && entry.read.lesson->id == fileOrId.toStdString())
-            return std::move(*entry.read.lesson);
+            return entry.read.file;
     return core::unexpected(core::ErrorCode::UnknownName,
                             QStringLiteral("there is no lesson \"%1\"; \"cusp lesson list\" names them")
                                 .arg(fileOrId.left(80))
                                 .toStdString());
+}
+
+core::Result<Lesson> lessonNamed(const QString& fileOrId)
+{
+    const auto file = lessonFile(fileOrId);
+    if (!file)
+        return tl::unexpected(file.error());
+    ReadLesson read = readLesson(*file);
+    if (read.lesson)
+        return std::move(*read.lesson);
+    const auto grave =
+        std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+    return core::unexpected(core::ErrorCode::BadStructure, grave->sentence().toStdString());
 }
 
 QString teachersFolder()

@@ -27,8 +27,10 @@ struct CatalogEntry
 /// Shipped ones come first, each kind by file name. Any thread.
 [[nodiscard]] std::vector<CatalogEntry> readCatalog(const QString& folder);
 
-/// A lesson by its file (a name that ends in .json), or by its id in the teacher's folder and among those we ship. The
-/// error names what is wrong.
+/// The file of a lesson: the name itself where it ends in .json or a file is called so, else it is an id in the
+/// teacher's folder or among those we ship. UnknownName if nothing is called so.
+[[nodiscard]] core::Result<QString> lessonFile(const QString& fileOrId);
+/// A lesson by its file or id (lessonFile). The error names what is wrong.
 [[nodiscard]] core::Result<Lesson> lessonNamed(const QString& fileOrId);
 
 /// Where a teacher's lessons lie unless another folder is named: "lessons" in the user's data folder of Cusp.

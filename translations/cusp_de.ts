@@ -3191,6 +3191,21 @@
     </message>
 </context>
 <context>
+    <name>ui::study::LessonPicture</name>
+    <message>
+        <source>What the lesson asks for, as a picture</source>
+        <translation>Was die Lektion verlangt, als Bild</translation>
+    </message>
+    <message>
+        <source>This tooth cannot be made.</source>
+        <translation>Dieser Zahn lässt sich nicht erzeugen.</translation>
+    </message>
+    <message>
+        <source>The tooth is being made …</source>
+        <translation>Der Zahn wird erzeugt …</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::LessonStrip</name>
     <message>
         <source>The step before</source>

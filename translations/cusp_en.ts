@@ -3191,6 +3191,21 @@
     </message>
 </context>
 <context>
+    <name>ui::study::LessonPicture</name>
+    <message>
+        <source>What the lesson asks for, as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This tooth cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tooth is being made …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::study::LessonStrip</name>
     <message>
         <source>The step before</source>

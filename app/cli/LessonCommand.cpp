@@ -174,10 +174,10 @@ int checkLessons(const QStringList& arguments)
     parser.setApplicationDescription(QStringLiteral(
         "Reads lessons as the window would, builds what they ask for and says everything that is wrong with them. Ends "
         "with 1 if one of them cannot be given."));
-    parser.addPositionalArgument(QStringLiteral("FILE"),
-                                 QStringLiteral("A lesson (.lesson.json); several may be named."));
+    parser.addPositionalArgument(QStringLiteral("FILE|ID"),
+                                 QStringLiteral("A lesson's file or id; several may be named."));
     addJson(parser);
-    const QString usage = QStringLiteral("cusp lesson check FILE ... [--json]");
+    const QString usage = QStringLiteral("cusp lesson check FILE|ID ... [--json]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;
     if (parser.positionalArguments().isEmpty())
@@ -185,7 +185,9 @@ int checkLessons(const QStringList& arguments)
     bool isSound = true;
     QJsonArray list;
     QString text;
-    for (const QString& file : parser.positionalArguments()) {
+    for (const QString& named : parser.positionalArguments()) {
+        const auto found = lessons::lessonFile(named);
+        const QString file = found ? *found : named;
         lessons::ReadLesson read = lessons::readLesson(file);
         if (read.lesson) {
             const auto assigned = lessons::assign(*read.lesson);

@@ -16,7 +16,7 @@
 #include "app/cli/render/Pictures.h"
 #include "lessons/Assignment.h"
 #include "lessons/Capture.h"
-#include "lessons/LessonReader.h"
+#include "lessons/LessonCatalog.h"
 #include "ui/inside/OutlinePainter.h"
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
@@ -132,11 +132,11 @@ int previewLessonPart(const QStringList& arguments)
     parser.setApplicationDescription(QStringLiteral(
         "Draws what a lesson asks for on one sheet: the tooth as it is to become, the ideal with its tolerances from "
         "above and in section, goal and rubric in words. Without a display it makes one of its own by xvfb-run."));
-    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("A lesson (.lesson.json)."));
+    parser.addPositionalArgument(QStringLiteral("FILE|ID"), QStringLiteral("A lesson's file or id."));
     parser.addOption({QStringLiteral("out"), QStringLiteral("The picture."), QStringLiteral("PICTURE.png")});
     parser.addOption({QStringLiteral("size"), QStringLiteral("Of the picture in pixels; 1280x800 if not given."),
                       QStringLiteral("WxH"), QStringLiteral("1280x800")});
-    const QString usage = QStringLiteral("cusp lesson preview FILE --out PICTURE.png [--size WxH]");
+    const QString usage = QStringLiteral("cusp lesson preview FILE|ID --out PICTURE.png [--size WxH]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;
     const QString out = parser.value(QStringLiteral("out"));
@@ -148,10 +148,9 @@ int previewLessonPart(const QStringList& arguments)
     constexpr int kLeastHighPx = 400;
     if (!size || size->width() < kLeastWidePx || size->height() < kLeastHighPx)
         return wrongUsage(QStringLiteral("--size wants width x height in pixels, 600x400 to 8192x8192"));
-    const lessons::ReadLesson read = lessons::readLesson(parser.positionalArguments().front());
-    for (const lessons::Fault& fault : read.faults)
-        if (fault.grave)
-            return failed({core::ErrorCode::BadStructure, fault.sentence().toStdString()});
+    const auto lesson = lessons::lessonNamed(parser.positionalArguments().front());
+    if (!lesson)
+        return failed(lesson.error());
     if (!hasDisplay()) {
         const int code =
             runOnDisplay(QStringList{QStringLiteral("lesson"), QStringLiteral("preview")} + arguments, false);
@@ -160,7 +159,7 @@ int previewLessonPart(const QStringList& arguments)
                                    "A picture needs a display with OpenGL 3.3, or xvfb-run (Debian package xvfb)"});
     }
     QLocale::setDefault(QLocale::c());
-    const auto sheet = sheetOf(*read.lesson, *size);
+    const auto sheet = sheetOf(*lesson, *size);
     if (!sheet)
         return failed(sheet.error());
     const core::Status saved = savePng(*sheet, out);

@@ -87,6 +87,13 @@ void TestLessonCommand::anExpertAtAnotherToothIsNoted()
     const Ending told = runCusp({"lesson", "check", lesson.fileName()});
     QVERIFY2(told.out.contains("mine.lesson.json, expert.recording: expert.cusprec"), told.out.constData());
     QVERIFY(told.out.contains("is sound"));
+    // A lesson has an id as well as a file; what is neither is one more line, and no end.
+    const Ending named = runCusp({"lesson", "check", "class1-99", "block-line", "--json"});
+    QCOMPARE(named.exitCode, 1);
+    const QJsonArray both = named.json()["lessons"].toArray();
+    QCOMPARE(both.size(), 2);
+    QVERIFY(!both[0].toObject()["sound"].toBool() && both[1].toObject()["sound"].toBool());
+    QCOMPARE(both[1].toObject()["id"].toString(), QString("block-line"));
 }
 
 void TestLessonCommand::aCapturedIdealGoesIntoALesson()

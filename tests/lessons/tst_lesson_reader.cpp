@@ -409,11 +409,11 @@ void TestLessonReader::refusesACircleOfFiles()
 
 void TestLessonReader::refusesAFileThatIsNotThere()
 {
-    QVERIFY(sentences(readLesson(m_folder->filePath("none.lesson.json"))).contains("there is no such file"));
+    QVERIFY(sentences(readLesson(m_folder->filePath("none.lesson.json"))).contains("none.lesson.json does not exist"));
     QVERIFY(sentences(readLesson(m_folder->path())).contains("is a folder"));
     QVERIFY(sentences(readLesson(write("empty.lesson.json", QByteArray()))).contains("is empty"));
     const QString file = write("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", "gone.json"}});
-    QVERIFY2(sentences(readLesson(file)).contains("based_on: gone.json: there is no such file"),
+    QVERIFY2(sentences(readLesson(file)).contains("based_on: gone.json: does not exist"),
              qPrintable(sentences(readLesson(file))));
     QVERIFY(sentences(readLesson(write("text.lesson.json", QByteArray("Dear all,\nhello"))))
                 .contains("is not JSON: line 1, column"));

@@ -87,6 +87,8 @@ QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
 PictureKey keyOf(const OutlineScene& scene)
 {
     PictureKey key;
+    if (scene.above->outlineMm.isEmpty())
+        return key;
     key.add(QCoreApplication::translate("Section", "ideal preparation"), 20.0, [](QPainter& on, const QRectF& box) {
         on.setPen(QPen(QColor(kIdeal), 2.0));
         on.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));

@@ -22,6 +22,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/LessonPicture.h"
 #include "ui/study/LessonWords.h"
 #include "ui/text/Texts.h"
 
@@ -167,6 +168,8 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     m_goal->setMaximumWidth(kDetailsWidthPx);
     column->addWidget(m_title);
     column->addWidget(m_goal);
+    m_picture = new LessonPicture(side);
+    column->addWidget(m_picture, 100);
     m_factsSlot = new QVBoxLayout;
     column->addLayout(m_factsSlot);
     column->addStretch(1);
@@ -310,6 +313,7 @@ void LessonsPage::describe()
     const CatalogEntry* entry = chosen();
     const bool isSound = entry != nullptr && entry->read.lesson.has_value();
     m_start->setEnabled(isSound);
+    m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound);
     m_title->setText(entry == nullptr ? tr("No lesson fits the search")
                      : isSound        ? said(entry->read.lesson->title)

@@ -18,6 +18,8 @@ class QVBoxLayout;
 
 namespace ui::study {
 
+class LessonPicture;
+
 /// What a student has reached in a lesson.
 struct Standing
 {
@@ -70,6 +72,7 @@ private:
     QLabel* m_goal = nullptr;
     QVBoxLayout* m_factsSlot = nullptr;
     QWidget* m_facts = nullptr;
+    LessonPicture* m_picture = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_edit = nullptr;
 };
