@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/grading/Outline.h"
+
 namespace core::preparation {
 namespace {
 
@@ -14,6 +16,36 @@ using grading::Part;
 constexpr float kCutMm = 0.02F;    ///< less is a brush
 constexpr double kAcrossMm = 0.3;  ///< slopes are taken over this
 constexpr float kSteepest = 1.0F;  ///< of a floor, mm per mm
+
+bool wasCut(const terrain::Tooth& attempt, std::size_t k)
+{
+    return !attempt.isSolid(k) || attempt.top[k] < attempt.anatomy->top[k] - kCutMm;
+}
+
+/// The mean of several outlines, for columns that half of the attempts cut.
+class MeanOutline
+{
+public:
+    explicit MeanOutline(std::span<const terrain::Tooth* const> attempts) : m_attempts(attempts) {}
+
+    [[nodiscard]] bool encloses(int i, int j)
+    {
+        if (m_outlines.empty())
+            for (const terrain::Tooth* attempt : m_attempts)
+                m_outlines.emplace_back(*attempt->anatomy, attempt->top);
+        const terrain::Grid& grid = m_attempts.front()->anatomy->grid;
+        double insideMm = 0.0;
+        for (std::size_t n = 0; n < m_attempts.size(); ++n)
+            if (!m_outlines[n].segments().empty())
+                insideMm += (wasCut(*m_attempts[n], grid.index(i, j)) ? 1.0 : -1.0) *
+                            m_outlines[n].distanceMm(grid.nodeMm(i, j));
+        return insideMm > 0.0;
+    }
+
+private:
+    std::span<const terrain::Tooth* const> m_attempts;
+    std::vector<grading::Outline> m_outlines;  ///< made when the first is asked for
+};
 
 /// Floor or wall, by how steep it is around a column.
 void tellFloorFromWall(const terrain::Grid& grid, const std::vector<float>& top, std::vector<Part>& parts)
@@ -63,6 +95,7 @@ Result<grading::Preparation> averagePreparation(std::span<const terrain::Tooth* 
     std::vector<float> top = anatomy.top;
     std::vector<Part> parts(anatomy.grid.count(), Part::Keep);
     bool any = false;
+    MeanOutline outline(attempts);
     for (std::size_t k = 0; k < top.size(); ++k) {
         if (!(anatomy.top[k] > anatomy.bottom[k]))
             continue;
@@ -72,12 +105,15 @@ Result<grading::Preparation> averagePreparation(std::span<const terrain::Tooth* 
         for (const terrain::Tooth* attempt : attempts) {
             if (!attempt->isSolid(k)) {
                 ++through;
-            } else if (attempt->top[k] < anatomy.top[k] - kCutMm) {
+            } else if (wasCut(*attempt, k)) {
                 ++cut;
                 sum += static_cast<double>(attempt->top[k]);
             }
         }
-        if (2 * (cut + through) <= attempts.size())
+        const std::size_t twice = 2 * (cut + through);
+        const auto side = static_cast<std::size_t>(anatomy.grid.side);
+        if (twice < attempts.size() ||
+            (twice == attempts.size() && !outline.encloses(static_cast<int>(k % side), static_cast<int>(k / side))))
             continue;
         any = true;
         parts[k] = Part::Floor;

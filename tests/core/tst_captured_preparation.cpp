@@ -50,6 +50,7 @@ private slots:
     void oneAttemptIsItself();
     void heightsAreTheMean();
     void mostOfTheAttemptsDecide();
+    void ofTwoTheMeanOutlineDecides();
     void floorIsToldFromWall();
     void aToothPreparedByRuleIsFoundAgain();
     void attemptsThatDoNotGoTogetherAreRefused();
@@ -103,6 +104,38 @@ void TestCapturedPreparation::mostOfTheAttemptsDecide()
     for (terrain::Tooth& attempt : attempts)
         attempt.top[aside] = terrain::kEmptyTop, attempt.bottom[aside] = terrain::kEmptyBottom;
     QVERIFY((*average(attempts)->top)[aside] == terrain::kEmptyTop);
+}
+
+void TestCapturedPreparation::ofTwoTheMeanOutlineDecides()
+{
+    // Round cuts, one wider than the other and beside it: theirs is the one between.
+    const Block plain = block();
+    const terrain::Grid& grid = plain.anatomy->grid;
+    const glm::dvec2 middle = grid.middleMm();
+    const auto round = [&](double radiusMm, double asideMm) {
+        terrain::Tooth tooth(plain.anatomy);
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i)
+                if (glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(asideMm, 0.0)) < radiusMm)
+                    tooth.top[grid.index(i, j)] = -1.0F;
+        return tooth;
+    };
+    const auto ideal = average({round(1.4, 0.0), round(2.0, 0.3)});
+    QVERIFY(ideal);
+    std::size_t others = 0;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            const double fromEdgeMm = glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(0.15, 0.0)) - 1.7;
+            const bool isIn = ideal->parts[grid.index(i, j)] != Part::Keep;
+            others += isIn == (fromEdgeMm < 0.0) ? 0 : 1;
+            QVERIFY(isIn == (fromEdgeMm < 0.0) || std::abs(fromEdgeMm) < 1.5 * grid.cellMm);
+        }
+    QVERIFY2(others < 30, qPrintable(QString::number(others)));
+    // What one of the two did elsewhere, far from the other's work, is a slip.
+    terrain::Tooth slipped = round(1.7, 0.0);
+    const std::size_t aside = grid.index(grid.side / 2, grid.side / 8);
+    slipped.top[aside] = -1.0F;
+    QVERIFY(average({slipped, round(1.7, 0.0)})->parts[aside] == Part::Keep);
 }
 
 void TestCapturedPreparation::floorIsToldFromWall()
