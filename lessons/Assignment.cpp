@@ -70,8 +70,9 @@ core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
     auto preparation = ideal ? core::preparation::preparationOf(*ideal, anatomy)
                              : core::Result<core::grading::Preparation>(tl::unexpected(ideal.error()));
     if (!preparation)
-        return core::unexpected(preparation.error().code, std::filesystem::path(captured.file).filename().string() +
-                                                              ": " + preparation.error().detail);
+        return core::unexpected(preparation.error().code,
+                                "ideal.captured: " + std::filesystem::path(captured.file).filename().string() + ": " +
+                                    preparation.error().detail);
     return preparation;
 }
 

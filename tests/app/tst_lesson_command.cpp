@@ -102,7 +102,9 @@ void TestLessonCommand::aCapturedIdealGoesIntoALesson()
     const Ending refused = runCusp(
         {"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured", file("own.cuspideal"), "--out", out});
     QCOMPARE(refused.exitCode, 1);
-    QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"), refused.error.constData());
+    QVERIFY2(refused.isOneSentence() &&
+                 refused.error.contains("ideal.captured: own.cuspideal: The ideal was captured on the tooth"),
+             refused.error.constData());
     QVERIFY(!QFileInfo::exists(out));
 
     // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
