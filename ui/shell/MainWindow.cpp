@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/MainWindow.h"
 
+#include <cmath>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -85,6 +88,21 @@ QString droppedFile(const QMimeData* data)
 {
     const QList<QUrl> urls = data->urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+/// The direction from a place to the nearest column that is to be cut, seen from above; nothing where nothing is.
+std::optional<double> towardsIdeal(const core::terrain::ToothAnatomy& tooth, const std::vector<float>& ideal,
+                                   const glm::dvec3& placeMm)
+{
+    std::optional<glm::dvec2> nearest;
+    for (int j = 0; j < tooth.grid.side; ++j)
+        for (int i = 0; i < tooth.grid.side; ++i) {
+            const std::size_t k = tooth.grid.index(i, j);
+            const glm::dvec2 way = tooth.grid.nodeMm(i, j) - glm::dvec2(placeMm);
+            if (ideal[k] < tooth.top[k] && (!nearest || glm::dot(way, way) < glm::dot(*nearest, *nearest)))
+                nearest = way;
+        }
+    return nearest ? std::optional(std::atan2(nearest->y, nearest->x)) : std::nullopt;
 }
 
 }  // namespace
@@ -1081,7 +1099,11 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
     if (didHarm)
         m_room->section().setHeld(infraction.placeMm);
     if (infraction.breach == core::grading::Breach::RidgeCut)
-        m_room->section().showAlongX();
+        m_room->section().showAlong(0.0);
+    // The card says that the section shows what is to be cut: the plane goes through the nearest of it.
+    if (infraction.breach == core::grading::Breach::WrongPlace && m_tooth && m_ideal)
+        if (const auto towards = towardsIdeal(*m_tooth, *m_ideal, infraction.placeMm))
+            m_room->section().showAlong(*towards);
     // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
     if (didHarm && m_aids.section && !m_actions->section->isChecked()) {
         m_actions->section->setChecked(true);
