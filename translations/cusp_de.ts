@@ -3535,7 +3535,6 @@
     </message>
     <message>
         <source>%1: the worst place, %2</source>
-        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
         <translation>%1: die schlimmste Stelle, %2</translation>
     </message>
     <message>
@@ -3603,6 +3602,11 @@
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1 hat keinen Ort am Zahn</translation>
+    </message>
+    <message>
+        <source>%1: the worst place</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1: die schlimmste Stelle</translation>
     </message>
 </context>
 <context>

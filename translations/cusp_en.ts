@@ -3535,7 +3535,6 @@
     </message>
     <message>
         <source>%1: the worst place, %2</source>
-        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3602,6 +3601,11 @@
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the worst place</source>
+        <extracomment>%1 a criterion of a score</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include <QDateTime>
 #include <QFrame>
@@ -56,6 +57,12 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     made->setFont(typeface(size, weight));
     made->setForegroundRole(role);
     return made;
+}
+
+/// Whether it is measured across: a wall, a ridge, an isthmus. How deep the cut is there says nothing about it.
+bool isAcross(std::string_view measure)
+{
+    return measure.starts_with("wall_") || measure.starts_with("ridge_") || measure.starts_with("isthmus_");
 }
 
 /// Words that fold: they take the height that their width asks for, and claim no more than that beforehand.
@@ -458,10 +465,12 @@ void ScorePage::showPlace(const CriterionRow& row)
         const double above = static_cast<double>(aboveIdeal(*m_scored, *node));
         const QString mm = text::number(std::abs(above), 2);
         const QString off = above < 0.0 ? tr("%1 mm too deep").arg(mm) : tr("%1 mm still to go").arg(mm);
-        //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
-        m_place->setText(own ? tr("%1: the worst place, %2").arg(name, off)
-                             //: The same for a criterion like time, which has no place on the tooth
-                             : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
+        //: %1 a criterion of a score
+        m_place->setText(own && isAcross(measure->id) ? tr("%1: the worst place").arg(name)
+                         //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
+                         : own ? tr("%1: the worst place, %2").arg(name, off)
+                               //: The same for a criterion like time, which has no place on the tooth
+                               : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
     }
     const core::imaging::SectionPlane plane =
         node ? planeThrough(*m_scored, *node) : core::imaging::SectionPlane{m_scored->tooth->grid().middleMm(), 0.0};
