@@ -3608,6 +3608,18 @@
         <extracomment>%1 a criterion of a score</extracomment>
         <translation>%1: die schlimmste Stelle</translation>
     </message>
+    <message>
+        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <translation>%1 von %2 s gehalten, im Mittel %3 N daneben</translation>
+    </message>
+    <message>
+        <source>All points were touched</source>
+        <translation>Alle Punkte wurden berührt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <translation>%1 von %2 Punkten berührt; der Ring zeigt einen, der fehlt</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>

@@ -3608,6 +3608,18 @@
         <extracomment>%1 a criterion of a score</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points were touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::study::SweepChart</name>
