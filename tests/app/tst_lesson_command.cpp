@@ -103,7 +103,7 @@ void TestLessonCommand::aCapturedIdealGoesIntoALesson()
         {"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured", file("own.cuspideal"), "--out", out});
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.isOneSentence() &&
-                 refused.error.contains("ideal.captured: own.cuspideal: The ideal was captured on the tooth"),
+                 refused.error.contains("ideal.captured: \"own.cuspideal\" was captured on the tooth"),
              refused.error.constData());
     QVERIFY(!QFileInfo::exists(out));
 
