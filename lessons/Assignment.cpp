@@ -51,7 +51,10 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
         if (const auto up = core::mesh::parseAxis(scan.up))
             options.placement.up = *up;
     options.fdi = scan.fdi;
-    return core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
+    auto built = core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
+    if (!built)
+        return core::unexpected(built.error().code, "tooth.scan: " + built.error().detail);
+    return built;
 }
 
 /// Whether a tooth stands there, seen from above.

@@ -158,6 +158,12 @@ void TestLessonCommand::aScanGoesIntoALesson()
         runCusp({"lesson", "new", "--id", "a", "--tooth", noise.fileName(), "--out", file("course/a.lesson.json")});
     QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
     QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
+    // One that is spoilt later is told with its key.
+    QFile spoilt(file("course/tooth.obj"));
+    QVERIFY(spoilt.open(QIODevice::WriteOnly) && spoilt.write("hello") == 5);
+    spoilt.close();
+    const Ending told = runCusp({"lesson", "check", out});
+    QVERIFY2(told.exitCode == 1 && told.error.contains("scan.lesson.json tooth.scan: "), told.error.constData());
 }
 
 void TestLessonCommand::checkSaysWhatCannotBeEarned()

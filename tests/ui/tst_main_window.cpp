@@ -1457,6 +1457,13 @@ void TestMainWindow::errorsStayAndComeBackAfterNews()
     QVERIFY(message().contains("ends too early"));
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
+    // A lesson is mended by its teacher, who reads which and where.
+    m_window->showError({core::ErrorCode::FileTruncated, "tooth.scan: a.stl is cut short"}, Failed::OpeningLesson,
+                        "my-scan");
+    named = false;
+    for (const QLabel* label : child<MessageBar>()->findChildren<QLabel*>())
+        named = named || (label->isVisible() && label->text() == "my-scan: tooth.scan: a.stl is cut short");
+    QVERIFY(named);
 }
 
 void TestMainWindow::anErrorGoesWithTheNextGoodTooth()

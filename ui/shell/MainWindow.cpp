@@ -1029,9 +1029,11 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     qWarning("%s", qPrintable(exact));
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
+    const QString name = QFileInfo(file).fileName();
     m_messages->say({MessageBar::Kind::Error,
                      text::errorText(error, failed),
-                     QFileInfo(file).fileName(),
+                     // Its teacher can mend it: the key is named, as on the page of lessons.
+                     failed == text::Failed::OpeningLesson ? name + QStringLiteral(": ") + exact : name,
                      {},
                      {},
                      ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
