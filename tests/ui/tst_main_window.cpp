@@ -1125,12 +1125,17 @@ void TestMainWindow::aBreachStopsTheBurAndIsExplained()
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
     QCOMPARE(back.count(), 1);
     QCOMPARE(back.front().front().toULongLong(), qulonglong{4321});
+    // Undo is the same, or the card would go on telling what is no longer there.
+    m_window->tellInfraction(infraction, true);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(back.count(), 2);
     // Where there is nothing to go back to, only going on is offered.
     m_window->tellInfraction(infraction, false);
     QVERIFY(!child<QPushButton>("takeBack")->isVisible());
     press(Qt::Key_Escape);
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
-    QCOMPARE(back.count(), 1);
+    QCOMPARE(back.count(), 2);
     press(Qt::Key_X);
     QVERIFY(!child<ui::inside::SectionView>()->isVisible());
     infraction.breach = core::grading::Breach::BurInAir;

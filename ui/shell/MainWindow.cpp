@@ -232,7 +232,7 @@ void MainWindow::connectActions()
     on(m_actions->undo, [this] {
         if (m_pages->currentWidget() == m_editor)
             m_editor->undo();
-        else
+        else if (!m_infractionCard->takeBack())
             send(core::session::Undo{});
     });
     on(m_actions->redo, [this] {
