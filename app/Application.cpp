@@ -274,11 +274,11 @@ void Application::openLesson(const lessons::Lesson& lesson)
     m_window->showBusy(tr("Preparing the lesson …"));
     inBackground(
         this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
-        [this, load](const core::Result<lessons::Assigned>& assigned) {
+        [this, load, id = lesson.id](const core::Result<lessons::Assigned>& assigned) {
             if (load != m_loading)
                 return;
             if (!assigned) {
-                refuse(assigned.error(), Failed::OpeningLesson, {});
+                refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
                 return;
             }
             begin(assigned->assignment, ui::text::scanNotes(assigned->report), false);
@@ -368,7 +368,8 @@ void Application::begin(const lessons::Assignment& assignment, const QStringList
         assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice));
     auto servo = core::session::makeServoTick(settings);
     if (!servo) {
-        refuse(servo.error(), Failed::OpeningLesson, {});
+        refuse(servo.error(), Failed::OpeningLesson,
+               assignment.lesson ? QString::fromStdString(assignment.lesson->id) : QString());
         return;
     }
     lay(assignment, settings, notes, unitInDoubt);

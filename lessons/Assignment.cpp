@@ -51,7 +51,10 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
         if (const auto up = core::mesh::parseAxis(scan.up))
             options.placement.up = *up;
     options.fdi = scan.fdi;
-    return core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
+    auto built = core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
+    if (!built)
+        return core::unexpected(built.error().code, "tooth.scan: " + built.error().detail);
+    return built;
 }
 
 /// Whether a tooth stands there, seen from above.
@@ -70,8 +73,9 @@ core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
     auto preparation = ideal ? core::preparation::preparationOf(*ideal, anatomy)
                              : core::Result<core::grading::Preparation>(tl::unexpected(ideal.error()));
     if (!preparation)
-        return core::unexpected(preparation.error().code, std::filesystem::path(captured.file).filename().string() +
-                                                              ": " + preparation.error().detail);
+        return core::unexpected(preparation.error().code,
+                                "ideal.captured: " + std::filesystem::path(captured.file).filename().string() + ": " +
+                                    preparation.error().detail);
     return preparation;
 }
 

@@ -95,7 +95,7 @@ std::optional<double> JsonKeys::number(const char* key, double low, double high,
         return std::nullopt;
     if (!value.isDouble()) {
         const QString withoutUnit =
-            *unit == '\0' ? QString() : QStringLiteral(" of %1 without its unit").arg(QLatin1String(unit));
+            *unit == '\0' ? QString() : QStringLiteral(" of %1 without its unit").arg(QString::fromUtf8(unit));
         fault(key, QStringLiteral("is %1; write a number%2").arg(kindOf(value), withoutUnit));
         return std::nullopt;
     }
@@ -105,7 +105,7 @@ std::optional<double> JsonKeys::number(const char* key, double low, double high,
                        .arg(number)
                        .arg(low)
                        .arg(high)
-                       .arg(QLatin1String(unit))
+                       .arg(QString::fromUtf8(unit))
                        .trimmed());
         return std::nullopt;
     }

@@ -447,9 +447,29 @@ private:
             m_keys.fault("aids", QStringLiteral("layers are told apart without any; leave the key out"));
     }
 
+    /// Whether it was captured on this tooth. Of a scan that is known when it is read.
+    void checkCaptured(const Lesson& lesson, const Captured& captured)
+    {
+        const auto* const made = std::get_if<MadeTooth>(&lesson.tooth);
+        const auto ideal = core::preparation::capturedFrom(captured.bytes);
+        if (made == nullptr || !ideal || made->fdi == 0)
+            return;
+        if (ideal->fdi != made->fdi || ideal->seed != made->seed || ideal->grid.side != lesson.gridSide)
+            m_keys.fault(
+                "ideal.captured",
+                QStringLiteral("\"%1\" was captured on the tooth '%2' (seed %3, grid %4); name that tooth, seed "
+                               "and grid, or capture it on this one")
+                    .arg(QFileInfo(QString::fromStdString(captured.file)).fileName())
+                    .arg(QString::fromStdString(ideal->tooth))
+                    .arg(ideal->seed)
+                    .arg(ideal->grid.side));
+    }
+
     /// Whether this ideal can be made on this tooth.
     void checkKind(const Lesson& lesson)
     {
+        if (lesson.ideal->captured)
+            checkCaptured(lesson, *lesson.ideal->captured);
         const auto kind = core::preparation::findKind(lesson.ideal->kind);
         if (!kind)
             return;

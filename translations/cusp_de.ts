@@ -3550,7 +3550,6 @@
     </message>
     <message>
         <source>%1: the worst place, %2</source>
-        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
         <translation>%1: die schlimmste Stelle, %2</translation>
     </message>
     <message>
@@ -3618,6 +3617,23 @@
     <message>
         <source>%1 has no place on the tooth</source>
         <translation>%1 hat keinen Ort am Zahn</translation>
+    </message>
+    <message>
+        <source>%1: the worst place</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1: die schlimmste Stelle</translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <translation>%1 von %2 s gehalten, im Mittel %3 N daneben</translation>
+    </message>
+    <message>
+        <source>All points were touched</source>
+        <translation>Alle Punkte wurden berührt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <translation>%1 von %2 Punkten berührt; der Ring zeigt einen, der fehlt</translation>
     </message>
 </context>
 <context>

@@ -3550,7 +3550,6 @@
     </message>
     <message>
         <source>%1: the worst place, %2</source>
-        <extracomment>%1 a criterion of a score, %2 how far the tooth is off the ideal there: &quot;0.42 mm too deep&quot;</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3617,6 +3616,23 @@
     </message>
     <message>
         <source>%1 has no place on the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the worst place</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points were touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched; the ring marks one that was not</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

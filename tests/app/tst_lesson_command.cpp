@@ -109,7 +109,9 @@ void TestLessonCommand::aCapturedIdealGoesIntoALesson()
     const Ending refused = runCusp(
         {"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured", file("own.cuspideal"), "--out", out});
     QCOMPARE(refused.exitCode, 1);
-    QVERIFY2(refused.isOneSentence() && refused.error.contains("was captured on the tooth"), refused.error.constData());
+    QVERIFY2(refused.isOneSentence() &&
+                 refused.error.contains("ideal.captured: \"own.cuspideal\" was captured on the tooth"),
+             refused.error.constData());
     QVERIFY(!QFileInfo::exists(out));
 
     // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
@@ -163,6 +165,12 @@ void TestLessonCommand::aScanGoesIntoALesson()
         runCusp({"lesson", "new", "--id", "a", "--tooth", noise.fileName(), "--out", file("course/a.lesson.json")});
     QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
     QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
+    // One that is spoilt later is told with its key.
+    QFile spoilt(file("course/tooth.obj"));
+    QVERIFY(spoilt.open(QIODevice::WriteOnly) && spoilt.write("hello") == 5);
+    spoilt.close();
+    const Ending told = runCusp({"lesson", "check", out});
+    QVERIFY2(told.exitCode == 1 && told.error.contains("scan.lesson.json tooth.scan: "), told.error.constData());
 }
 
 void TestLessonCommand::checkSaysWhatCannotBeEarned()

@@ -184,16 +184,18 @@ void TestLessonPack::faultsOfACapturedIdealNameFileAndKey()
     QJsonObject out = lesson();
     out["ideal"] = QJsonObject{{"captured", "../own.cuspideal"}};
     QVERIFY(sentences(readLesson(write("own.lesson.json", out))).contains("leads out of the lesson's folder"));
-    // Of another tooth: the lesson reads well and cannot be given.
+    // Of another tooth, or another grid.
     write("own.cuspideal", good);
-    QJsonObject other = lesson();
-    other["tooth"] = QJsonObject{{"fdi", 36}, {"seed", 5}};
-    const ReadLesson read = readLesson(write("own.lesson.json", other));
-    QVERIFY2(read.lesson, qPrintable(sentences(read)));
-    const auto assigned = assign(*read.lesson);
-    QVERIFY(!assigned);
-    QVERIFY2(assigned.error().detail.find("own.cuspideal: The ideal was captured on the tooth '36' (seed 0") == 0,
-             assigned.error().detail.c_str());
+    for (const auto& [key, value] :
+         {std::pair<const char*, QJsonValue>{"tooth", QJsonObject{{"fdi", 36}, {"seed", 5}}}, {"grid", 151}}) {
+        QJsonObject other = lesson();
+        other[QLatin1String(key)] = value;
+        const ReadLesson read = readLesson(write("own.lesson.json", other));
+        QVERIFY(!read.lesson);
+        QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\" was captured on the "
+                                          "tooth '36' (seed 0, grid "),
+                 qPrintable(sentences(read)));
+    }
 }
 
 void TestLessonPack::aCapturedIdealTakesThePlaceOfARule()

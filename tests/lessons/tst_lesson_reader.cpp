@@ -214,7 +214,7 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
         "hardness.like: There is no hardness preset 'stone'");
     row("a hardness without a name", "hardness", "{\"axial_share\": 0.5}", "hardness.name: is missing");
     row("enamel too soft", "hardness", R"({"name": "x", "enamel": {"rate_mm3_per_ns": 1000}})",
-        "hardness.enamel.rate_mm3_per_ns: is 1000, it must lie between 0 and 100");
+        "hardness.enamel.rate_mm3_per_ns: is 1000, it must lie between 0 and 100 mm³/(N s)");
     row("points that are not said", "task", "\"touch_points\"", "touch: is missing");
     row("an empty list of points", "touch", "{\"points\": []}", "touch.points: must be a list of 1 to 40 places");
     row("points as a text", "touch", "{\"points\": \"all\"}", "touch.points: must be a list of 1 to 40 places");

@@ -47,6 +47,7 @@ private slots:
     void saveRefusesNothingSilently();
     void stepsBackShowNumbersOfARubricThatIsNone();
     void theTitleIsTakenBackAsWell();
+    void aTitleIsShownHoweverItIsWritten();
     void nothingOfTheLessonBeforeIsLeft();
     void draftsAreKeptAndSavedTogether();
     void targetsAndSpansAreChanged();
@@ -305,6 +306,34 @@ void TestLessonEditor::theTitleIsTakenBackAsWell()
     QCOMPARE(title->text(), before);
     m_editor->redo();
     QCOMPARE(title->text(), QString("Mine"));
+}
+
+/// In one text for all languages, or in none of its own, as "cusp lesson new" writes them.
+void TestLessonEditor::aTitleIsShownHoweverItIsWritten()
+{
+    const auto draftOf = [this](const QJsonObject& object) {
+        QFile file(m_folder->filePath("mine.lesson.json"));
+        if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(object).toJson()) < 0)
+            qFatal("cannot write");
+        file.close();
+        LessonDraft draft;
+        draft.begin(::lessons::readDraft(object, file.fileName()), m_folder->path());
+        return draft;
+    };
+    QJsonObject object{{"format", 1}, {"id", "mine"}, {"based_on", "ideal-1-class1-1-36.lesson.json"}};
+    LessonDraft inherited = draftOf(object);
+    QCOMPARE(inherited.title(), QString("Class I on 36"));
+    inherited.setTitle("Klausur", "de");
+    const QJsonObject texts = inherited.object().value("title").toObject();
+    QCOMPARE(texts.value("de").toString(), QString("Klausur"));
+    QCOMPARE(texts.value("en").toString(), QString("Class I on 36"));
+
+    object.insert("title", "Mine");
+    LessonDraft plain = draftOf(object);
+    QCOMPARE(plain.title(), QString("Mine"));
+    plain.setTitle("Yours", "de");
+    QCOMPARE(plain.object().value("title"), QJsonValue("Yours"));
+    QCOMPARE(plain.title(), QString("Yours"));
 }
 
 /// A lesson whose tooth cannot be made: what is wrong is said, and nothing of another lesson's can be changed in it.

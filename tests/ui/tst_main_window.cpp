@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real window, its keys pressed and its threads played by hand.
+#include <cmath>
+#include <numbers>
+
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QAccessible>
@@ -32,6 +35,7 @@
 #include <QTranslator>
 
 #include "core/drilling/Bur.h"
+#include "core/grading/IdealCavity.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Rubric.h"
@@ -1122,12 +1126,17 @@ void TestMainWindow::aBreachStopsTheBurAndIsExplained()
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
     QCOMPARE(back.count(), 1);
     QCOMPARE(back.front().front().toULongLong(), qulonglong{4321});
+    // Undo is the same, or the card would go on telling what is no longer there.
+    m_window->tellInfraction(infraction, true);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(back.count(), 2);
     // Where there is nothing to go back to, only going on is offered.
     m_window->tellInfraction(infraction, false);
     QVERIFY(!child<QPushButton>("takeBack")->isVisible());
     press(Qt::Key_Escape);
     QVERIFY(!child<ui::study::InfractionCard>()->isVisible());
-    QCOMPARE(back.count(), 1);
+    QCOMPARE(back.count(), 2);
     press(Qt::Key_X);
     QVERIFY(!child<ui::inside::SectionView>()->isVisible());
     infraction.breach = core::grading::Breach::BurInAir;
@@ -1140,6 +1149,25 @@ void TestMainWindow::aBreachStopsTheBurAndIsExplained()
     infraction.breach = core::grading::Breach::RidgeCut;
     m_window->tellInfraction(infraction, true);
     QCOMPARE(child<ui::inside::SectionView>()->angleDeg(), 0);
+    // What was to be cut lies in the plane that shows where it was cut instead.
+    const auto molar = support::syntheticMolar();
+    const auto ideal = core::grading::idealCavity(*molar);
+    const core::terrain::Grid& grid = molar->grid;
+    infraction.breach = core::grading::Breach::WrongPlace;
+    for (const glm::dvec2 place : {grid.nodeMm(0, grid.side / 2), grid.nodeMm(grid.side / 2, 0), grid.nodeMm(0, 0)}) {
+        infraction.placeMm = glm::dvec3(place, 0.0);
+        m_window->tellInfraction(infraction, true);
+        const double angle = child<ui::inside::SectionView>()->angleDeg() * std::numbers::pi / 180.0;
+        bool isThere = false;
+        for (double mm = -40.0; mm < 40.0; mm += 0.5 * grid.cellMm) {
+            const glm::dvec2 at = grid.latticeOf(place + mm * glm::dvec2(std::cos(angle), std::sin(angle)));
+            const auto i = static_cast<int>(std::lround(at.x));
+            const auto j = static_cast<int>(std::lround(at.y));
+            if (grid.contains(i, j))
+                isThere = isThere || (*ideal)[grid.index(i, j)] < molar->top[grid.index(i, j)];
+        }
+        QVERIFY(isThere);
+    }
 }
 
 void TestMainWindow::whatALessonLocksRests()
@@ -1435,6 +1463,13 @@ void TestMainWindow::errorsStayAndComeBackAfterNews()
     QVERIFY(message().contains("ends too early"));
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
+    // A lesson is mended by its teacher, who reads which and where.
+    m_window->showError({core::ErrorCode::FileTruncated, "tooth.scan: a.stl is cut short"}, Failed::OpeningLesson,
+                        "my-scan");
+    named = false;
+    for (const QLabel* label : child<MessageBar>()->findChildren<QLabel*>())
+        named = named || (label->isVisible() && label->text() == "my-scan: tooth.scan: a.stl is cut short");
+    QVERIFY(named);
 }
 
 void TestMainWindow::anErrorGoesWithTheNextGoodTooth()

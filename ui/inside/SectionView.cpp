@@ -190,9 +190,10 @@ void SectionView::turn()
     setAngle((angleDeg() / kTurnDeg + 1) * kTurnDeg % kHalfTurnDeg);
 }
 
-void SectionView::showAlongX()
+void SectionView::showAlong(double angleRad)
 {
-    setAngle(0);
+    const auto degrees = static_cast<int>(std::lround(angleRad / radians(1)));
+    setAngle((degrees % kHalfTurnDeg + kHalfTurnDeg) % kHalfTurnDeg);
 }
 
 void SectionView::setAngle(int degrees)

@@ -45,8 +45,9 @@ public:
     void setHeld(std::optional<glm::dvec3> tipMm);
     /// Without them the picture alone is there.
     void setFiguresShown(bool shown);
-    /// Puts the plane along x, in which the width of a marginal ridge is seen.
-    void showAlongX();
+    /// Turns the plane to run along this direction, seen from above; 0 is along x, in which the width of a marginal
+    /// ridge is seen. To the nearest degree.
+    void showAlong(double angleRad);
     /// Turns the plane about the bur, +15 degrees.
     void turn();
     [[nodiscard]] int angleDeg() const;

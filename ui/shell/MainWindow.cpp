@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/MainWindow.h"
 
+#include <cmath>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -93,6 +96,21 @@ SidePanel::Asked askedOf(const lessons::Lesson* lesson)
     if (lesson == nullptr || lesson->task == lessons::Task::RemoveDecay)
         return SidePanel::Asked::Decay;
     return lessons::isExercise(lesson->task) ? SidePanel::Asked::Nothing : SidePanel::Asked::Ideal;
+}
+
+/// The direction from a place to the nearest column that is to be cut, seen from above; nothing where nothing is.
+std::optional<double> towardsIdeal(const core::terrain::ToothAnatomy& tooth, const std::vector<float>& ideal,
+                                   const glm::dvec3& placeMm)
+{
+    std::optional<glm::dvec2> nearest;
+    for (int j = 0; j < tooth.grid.side; ++j)
+        for (int i = 0; i < tooth.grid.side; ++i) {
+            const std::size_t k = tooth.grid.index(i, j);
+            const glm::dvec2 way = tooth.grid.nodeMm(i, j) - glm::dvec2(placeMm);
+            if (ideal[k] < tooth.top[k] && (!nearest || glm::dot(way, way) < glm::dot(*nearest, *nearest)))
+                nearest = way;
+        }
+    return nearest ? std::optional(std::atan2(nearest->y, nearest->x)) : std::nullopt;
 }
 
 }  // namespace
@@ -222,7 +240,7 @@ void MainWindow::connectActions()
     on(m_actions->undo, [this] {
         if (m_pages->currentWidget() == m_editor)
             m_editor->undo();
-        else
+        else if (!m_infractionCard->takeBack())
             send(core::session::Undo{});
     });
     on(m_actions->redo, [this] {
@@ -1019,9 +1037,11 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     qWarning("%s", qPrintable(exact));
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
+    const QString name = QFileInfo(file).fileName();
     m_messages->say({MessageBar::Kind::Error,
                      text::errorText(error, failed),
-                     QFileInfo(file).fileName(),
+                     // Its teacher can mend it: the key is named, as on the page of lessons.
+                     failed == text::Failed::OpeningLesson ? name + QStringLiteral(": ") + exact : name,
                      {},
                      {},
                      ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
@@ -1089,7 +1109,11 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
     if (didHarm)
         m_room->section().setHeld(infraction.placeMm);
     if (infraction.breach == core::grading::Breach::RidgeCut)
-        m_room->section().showAlongX();
+        m_room->section().showAlong(0.0);
+    // The card says that the section shows what is to be cut: the plane goes through the nearest of it.
+    if (infraction.breach == core::grading::Breach::WrongPlace && m_tooth && m_ideal)
+        if (const auto towards = towardsIdeal(*m_tooth, *m_ideal, infraction.placeMm))
+            m_room->section().showAlong(*towards);
     // A bur that was left running may be noticed while another page is read: the card waits for who comes back.
     if (didHarm && m_aids.section && !m_actions->section->isChecked()) {
         m_actions->section->setChecked(true);

@@ -124,10 +124,7 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     buttons->addStretch(1);
     column->addLayout(buttons);
     row->addLayout(column, 1);
-    connect(m_takeBack, &QPushButton::clicked, this, [this] {
-        hide();
-        emit takeBackWanted();
-    });
+    connect(m_takeBack, &QPushButton::clicked, this, &InfractionCard::takeBack);
     connect(m_goOnButton, &QPushButton::clicked, this, &InfractionCard::goOn);
     hide();
 }
@@ -136,6 +133,15 @@ void InfractionCard::goOn()
 {
     hide();
     emit goOnWanted();
+}
+
+bool InfractionCard::takeBack()
+{
+    if (isHidden() || m_takeBack->isHidden())
+        return false;
+    hide();
+    emit takeBackWanted();
+    return true;
 }
 
 void InfractionCard::tell(const core::grading::Infraction& infraction, bool canTakeBack)

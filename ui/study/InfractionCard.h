@@ -22,6 +22,8 @@ public:
     void tell(const core::grading::Infraction& infraction, bool canTakeBack);
     /// As its button: leaves it as it is.
     void goOn();
+    /// As its other button; false where it is not there to be pressed.
+    bool takeBack();
     /// In the middle of the lower part of `area`.
     void placeIn(const QRect& area);
 

@@ -203,6 +203,9 @@ void LessonDraft::begin(const ::lessons::ReadLesson& lesson, const QString& teac
     m_lastChange.clear();
     m_saved = object;
     m_wholeRubric = ::lessons::ownRubric(*lesson.lesson);
+    m_wholeTitle = {};
+    for (const auto& [language, text] : lesson.lesson->title)
+        m_wholeTitle.insert(QString::fromStdString(language), QString::fromStdString(text));
     m_isBlock = lesson.lesson->task == ::lessons::Task::TraceShape;
 }
 
@@ -233,10 +236,22 @@ void LessonDraft::redo()
     m_lastChange.clear();
 }
 
+QJsonObject LessonDraft::titles() const
+{
+    const QJsonValue own = object().value(QStringLiteral("title"));
+    if (own.isString())
+        return {{QStringLiteral("en"), own}};
+    QJsonObject texts = m_wholeTitle;
+    const QJsonObject perLanguage = own.toObject();
+    for (auto text = perLanguage.begin(); text != perLanguage.end(); ++text)
+        texts.insert(text.key(), text.value());
+    return texts;
+}
+
 QString LessonDraft::title() const
 {
     ::lessons::LocalText texts;
-    const QJsonObject title = object().value(QStringLiteral("title")).toObject();
+    const QJsonObject title = titles();
     for (auto text = title.begin(); text != title.end(); ++text)
         texts[text.key().toStdString()] = text->toString().toStdString();
     return said(texts);
@@ -257,11 +272,13 @@ QByteArray LessonDraft::stamped()
 void LessonDraft::setTitle(const QString& title, const QString& language)
 {
     QJsonObject next = object();
-    QJsonObject texts = next.value(QStringLiteral("title")).toObject();
-    if (texts.isEmpty())
-        texts.insert(QStringLiteral("en"), title);
-    texts.insert(texts.contains(language) ? language : QStringLiteral("en"), title);
-    next.insert(QStringLiteral("title"), texts);
+    if (next.value(QStringLiteral("title")).isString()) {
+        next.insert(QStringLiteral("title"), title);
+    } else {
+        QJsonObject texts = titles();
+        texts.insert(texts.contains(language) ? language : QStringLiteral("en"), title);
+        next.insert(QStringLiteral("title"), texts);
+    }
     change(QStringLiteral("title"), next);
 }
 

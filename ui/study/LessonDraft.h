@@ -86,6 +86,8 @@ public:
     void setCriterion(int index, const char* key, double value);
 
 private:
+    /// The title by language: the file's own words, and where it says none those of what it is based on.
+    [[nodiscard]] QJsonObject titles() const;
     /// @param what  several changes of one thing in a row are one
     void change(const QString& what, const QJsonObject& object);
 
@@ -94,6 +96,7 @@ private:
     QString m_lastChange;
     QJsonObject m_saved;
     QJsonObject m_wholeRubric;  ///< what the rubric is before it has been changed, as an object of the lesson's own
+    QJsonObject m_wholeTitle;   ///< by language, as it was when the draft was begun
     QString m_file;
     bool m_exists = false;
     bool m_isBlock = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include <QDateTime>
 #include <QFrame>
@@ -58,6 +59,12 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
+/// Whether it is measured across: a wall, a ridge, an isthmus. How deep the cut is there says nothing about it.
+bool isAcross(std::string_view measure)
+{
+    return measure.starts_with("wall_") || measure.starts_with("ridge_") || measure.starts_with("isthmus_");
+}
+
 /// Words that fold: they take the height that their width asks for, and claim no more than that beforehand.
 void fold(QLabel* words)
 {
@@ -108,6 +115,46 @@ QString padWords(const core::grading::PadsToName& asked, const core::grading::Na
                                      .arg(padName(pad), text::materialName(is), text::materialName(*said)));
     }
     return pads.join(QStringLiteral(" · "));
+}
+
+/// What an exercise came to; nothing where it is not known what was asked.
+QString practisedWords(const ScoredWork& work)
+{
+    using namespace core::grading;
+    if (!work.exercise || !work.measured.practised)
+        return {};
+    if (const auto* pads = std::get_if<PadsToName>(&*work.exercise))
+        return padWords(*pads, std::get<Named>(*work.measured.practised));
+    if (const auto* force = std::get_if<ForceToHold>(&*work.exercise)) {
+        const Held& held = std::get<Held>(*work.measured.practised);
+        return ScorePage::tr("Held for %1 of %2 s, %3 N off on the average")
+            .arg(text::number(held.longestS, 1), text::number(force->seconds, 0), text::number(held.meanErrorN, 2));
+    }
+    const Touched& touched = std::get<Touched>(*work.measured.practised);
+    if (touched.count() == touched.atS.size())
+        return ScorePage::tr("All points were touched");
+    return ScorePage::tr("%1 of %2 points touched; the ring marks one that was not")
+        .arg(touched.count())
+        .arg(touched.atS.size());
+}
+
+/// The column under a point that was to be touched and was not.
+std::optional<std::size_t> missedNode(const ScoredWork& work)
+{
+    const auto* asked = work.exercise ? std::get_if<core::grading::PointsToTouch>(&*work.exercise) : nullptr;
+    const auto& practised = work.measured.practised;
+    const auto* touched = practised ? std::get_if<core::grading::Touched>(&*practised) : nullptr;
+    if (asked == nullptr || touched == nullptr)
+        return std::nullopt;
+    const core::terrain::Grid& grid = work.tooth->grid();
+    for (std::size_t point = 0; point < std::min(asked->pointsMm.size(), touched->atS.size()); ++point) {
+        const glm::dvec2 at = grid.latticeOf(asked->pointsMm[point]);
+        const auto i = static_cast<int>(std::lround(at.x));
+        const auto j = static_cast<int>(std::lround(at.y));
+        if (!touched->atS[point] && grid.contains(i, j))
+            return grid.index(i, j);
+    }
+    return std::nullopt;
 }
 
 /// Which rule marked, so that nobody need guess: name, version and the beginning of the hash.
@@ -445,23 +492,25 @@ void ScorePage::showPlace(const CriterionRow& row)
     const auto measure = core::grading::findMeasure(row.criterion().measure);
     const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
     const auto& practised = m_scored->measured.practised;
-    const auto node = own || practised ? own : farthestOff(*m_scored);
+    // Of what was to be done in an exercise; what was cut on the way tells of the tooth.
+    const bool isDoing = practised && (!measure || core::grading::isOfExercise(*measure));
+    const auto node = own ? own : isDoing ? missedNode(*m_scored) : practised ? std::nullopt : farthestOff(*m_scored);
     const QString name = text::criterionName(row.criterion());
     if (practised && !own) {
-        const auto* asked = m_scored->exercise ? std::get_if<core::grading::PadsToName>(&*m_scored->exercise) : nullptr;
-        const auto* named = std::get_if<core::grading::Named>(&*practised);
-        m_place->setText(asked != nullptr && named != nullptr ? padWords(*asked, *named)
-                                                              : tr("%1 has no place on the tooth").arg(name));
+        const QString done = isDoing ? practisedWords(*m_scored) : QString();
+        m_place->setText(done.isEmpty() ? tr("%1 has no place on the tooth").arg(name) : done);
     } else if (!node) {
         m_place->setText(tr("The work is everywhere as it ought to be"));
     } else {
         const double above = static_cast<double>(aboveIdeal(*m_scored, *node));
         const QString mm = text::number(std::abs(above), 2);
         const QString off = above < 0.0 ? tr("%1 mm too deep").arg(mm) : tr("%1 mm still to go").arg(mm);
-        //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
-        m_place->setText(own ? tr("%1: the worst place, %2").arg(name, off)
-                             //: The same for a criterion like time, which has no place on the tooth
-                             : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
+        //: %1 a criterion of a score
+        m_place->setText(own && isAcross(measure->id) ? tr("%1: the worst place").arg(name)
+                         //: %1 a criterion of a score, %2 how far the tooth is off the ideal there: "0.42 mm too deep"
+                         : own ? tr("%1: the worst place, %2").arg(name, off)
+                               //: The same for a criterion like time, which has no place on the tooth
+                               : tr("%1 has no place; farthest off the ideal: %2").arg(name, off));
     }
     const core::imaging::SectionPlane plane =
         node ? planeThrough(*m_scored, *node) : core::imaging::SectionPlane{m_scored->tooth->grid().middleMm(), 0.0};
