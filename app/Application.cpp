@@ -66,6 +66,20 @@ std::filesystem::path journalFolder(const QString& databaseFile)
     return std::filesystem::path(folder.filePath(QStringLiteral("unfinished")).toStdU16String());
 }
 
+/// An exam ends with its score: it is not taken up again, however the program ended.
+bool isGradedExam(const core::recording::Recording& recording)
+{
+    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    if (!read.lesson || !read.lesson->exam)
+        return false;
+    bool graded = false;
+    recording.forEach([&graded](const core::session::ServoEvent& event) {
+        graded = graded ||
+                 (event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote);
+    });
+    return graded;
+}
+
 /// Runs `work` on a pool thread and gives its result to `done` on this one, unless `owner` has gone meanwhile.
 template <class Work, class Done>
 void inBackground(QObject* owner, Work work, Done done)
@@ -548,6 +562,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                 done->recording,
                 isKept,
                 found.practised};
+    static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
     m_window->showScore(sheet, history, expected, m_graded->work);
     compareWithClass();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
@@ -752,6 +767,8 @@ void Application::offerUnfinished()
                         search.failure = found.error();
                         if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
                             core::recording::discardJournal(path);
+                    } else if (*found && isGradedExam((*found)->recording)) {
+                        core::recording::discardJournal(path);
                     } else if (*found) {
                         search.found = std::move(*found);
                         break;
@@ -817,8 +834,10 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     lay(*assignment, attempt->recording.settings(), {}, false);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
+    const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);
     if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
         static_cast<void>(attempt.release());  // the session owns it now
+    m_window->takeInHand(bur, handpiece);
     m_window->showMessage(tr("Your attempt goes on where it was left."));
 }
 

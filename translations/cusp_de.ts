@@ -1052,6 +1052,10 @@
         <source>Point %1 touched</source>
         <translation>Punkt %1 berührt</translation>
     </message>
+    <message>
+        <source>Graded</source>
+        <translation>Benotet</translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>
@@ -3634,6 +3638,11 @@
     <message>
         <source>%1 of %2 points touched; the ring marks one that was not</source>
         <translation>%1 von %2 Punkten berührt; der Ring zeigt einen, der fehlt</translation>
+    </message>
+    <message>
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and the grades here bear no names and count as one person&apos;s.</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; die Noten hier tragen keine Namen und gelten als die einer Person.</translation>
     </message>
 </context>
 <context>

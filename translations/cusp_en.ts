@@ -1052,6 +1052,10 @@
         <source>Point %1 touched</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Graded</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>
@@ -3633,6 +3637,11 @@
     </message>
     <message>
         <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and the grades here bear no names and count as one person&apos;s.</source>
+        <extracomment>%1 is a number of people</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

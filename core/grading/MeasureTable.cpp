@@ -15,7 +15,8 @@ using terrain::Material;
 constexpr std::string_view kMetrics = "courseware.md 3.3";
 constexpr std::string_view kForms = "teeth.md 7, ideal values of a Class I preparation";
 constexpr std::string_view kPad = "teeth.md 7, training shapes; courseware.md 3.1 (Simodont)";
-constexpr std::string_view kFirstMinutes = "ours: the first five minutes at the device; courseware.md 3.3 (force)";
+constexpr std::string_view kFirstMinutes = "ours: the first five minutes at the device";
+constexpr std::string_view kFirstForce = "ours: the first five minutes at the device; courseware.md 3.3 (force)";
 constexpr std::string_view kHapTel = "courseware.md 3.1 (hapTEL), 3.3";
 
 double removed(const Measured& m, Material material)
@@ -554,15 +555,15 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
      nullptr},
     {"time_to_touch_all_s", "s", "Time until the last of the points was touched; not measured before all are.",
      kFirstMinutes, [](const Measured& m) -> Value { return ofExercise<Touched>(m, allTouchedS); }, nullptr},
-    {"hold_longest_s", "s", "Longest time at a stretch that the force was held, up to the time asked for.", kFirstMinutes,
+    {"hold_longest_s", "s", "Longest time at a stretch that the force was held, up to the time asked for.", kFirstForce,
      [](const Measured& m) -> Value { return ofExercise<Held>(m, [](const Held& h) { return h.longestS; }); }, nullptr},
     {"hold_within_percent", "percent", "Share of the time in contact, once the force was right, that it was held.",
-     kFirstMinutes,
+     kFirstForce,
      [](const Measured& m) -> Value {
          return ofExercise<Held>(m, [](const Held& h) { return percent(h.heldS, h.pressedS); });
      },
      nullptr},
-    {"hold_error_n", "N", "Mean distance from the force asked for in contact, once it was right.", kFirstMinutes,
+    {"hold_error_n", "N", "Mean distance from the force asked for in contact, once it was right.", kFirstForce,
      [](const Measured& m) -> Value {
          return ofExercise<Held>(m, [](const Held& h) { return h.pressedS > 0.0 ? Value(h.meanErrorN) : std::nullopt; });
      },

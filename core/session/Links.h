@@ -148,6 +148,8 @@ struct AddNote
 {
     std::uint64_t code = 0;
 };
+/// The note that the work was graded at this moment: "GRADED".
+inline constexpr std::uint64_t kGradedNote = 0x475241444544ULL << 16U;
 struct SetBur
 {
     std::uint8_t index = 0;

@@ -119,8 +119,14 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
     bool wentElsewhere = false;
     const auto witness = [&] { return recording::Witness{servo->tick(), terrain::stateHash(servo->tooth().tooth())}; };
     std::optional<recording::Witness> last;
+    std::optional<std::uint8_t> bur;
+    std::optional<std::uint8_t> handpiece;
     recording.forEach([&](const ServoEvent& event) {
         const bool goes = event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume;
+        if (event.kind == ServoEvent::Kind::Bur)
+            bur = static_cast<std::uint8_t>(event.value);
+        if (event.kind == ServoEvent::Kind::Handpiece)
+            handpiece = static_cast<std::uint8_t>(event.value);
         if (goes && !wentElsewhere)
             last = witness();
         wentElsewhere = goes || (wentElsewhere && !recording::isTick(event.kind));
@@ -131,8 +137,8 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
     if (!next)
         return tl::unexpected(next.error());
     const int strokes = gardener.strokes();
-    return std::make_unique<Unfinished>(
-        Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes, std::move(*next)});
+    return std::make_unique<Unfinished>(Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes,
+                                                   std::move(*next), bur, handpiece});
 }
 
 }  // namespace core::session

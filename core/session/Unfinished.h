@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/history/UndoTree.h"
 #include "core/recording/Recording.h"
@@ -15,7 +17,9 @@ struct Unfinished
     history::TiledHeights uncut;
     history::UndoTree history;  ///< its present moment is what the tooth came to
     int strokes = 0;
-    std::unique_ptr<ServoTick> servo;  ///< with the recording's settings, new: what goes on computing it
+    std::unique_ptr<ServoTick> servo;            ///< with the recording's settings, new: what goes on computing it
+    std::optional<std::uint8_t> bur = {};        ///< in hand last; nothing: that which an attempt begins with
+    std::optional<std::uint8_t> handpiece = {};  ///< the same, of those at hand (SetHandpiece)
 };
 
 /// Replays a recording to its end and finds its moments again. Strokes and undo steps are told from what the recording

@@ -48,6 +48,7 @@ private slots:
     void anUnfinishedAttemptIsOfferedWhenItIsLetGo();
     void anUnfinishedAttemptIsOfferedAndTakenUp();
     void discardedAttemptsMakeWayForOlderOnes();
+    void anExamThatWasGradedIsNotTakenUpAgain();
 
 private:
     template <class T>
@@ -70,6 +71,7 @@ private:
     [[nodiscard]] QString title() const { return child<QLabel>("exerciseTitle")->text(); }
     /// Asks for the score by the card's own button; the total is on the page.
     QString graded() const;
+    QString expected() const;
     /// Has the work graded and goes back to it.
     void grade() const;
     /// Drills, and leaves the attempt's journal in `into` as a program leaves it that is killed now; then ends. Returns
@@ -138,6 +140,7 @@ QString TestApplication::leaveUnfinished(glm::dvec3 pointMm, const QString& into
     drillAt(pointMm);
     if (journals().size() != 1)
         qFatal("one journal, of the attempt on the table");
+    actions().burs[3]->trigger();
     const QString own = enamelRemoved();
     QTest::qWait(200);  // the last of it reaches the disk
     const QString kept = m_folder->filePath(into);
@@ -182,6 +185,7 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
     QVERIFY(message().contains("goes on where it was left"));
     QCOMPARE(journals(), QStringList{"1-1.cuspjournal"});
     QTRY_VERIFY(actions().undo->isEnabled());
+    QTRY_VERIFY2(actions().burs[3]->isChecked(), "the bur that was in hand last");
     drillAt({2.0, 1.0, -1.0});
     // The same file holds what is done from now on.
     const QString again = enamelRemoved();
@@ -228,6 +232,44 @@ void TestApplication::discardedAttemptsMakeWayForOlderOnes()
     QVERIFY(message().contains("cannot be taken up again"));
 }
 
+void TestApplication::anExamThatWasGradedIsNotTakenUpAgain()
+{
+    QFile file(m_folder->filePath("exam.lesson.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
+    file.close();
+    const auto read = lessons::readLesson(file.fileName());
+    QVERIFY(read.lesson && read.lesson->exam);
+    for (const bool isGraded : {false, true}) {
+        start();
+        emit m_application->window().lessonChosen(*read.lesson);
+        QTest::qWait(100);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+        drillAt({-2.0, 1.0, -1.0});
+        if (isGraded) {
+            actions().grade->trigger();
+            QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), 30000);
+            QVERIFY(!expected().isEmpty());
+            QVERIFY(child<ui::study::ScorePage>()->isVisible());
+        }
+        QTest::qWait(300);  // the last of it reaches the disk
+        QCOMPARE(journals().size(), 1);
+        const QString kept = m_folder->filePath("kept");
+        QVERIFY(QFile::copy(m_folder->filePath("unfinished/" + journals().front()), kept));
+        m_application.reset();
+        QVERIFY(QFile::rename(kept, m_folder->filePath("unfinished/1-1.cuspjournal")));
+        start();
+        if (isGraded) {
+            QTRY_COMPARE_WITH_TIMEOUT(journals("discarded").size(), 1, 30000);
+            QVERIFY(!message().contains("an attempt of"));
+        } else {
+            QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), 30000);
+            QFile::remove(m_folder->filePath("unfinished/1-1.cuspjournal"));
+        }
+        m_application.reset();
+    }
+}
+
 lessons::Lesson TestApplication::openLesson(const std::string& id) const
 {
     lessons::Lesson lesson;
@@ -264,6 +306,12 @@ QString TestApplication::graded() const
     if (!button->isVisible())
         return QStringLiteral("is not offered");
     QTest::mouseClick(button, Qt::LeftButton);
+    return expected();
+}
+
+/// What the score is once something was expected of it.
+QString TestApplication::expected() const
+{
     if (child<QPushButton>("showScore")->isEnabled())
         return QStringLiteral("shows the score before anything is expected");
     QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);

@@ -113,6 +113,8 @@ QString noteWords(std::uint64_t code)
         //: %1 is "Left", "Middle" or "Right", %2 a tissue
         return QCoreApplication::translate("TimeLine", "%1 pad: said to be %2")
             .arg(study::padName(answer->pad), text::materialName(answer->said));
+    if (code == core::session::kGradedNote)
+        return QCoreApplication::translate("TimeLine", "Graded");
     return QCoreApplication::translate("TimeLine", "Note %1").arg(code);
 }
 

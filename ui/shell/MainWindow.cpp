@@ -404,8 +404,11 @@ void MainWindow::connectReplay()
     });
     on(m_actions->expert, [this] { emit expertWanted(); });
     on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
-    connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this,
-            [this](const core::session::GoTo& where) { send(where); });
+    connect(&m_room->history(), &replay::HistoryPanel::momentWanted, this, [this](const core::session::GoTo& where) {
+        if (m_infractionCard->isVisible())
+            m_infractionCard->goOn();  // it is about a tooth that is another now
+        send(where);
+    });
 }
 
 void MainWindow::setHistorySource(replay::HistorySource source)
@@ -833,6 +836,14 @@ void MainWindow::wishBur(int index)
         return;
     m_burWish.value = index;
     m_burWish.since.start();
+}
+
+void MainWindow::takeInHand(std::optional<std::uint8_t> bur, std::optional<std::uint8_t> handpiece)
+{
+    if (bur)
+        wishBur(*bur);
+    if (handpiece && *handpiece < m_handpieces.size() && m_handpieces[*handpiece] >= 0)
+        wishHandpiece(m_handpieces[*handpiece]);
 }
 
 void MainWindow::wishHandpiece(int shipped)

@@ -118,6 +118,8 @@ public slots:
     void setAssignment(const lessons::Assignment& assignment);
     /// The handpieces of the attempt that is shown next, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
+    /// Bur and handpiece (an index, as of SetHandpiece) that an attempt was left with.
+    void takeInHand(std::optional<std::uint8_t> bur, std::optional<std::uint8_t> handpiece);
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);

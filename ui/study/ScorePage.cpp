@@ -525,6 +525,11 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
         //: %1 is a number of per cent
         m_class->setText(tr("Of the best results of %n people in your class, %1 % are below this.", "", standing.people)
                              .arg(text::number(*standing.percentBelow, 0)));
+    else if (standing.people <= 1)
+        //: %1 is a number of people
+        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and the "
+                            "grades here bear no names and count as one person's.")
+                             .arg(::lessons::kFewestPeople));
     else
         //: %1 is a number of people
         m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and here "
