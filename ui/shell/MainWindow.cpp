@@ -1049,14 +1049,15 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
     const QString name = QFileInfo(file).fileName();
-    m_messages->say({MessageBar::Kind::Error,
-                     text::errorText(error, failed),
-                     // Its teacher can mend it: the key is named, as on the page of lessons.
-                     failed == text::Failed::OpeningLesson ? name + QStringLiteral(": ") + exact : name,
-                     {},
-                     {},
-                     ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
-                     exact});
+    m_messages->say(
+        {MessageBar::Kind::Error,
+         text::errorText(error, failed),
+         // Its teacher can mend it: the key is named, as on the page of lessons.
+         failed == text::Failed::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name,
+         {},
+         {},
+         ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
+         exact});
 }
 
 void MainWindow::stopBusy()
