@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/EveryLanguage.h"
+
+#include <utility>
+
+#include <QEvent>
+
+namespace ui::text {
+namespace {
+
+/// A widget passes the event on to all its children.
+class Sayer final : public QObject
+{
+public:
+    Sayer(QObject* parent, std::function<void()> say) : QObject(parent), m_say(std::move(say)) {}
+
+    bool event(QEvent* event) override
+    {
+        if (event->type() == QEvent::LanguageChange)
+            m_say();
+        return QObject::event(event);
+    }
+
+private:
+    std::function<void()> m_say;
+};
+
+}  // namespace
+
+void inEveryLanguage(QObject* listener, std::function<void()> say)
+{
+    say();
+    new Sayer(listener, std::move(say));
+}
+
+}  // namespace ui::text
