@@ -152,6 +152,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     panel = add("panel", tr("Side panel"), tr("Show the figures, or put them away"), {Qt::Key_F9});
     panel->setCheckable(true);
     panel->setChecked(true);
+    account = add("account", {}, tr("Log in, or lock this place and let somebody else log in"), {Qt::CTRL | Qt::Key_L});
+    showAccount({});
     fullScreen = add("fullscreen", tr("Full screen"), tr("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", tr("Keys and mouse"), tr("Show what every key does"), {Qt::Key_F1});
@@ -164,6 +166,11 @@ void Actions::showReplayPaused(bool paused)
 {
     pauseReplay->setText(paused ? tr("Resume the replay") : tr("Pause the replay"));
     pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
+}
+
+void Actions::showAccount(const QString& username)
+{
+    account->setText(username.isEmpty() ? tr("Log in") : username);
 }
 
 void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)
