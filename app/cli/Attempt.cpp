@@ -60,6 +60,12 @@ core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings&
     return {};
 }
 
+QString presetText(const core::recording::Recording& recording)
+{
+    return QString::fromStdString(recording.settings().hardness.name) +
+           (recording.isRetuned() ? QStringLiteral(", changed") : QString());
+}
+
 QJsonObject toJson(const core::terrain::PerMaterial& values)
 {
     QJsonObject object;

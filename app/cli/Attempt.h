@@ -20,6 +20,9 @@ namespace app::cli {
 /// by name. Of a file everything must be known.
 [[nodiscard]] core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings& settings);
 
+/// The preset that an attempt was made with: "natural v1 #1a2b3c4d", and whether it was changed meanwhile.
+[[nodiscard]] QString presetText(const core::recording::Recording& recording);
+
 /// caries, enamel, dentin, pulp.
 [[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);
 /// Every measure by its id, null where it was not measured, and what no height map can tell.
