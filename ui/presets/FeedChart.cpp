@@ -10,7 +10,7 @@
 #include <QEvent>
 #include <QGraphicsLayout>
 #include <QLabel>
-#include <QLegendMarker>
+#include <QLegend>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QVBoxLayout>
@@ -62,7 +62,7 @@ FeedChart::FeedChart(QWidget* parent)
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
     m_chart->setBackgroundVisible(false);
     m_words->setFont(shell::typeface(shell::kSmall));
-    m_words->setForegroundRole(QPalette::PlaceholderText);
+    m_words->setTextFormat(Qt::RichText);
     m_words->setWordWrap(true);
     m_words->setObjectName(QStringLiteral("feedWords"));
     auto* column = new QVBoxLayout(this);
@@ -97,15 +97,19 @@ double FeedChart::feed(const FeelPreset& preset, Substance substance, double new
                                       core::settings::handpieces().front(), core::drilling::burs()[m_bur], newtons);
 }
 
+QString FeedChart::figure(Substance substance, double newtons) const
+{
+    //: %1 is a material, %2 a speed
+    return tr("%1 %2 mm/s").arg(substanceName(substance), text::number(feed(m_preset, substance, newtons), 1));
+}
+
 QString FeedChart::words(double newtons) const
 {
     QStringList parts;
     for (const Line& line : kLines)
-        //: %1 is a material, %2 a speed
-        parts << tr("%1 %2 mm/s")
-                     .arg(substanceName(line.substance), text::number(feed(m_preset, line.substance, newtons), 1));
-    //: %1 is a force
-    return tr("Straight down with %1 N: %2").arg(text::number(newtons, 1), parts.join(QStringLiteral(" · ")));
+        parts << figure(line.substance, newtons);
+    return tr("Straight down with %1 N").arg(text::number(newtons, 1)) + QStringLiteral(": ") +
+           parts.join(QStringLiteral(" · "));
 }
 
 void FeedChart::draw()
@@ -142,24 +146,17 @@ void FeedChart::draw()
         pace->applyNiceNumbers();
     else
         pace->setLabelFormat(QStringLiteral("%.1f"));
-    m_chart->legend()->setAlignment(Qt::AlignTop);
-    m_chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
-    m_chart->legend()->setLabelColor(p.color(QPalette::WindowText));
-    m_chart->legend()->setFont(shell::typeface(shell::kSmall));
-    const auto put = [&](const FeelPreset& preset, const Line& line, const QPen& pen, const QString& name) {
+    m_chart->legend()->hide();  // the figures below name the lines
+    const auto put = [&](const FeelPreset& preset, const Line& line, const QPen& pen) {
         auto* series = new QLineSeries;
         for (int k = 0; k <= kPoints; ++k) {
             const double newtons = kMostN * k / kPoints;
             series->append(newtons, feed(preset, line.substance, newtons));
         }
         series->setPen(pen);
-        series->setName(name);
         m_chart->addSeries(series);
         series->attachAxis(force);
         series->attachAxis(pace);
-        if (name.isEmpty())
-            for (QLegendMarker* marker : m_chart->legend()->markers(series))
-                marker->setVisible(false);
     };
     for (const Line& line : kLines) {
         const QColor colour = dark ? line.onDark : line.onLight;
@@ -167,11 +164,26 @@ void FeedChart::draw()
         faint.setAlphaF(0.6F);
         if (m_was.axialShare != m_preset.axialShare ||
             core::settings::hardnessOf(m_was, line.substance) != core::settings::hardnessOf(m_preset, line.substance))
-            put(m_was, line, QPen(faint, 1.4, Qt::DashLine), {});
-        put(m_preset, line, QPen(colour, 2.2), substanceName(line.substance));
+            put(m_was, line, QPen(faint, 1.4, Qt::DashLine));
+        put(m_preset, line, QPen(colour, 2.2));
     }
-    m_words->setText(words(kToldN));
-    setAccessibleDescription(m_words->text());
+    point(kToldN);
+    setAccessibleDescription(words(kToldN));
+}
+
+/// The figures at a force, each with the colour of its line.
+void FeedChart::point(double newtons)
+{
+    const bool dark = shell::isDark(palette());
+    QStringList parts;
+    for (const Line& line : kLines)
+        parts << QStringLiteral("<span style=\"color:%1\"><b>━━</b></span>&nbsp;%2")
+                     .arg((dark ? line.onDark : line.onLight).name(),
+                          figure(line.substance, newtons).toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
+    m_words->setText(QStringLiteral("<b>%1</b><br>%2")
+                         //: %1 is a force
+                         .arg(tr("Straight down with %1 N").arg(text::number(newtons, 1)).toHtmlEscaped(),
+                              parts.join(QStringLiteral(" &nbsp; "))));
 }
 
 void FeedChart::changeEvent(QEvent* event)
@@ -187,9 +199,9 @@ bool FeedChart::eventFilter(QObject* watched, QEvent* event)
         const auto* mouse = static_cast<QMouseEvent*>(event);
         const QPointF at =
             m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
-        m_words->setText(words(std::clamp(at.x(), 0.0, kMostN)));
+        point(std::clamp(at.x(), 0.0, kMostN));
     } else if (event->type() == QEvent::Leave) {
-        m_words->setText(words(kToldN));
+        point(kToldN);
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -32,6 +32,8 @@ protected:
 
 private:
     void draw();
+    void point(double newtons);
+    [[nodiscard]] QString figure(core::settings::Substance substance, double newtons) const;
     [[nodiscard]] double feed(const core::settings::FeelPreset& preset, core::settings::Substance substance,
                               double newtons) const;
 

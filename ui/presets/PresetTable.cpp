@@ -72,7 +72,7 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
         material->setText(tr("Material"));
         rate->setText(tr("Rate"));
         //: The force from which on a material is cut
-        from->setText(tr("From"));
+        from->setText(tr("Cuts from"));
         for (std::size_t k = 0; k < kSubstances; ++k)
             names[k]->setText(substanceName(static_cast<Substance>(k)));
         for (std::size_t k = 0; k < rest.size(); ++k) {

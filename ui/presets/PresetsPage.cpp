@@ -34,6 +34,7 @@ using core::settings::FeelPreset;
 using namespace ui::shell;
 
 constexpr int kListPx = 250;
+constexpr int kRowPx = 48;
 constexpr int kTablePx = 560;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
@@ -333,6 +334,7 @@ void PresetsPage::fill()
         if (isSameVersion(*read.preset, m_inUse))
             second += QStringLiteral(" · ") + tr("in use");
         auto* item = new QListWidgetItem(nameOf(*read.preset) + u'\n' + second, m_list);
+        item->setSizeHint({kListPx - kSpace6, kRowPx});
         item->setToolTip(brokenIntoLines(presetWords(*read.preset)));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
@@ -407,7 +409,8 @@ void PresetsPage::tell()
     m_bound->setPalette(colours);
     m_chart->setPreset(m_draft, m_base);
     const bool isNamed = !m_draft.name.empty();
-    m_version->setText(isChanged() ? tr("changed from %1").arg(presetWords(m_base)) : presetWords(m_base));
+    m_version->setText(isChanged() ? tr("changed from %1").arg(presetWords(m_base)) : tr("version %1").arg(m_base.version) +
+                             QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
     m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
     m_save->setAccessibleName(m_save->text());
     m_save->setEnabled(held && isNamed && (isChanged() || !isNewest()));
