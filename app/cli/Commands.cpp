@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
     {"replay", "replay a recording, measure and score it", replayCommand},
     {"render", "draw a tooth, or what an attempt left of it, into a picture", renderCommand, Draws::Tooth},
     {"lesson", "list lessons; check, begin, preview and pack a teacher's own", lessonCommand, Draws::Tooth, "preview"},
+    {"preset", "list, check and show hardness presets", presetCommand},
     {"demo", "let a simulated hand take the decay out of a tooth", demoCommand},
     {"bench", "measure accuracy, speed and memory on this machine", benchCommand, Draws::Charts},
     {"frames", "measure what a frame of the tooth view costs on this display", framesCommand, Draws::Tooth},

@@ -42,5 +42,6 @@ int demoCommand(const QStringList& arguments);
 int benchCommand(const QStringList& arguments);
 int framesCommand(const QStringList& arguments);
 int lessonCommand(const QStringList& arguments);
+int presetCommand(const QStringList& arguments);
 
 }  // namespace app::cli

@@ -67,6 +67,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     lessons = add("lessons", tr("Lessons"), tr("Choose what to practise"), {Qt::Key_F2});
     editLesson = add("edit", tr("Edit the lesson …"),
                      tr("Change the ideal and the marking of the lesson that is chosen in the list"), {Qt::Key_F4});
+    presets = add("dials", tr("Hardness presets"), tr("Choose, try and change how drilling feels"), {Qt::Key_F7});
     chooseTooth = add("tooth", tr("Choose a tooth"), tr("Show the arches and choose one of 16 teeth"), {Qt::Key_T});
     mouth = add("mouth", tr("Whole mouth"), tr("Choose a tooth in the whole mouth, or go back to the flat arches"),
                 {Qt::Key_M});

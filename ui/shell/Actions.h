@@ -48,6 +48,7 @@ public:
     QAction* grade = nullptr;
     QAction* lessons = nullptr;
     QAction* editLesson = nullptr;  ///< on the page of lessons
+    QAction* presets = nullptr;
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;

@@ -21,6 +21,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSaveFile>
 #include <QScreen>
 #include <QStackedWidget>
@@ -33,6 +34,9 @@
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/presets/PresetWords.h"
+#include "ui/presets/PresetsPage.h"
+#include "ui/presets/TrialCard.h"
 #include "ui/replay/ReplayBar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
@@ -123,6 +127,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
       m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
+      m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
       m_infractionCard(new study::InfractionCard(m_room)),
@@ -137,7 +142,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
-          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login)})
+          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_presets)})
         m_pages->addWidget(page);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
@@ -147,6 +152,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectView();
     connectReplay();
     connectDoor();
+    connectPresets();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -399,6 +405,101 @@ void MainWindow::refuseLogin(const core::Error& error)
 void MainWindow::setUnreachable(const std::optional<core::Error>& error)
 {
     m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) : QString());
+}
+
+void MainWindow::connectPresets()
+{
+    connect(m_actions->presets, &QAction::triggered, this, [this] {
+        emit presetsWanted();
+        goTo(m_presets);
+    });
+    using presets::PresetsPage;
+    using presets::TrialCard;
+    connect(m_presets, &PresetsPage::saveWanted, this, &MainWindow::presetSaveWanted);
+    connect(m_presets, &PresetsPage::useWanted, this, &MainWindow::presetUseWanted);
+    connect(m_presets, &PresetsPage::importWanted, this, [this] {
+        askForFile(tr("Import a hardness preset"), FileKind::Preset,
+                   [this](const QString& path) { emit presetImportWanted(path); });
+    });
+    connect(m_presets, &PresetsPage::exportWanted, this, [this](const core::settings::FeelPreset& preset) {
+        askForFile(
+            tr("Export the hardness preset"), FileKind::Preset,
+            [this, preset](const QString& path) { emit presetExportWanted(preset, path); },
+            QStringLiteral("%1-v%2.%3")
+                .arg(QString::fromStdString(preset.name).replace(u'/', u'-'))
+                .arg(preset.version)
+                .arg(QLatin1String(lessons::kPresetSuffix)));
+    });
+    connect(m_presets, &PresetsPage::tryWanted, this, [this](const core::settings::FeelPreset& preset) {
+        leaveWork([this, preset] {
+            m_blindTrial.reset();
+            m_triedPreset = preset;
+            emit presetTrialWanted(preset);
+        });
+    });
+    connect(m_presets, &PresetsPage::compareWanted, this,
+            [this](const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials) {
+                leaveWork([this, first, second, trials] {
+                    m_blindTrial.emplace(first, second, trials, QRandomGenerator::global()->generate64());
+                    m_triedPreset.reset();
+                    emit presetTrialWanted(first);
+                });
+            });
+    connect(m_trialCard, &TrialCard::felt, this, &MainWindow::presetFelt);
+    connect(m_trialCard, &TrialCard::freshBlockWanted, this, [this] { send(core::session::Reload{}); });
+    connect(m_trialCard, &TrialCard::done, this, [this] {
+        if (const auto tuned = m_trialCard->tuned())
+            m_presets->setDraft(*tuned);
+        emit presetsWanted();
+        goTo(m_presets);
+    });
+    connect(m_trialCard, &TrialCard::csvWanted, this, [this](const QByteArray& csv) {
+        askForFile(
+            tr("Save the comparison"), FileKind::Table,
+            [this, csv](const QString& path) {
+                QSaveFile file(path);
+                if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.commit())
+                    showMessage(tr("The comparison was saved as %1.").arg(QDir::toNativeSeparators(path)));
+                else
+                    m_messages->say({MessageBar::Kind::Error,
+                                     tr("The comparison could not be written. Choose another folder, or make room on "
+                                        "the disk."),
+                                     QFileInfo(path).fileName(),
+                                     {},
+                                     {},
+                                     MessageBar::Topic::General,
+                                     file.errorString()});
+            },
+            newFileName(QStringLiteral("csv")));
+    });
+}
+
+void MainWindow::setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse)
+{
+    m_presets->setPresets(std::move(all), inUse);
+}
+
+void MainWindow::showPresetKept(const core::settings::FeelPreset& preset)
+{
+    m_presets->select(preset);
+    showMessage(tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset)));
+}
+
+void MainWindow::showPresetFault(const QString& sentence)
+{
+    m_presets->setFault(sentence);
+}
+
+void MainWindow::beginTrial()
+{
+    if (m_blindTrial)
+        m_trialCard->compare(*m_blindTrial);
+    else if (m_triedPreset)
+        m_trialCard->tune(*m_triedPreset);
+    m_blindTrial.reset();
+    m_triedPreset.reset();
+    m_room->setHintVisible(false);
+    placeOverlays();
 }
 
 void MainWindow::editChosenLesson()
@@ -1029,6 +1130,7 @@ void MainWindow::enableActions()
     m_actions->reload->setEnabled(mayGoBack || (mine && m_examIsOver));
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->lessons->setEnabled(!m_busy->isWorking());
+    m_actions->presets->setEnabled(!m_busy->isWorking());
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
@@ -1066,6 +1168,8 @@ void MainWindow::placeOverlays()
     const bool inRoom = m_pages->currentWidget() == m_room;
     const QRect area = inRoom ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
+    m_trialCard->move(area.topLeft() + QPoint(kSpace4, kSpace4));
+    m_trialCard->raise();
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
     m_busy->placeIn(area);
@@ -1255,6 +1359,7 @@ QString MainWindow::workTitle() const
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
+    m_trialCard->hide();
     m_isGraded = false;
     m_examIsOver = false;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
@@ -1299,6 +1404,8 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_replayLesson = std::move(lesson);
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_replayCourse = {};
+    if (replaying)
+        m_trialCard->hide();
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
@@ -1335,8 +1442,8 @@ bool MainWindow::isExamRunning() const
     return isExam() && !m_isGraded;
 }
 
-/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a whole
-/// tooth.
+/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a
+/// whole tooth.
 void MainWindow::endExam()
 {
     if (!isExam())
@@ -1493,6 +1600,16 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         suffix = QStringLiteral("png");
         filter = tr("Pictures (%1)").arg(patternOf({suffix}));
         key = QStringLiteral("folders/picture");
+        break;
+    case FileKind::Preset:
+        suffix = QLatin1String(lessons::kPresetSuffix);
+        filter = tr("Hardness presets (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/preset");
+        break;
+    case FileKind::Table:
+        suffix = QStringLiteral("csv");
+        filter = tr("Tables (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/table");
         break;
     }
     QString folder = memory().value(key).toString();

@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/presets/PresetWords.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
 #include "ui/shell/LineIcon.h"
@@ -407,7 +408,11 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
             (expectation(expected->tenths, sheet.totalTenths) + u' ' + expectedWorst(expected->worst, sheet))
                 .trimmed());
     m_noise->hide();
-    m_rubric->setText(rubricWords(sheet));
+    QString how = rubricWords(sheet);
+    if (scored && scored->preset)
+        //: %1 is a hardness preset with its version
+        how += u' ' + tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*scored->preset));
+    m_rubric->setText(how);
     const Tones tone = tones(palette());
     m_total->setText(text::points(sheet.totalTenths), tr("of 100"));
     const bool passed = sheet.passed();
