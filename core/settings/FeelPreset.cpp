@@ -62,9 +62,7 @@ MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance)
 std::string labelOf(const FeelPreset& preset)
 {
     std::string label = preset.name + " v" + std::to_string(preset.version);
-    if (!preset.hash.empty())
-        label += " #" + preset.hash.substr(0, kShownHash);
-    return label;
+    return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, kShownHash));
 }
 
 HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)

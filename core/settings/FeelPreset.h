@@ -68,7 +68,8 @@ struct ToothKind
     bool operator==(const ToothKind&) const = default;
 };
 
-/// "natural v3 #1a2b3c4d": what recordings and score sheets call a preset.
+/// "natural v3 #1a2b3c4d", "natural v3, changed": what recordings and score sheets call a preset. One without a hash is
+/// not what its version says.
 [[nodiscard]] std::string labelOf(const FeelPreset& preset);
 
 /// The rows of a preset that such a tooth is cut by, with the preset's label for a name.

@@ -301,6 +301,7 @@ void TestPresets::labelsAreReadBack()
     QVERIFY(used.isChanged);
     QVERIFY(lessons::presetUsed("natural", false) == (lessons::PresetUsed{"natural", 0, {}, false}));
     FeelPreset odd;
+    odd.hash = std::string(64, 'a');
     odd.name = "like natural v2 #12345678";
     odd.version = 3;
     QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).name, QString("like natural v2 #12345678"));

@@ -382,7 +382,6 @@ void PresetsPage::take(const FeelPreset& preset)
     next.name = m_draft.name;
     next.version = m_draft.version;
     next.notes = m_draft.notes;
-    next.hash = m_draft.hash;
     m_draft = next;
     tell();
 }
@@ -401,6 +400,7 @@ bool PresetsPage::isNewest() const
 
 void PresetsPage::tell()
 {
+    m_draft.hash = isChanged() ? std::string() : m_base.hash;
     const bool held = isHeld(m_draft);
     m_bound->setText((held ? QString() : QStringLiteral("⚠ ")) + boundWords(m_draft));
     QPalette colours = palette();
@@ -409,8 +409,9 @@ void PresetsPage::tell()
     m_bound->setPalette(colours);
     m_chart->setPreset(m_draft, m_base);
     const bool isNamed = !m_draft.name.empty();
-    m_version->setText(isChanged() ? tr("changed from %1").arg(presetWords(m_base)) : tr("version %1").arg(m_base.version) +
-                             QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
+    m_version->setText(isChanged() ? tr("changed from %1").arg(presetWords(m_base))
+                                   : tr("version %1").arg(m_base.version) +
+                                         QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
     m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
     m_save->setAccessibleName(m_save->text());
     m_save->setEnabled(held && isNamed && (isChanged() || !isNewest()));

@@ -88,6 +88,8 @@ public:
     QAction* stereoPage = nullptr;
     QAction* savePicture = nullptr;
     QAction* panel = nullptr;  ///< checkable: the side panel is there
+    QAction* console = nullptr;
+    QAction* settings = nullptr;
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* back = nullptr;
