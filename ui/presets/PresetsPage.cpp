@@ -275,6 +275,7 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     m_other->setMinimumWidth(200);
     words->setBuddy(m_other);
     m_trials = new QSpinBox(whole);
+    m_trials->setObjectName(QStringLiteral("presetTrials"));
     m_trials->setRange(1, kMostTrials);
     m_trials->setValue(kUsualTrials);
     study::bindToForm(m_trials);
