@@ -956,6 +956,11 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         return;
     }
     lay(*assignment, attempt->recording.settings(), {}, false);
+    m_tried.reset();
+    const core::settings::FeelPreset felt =
+        core::settings::feltAs(m_preset, m_settings.hardness, m_settings.force,
+                               assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
+    m_window->showFeel(felt, felt);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);

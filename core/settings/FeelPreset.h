@@ -77,6 +77,10 @@ struct ToothKind
 /// Puts the forces of a preset into a force law and leaves what is the device's.
 void putForces(const FeelPreset& preset, contact::ForceSettings& force);
 
+/// What a servo is set to, as far as a preset knows it; the rest as in `base`. The reverse of the two above.
+[[nodiscard]] FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact::ForceSettings& force,
+                                const ToothKind& tooth);
+
 /// OutOfRange or BadNumber naming the first number outside its range.
 [[nodiscard]] Status check(const FeelPreset& preset);
 

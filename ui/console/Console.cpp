@@ -63,6 +63,7 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     : QWidget(parent), m_parameters(parameters), m_panel(panel), m_output(new QPlainTextEdit(this)),
       m_hint(new QLabel(this)), m_line(new QLineEdit(this))
 {
+    shell::dress(*this, shell::roomPalette());  // it lies over the tooth, in whatever theme
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     fixed.setPixelSize(shell::kBody - 1);
     m_output->setReadOnly(true);

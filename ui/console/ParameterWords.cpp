@@ -33,7 +33,8 @@ QString valueWords(const core::settings::Parameter& parameter, double value)
         return QStringLiteral("–");
     if (parameter.isSwitch)
         return value != 0.0 ? Words::tr("on") : Words::tr("off");
-    return withUnit(plain(value), parameter);
+    // Of what changes all the time a few digits are read.
+    return withUnit(parameter.isLive() ? QLocale::c().toString(value, 'g', 4) : plain(value), parameter);
 }
 
 QString rangeWords(const core::settings::Parameter& parameter)

@@ -29,6 +29,7 @@ double secondsNow()
 WatchPanel::WatchPanel(const core::settings::Parameters& parameters, QWidget* parent)
     : QWidget(parent), m_parameters(parameters)
 {
+    setPalette(shell::roomPalette());
     setAttribute(Qt::WA_TransparentForMouseEvents);
     m_beat.setInterval(kBeatMs);
     connect(&m_beat, &QTimer::timeout, this, [this] { sample(secondsNow()); });
