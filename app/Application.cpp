@@ -23,6 +23,9 @@
 #include "core/preparation/CapturedIdeal.h"
 #include "core/recording/Replay.h"
 #include "core/settings/StabilityBound.h"
+#include "database/Passwords.h"
+#include "database/sql/Attempts.h"
+#include "database/sql/Logins.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "haptics/simulated/GuidedFalcon.h"
@@ -41,7 +44,10 @@ namespace {
 
 using namespace std::chrono_literals;
 using core::session::UiLinks;
+using database::sql::Logins;
+using database::sql::School;
 using ui::text::Failed;
+using Keeping = ui::study::ScorePage::Keeping;
 
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
@@ -49,6 +55,7 @@ constexpr int kHistoryLength = 12;
 constexpr int kLooksForJournal = 6;
 constexpr unsigned long kJournalRestMs = 500;
 constexpr int kMostKnownAttempts = 200;
+constexpr double kMnPerN = 1000.0;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
@@ -63,11 +70,12 @@ QString dataFolder()
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
 }
 
-/// Beside the database.
-std::filesystem::path journalFolder(const QString& databaseFile)
+/// Each person's attempts that were not finished lie in a folder of their own: nobody takes up another's.
+std::filesystem::path journalFolder(const QString& stationFolder, const database::Session& who)
 {
-    const QDir folder(databaseFile.isEmpty() ? dataFolder() : QFileInfo(databaseFile).absolutePath());
-    return std::filesystem::path(folder.filePath(QStringLiteral("unfinished")).toStdU16String());
+    const QString name =
+        who.isGuest() ? QStringLiteral("unfinished") : "unfinished/" + QString::fromStdString(who.uid());
+    return std::filesystem::path(QDir(stationFolder).filePath(name).toStdU16String());
 }
 
 /// An exam ends with its score: it is not taken up again, however the program ended.
@@ -183,6 +191,9 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         page.setMomentsProgress({});
         m_window->showError(error, Failed::Marking);
     });
+    connectDoor();
+    m_journalWatch.setInterval(kJournalWatchMs);
+    connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
@@ -205,19 +216,18 @@ Application::~Application()
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
     m_replay.reset();
-    m_syncThread.reset();
-    m_journalThread.reset();
     // The window has asked about the work on the table before it let itself be closed.
-    if (m_journal)
-        m_journal->putAway();
+    stopJournal(true);
+    m_desk.reset();
 }
 
 void Application::show()
 {
     m_window->show();
     if (m_options.picture.isEmpty()) {
-        openDatabase(m_options.databaseFile);
-        keepJournal();
+        openDatabase();
+        if (!m_options.asksWho)
+            keepJournal();
     } else
         QTimer::singleShot(kPictureDelayMs, this, &Application::drawPicture);
     if (m_options.recording.isEmpty())
@@ -246,21 +256,153 @@ void Application::stopLoops()
     m_sessionThread.reset();
 }
 
-/// Without a database the student can still drill and be graded; only the history is missing.
-void Application::openDatabase(const QString& file)
+/// Without a database the student can still drill and be graded; only nothing is kept.
+void Application::openDatabase()
 {
-    QString path = file;
-    if (path.isEmpty()) {
-        QDir().mkpath(dataFolder());
-        path = QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite"));
-    }
-    auto opened = database::sql::Database::open(path);
-    if (!opened) {
-        m_window->showError(opened.error(), Failed::KeepingGrades, path);
+    const QString where =
+        m_options.database.isEmpty() ? QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite")) : m_options.database;
+    const auto address = database::Address::parse(where);
+    if (!address) {
+        m_window->showError(address.error(), Failed::KeepingGrades, where);
         return;
     }
-    m_database = std::move(*opened);
-    m_attempts = std::make_unique<database::sql::SqlAttemptRepository>(m_database->handle());
+    m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
+    if (m_options.database.isEmpty() || address->isServer())
+        QDir().mkpath(m_stationFolder);
+    m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder);
+    connect(m_desk.get(), &SchoolDesk::delivered, this, [this](const QString& uid) {
+        if (m_graded && m_graded->record.uid == uid.toStdString()) {
+            m_graded->keeping = Keeping::Kept;
+            tellHistory();
+        }
+    });
+    connect(m_desk.get(), &SchoolDesk::damaged, this,
+            [this](const core::Error& error) { m_window->showError(error, Failed::KeepingGrades); });
+    m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
+    if (m_options.asksWho)
+        m_window->askWho(ui::people::Door::Login);
+}
+
+void Application::takeOpening(const SchoolDesk::Opening& opening)
+{
+    if (!opening.status) {
+        const core::Error& error = opening.status.error();
+        m_window->setUnreachable(error);
+        if (!m_options.asksWho)
+            m_window->showError(error, Failed::KeepingGrades, m_options.database);
+        // A server may come back; a file that cannot be used does not by itself.
+        if (error.code != core::ErrorCode::ConnectionLost && error.code != core::ErrorCode::Busy)
+            m_desk.reset();
+        return;
+    }
+    m_window->setUnreachable({});
+    m_isNewSchool = opening.isNew;
+    if (m_options.asksWho && opening.isNew && m_who.isGuest())
+        m_window->askWho(ui::people::Door::NewSchool);
+}
+
+void Application::connectDoor()
+{
+    using ui::shell::MainWindow;
+    const auto take = [this](const core::Result<database::Session>& answer) { takeAnswer(answer); };
+    connect(m_window.get(), &MainWindow::loginWanted, this, [this, take](const QString& name, const QString& password) {
+        if (m_desk)
+            m_desk->ask(
+                this,
+                [name = name.toStdString(), password = password.toStdString()](const School& school) {
+                    return Logins::login(school, name, password);
+                },
+                take);
+    });
+    connect(m_window.get(), &MainWindow::codeWanted, this,
+            [this, take](const QString& name, const QString& code, const QString& password) {
+                if (m_desk)
+                    m_desk->ask(
+                        this,
+                        [name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
+                            const School& school) { return Logins::redeem(school, name, code, password); },
+                        take);
+            });
+    connect(m_window.get(), &MainWindow::schoolWanted, this,
+            [this, take](const database::NewPerson& admin, const QString& password) {
+                if (m_desk)
+                    m_desk->ask(
+                        this,
+                        [admin, password = password.toStdString()](const School& school) {
+                            return Logins::createFirstAdmin(school, admin, password, database::timedCost());
+                        },
+                        take);
+            });
+    connect(m_window.get(), &MainWindow::guestWanted, this, &Application::becomeGuest);
+    connect(m_window.get(), &MainWindow::logoutWanted, this, &Application::leave);
+    connect(m_window.get(), &MainWindow::keepWanted, this, [this] {
+        m_keepsOnLogin = true;
+        m_window->askWho(m_isNewSchool ? ui::people::Door::NewSchool : ui::people::Door::Login);
+    });
+}
+
+void Application::takeAnswer(const core::Result<database::Session>& answer)
+{
+    if (answer)
+        enter(*answer);
+    else
+        m_window->refuseLogin(answer.error());
+}
+
+/// A person has logged in, or come back to the place he had locked.
+void Application::enter(const database::Session& who)
+{
+    if (who.person() == m_who.person()) {
+        m_window->setWho(who);
+        return;
+    }
+    m_isNewSchool = false;
+    m_who = who;
+    // What was practised without a login is nobody's, unless its grade is what he logs in for.
+    const bool keeps = std::exchange(m_keepsOnLogin, false) && m_graded && m_graded->keeping == Keeping::Guest;
+    if (!keeps && m_assignment.anatomy)
+        clearTable();
+    m_window->setWho(who);
+    keepJournal();
+    if (keeps)
+        keepGrade();
+    else
+        m_window->openLessons();
+}
+
+/// The attempt stays on the disk, in the folder of who made it, and is offered to him when he is back.
+void Application::leave()
+{
+    if (m_desk && !m_who.isGuest())
+        m_desk->ask(
+            this,
+            [who = m_who](const School& school) -> core::Result<bool> {
+                if (auto noted = Logins::logout(school, who); !noted)
+                    return tl::unexpected(noted.error());
+                return true;
+            },
+            [](const core::Result<bool>&) {});
+    stopJournal(false);
+    m_who = {};
+    m_window->leaveAll();
+    m_window->setWho(m_who);
+    clearTable();
+    m_window->askWho(ui::people::Door::Login);
+}
+
+void Application::becomeGuest()
+{
+    m_keepsOnLogin = false;
+    m_window->setWho(m_who);
+    keepJournal();
+}
+
+/// A whole tooth, to nobody's credit.
+void Application::clearTable()
+{
+    m_graded.reset();
+    if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
+        begin(*practice, {}, false);
 }
 
 void Application::connectPresets()
@@ -416,19 +558,28 @@ void Application::openLesson(const lessons::Lesson& lesson)
 /// A teacher's folder may have changed since it was read last.
 void Application::showLessons()
 {
-    std::map<std::string, ui::study::Standing> standings;
-    if (m_attempts) {
-        if (const auto found = m_attempts->standings())
-            for (const database::LessonStanding& standing : *found)
-                standings[standing.lessonId] = {standing.attempts, standing.bestTenths, standing.passed};
-        else
-            m_window->showError(found.error(), Failed::KeepingGrades);
+    using Standings = std::map<std::string, ui::study::Standing>;
+    const auto show = [this](const Standings& standings) {
+        inBackground(
+            this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
+            [this, standings](std::vector<lessons::CatalogEntry>& entries) {
+                m_window->setLessons(std::move(entries), standings);
+                tellUnfinished();  // who put the offer away finds it here again
+            });
+    };
+    if (!m_desk || m_who.isGuest()) {
+        show({});
+        return;
     }
-    inBackground(
-        this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
-        [this, standings](std::vector<lessons::CatalogEntry>& entries) {
-            m_window->setLessons(std::move(entries), standings);
-            tellUnfinished();  // who put the offer away finds it here again
+    m_desk->ask(
+        this, [who = m_who](const School& school) { return database::sql::standingsOf(school, who, who.person()); },
+        [this, show](const core::Result<std::vector<database::LessonStanding>>& found) {
+            Standings standings;
+            if (!found)
+                m_window->showError(found.error(), Failed::KeepingGrades);
+            for (const database::LessonStanding& standing : found.value_or(std::vector<database::LessonStanding>{}))
+                standings[standing.lessonId] = {standing.attempts, standing.bestTenths, standing.passed};
+            show(standings);
         });
 }
 
@@ -456,16 +607,24 @@ void Application::unpack(const QString& pack, const QString& name)
         });
 }
 
-/// What the score sheets say that was measured of attempts at exactly this lesson.
+/// What the score sheets say that was measured of attempts at exactly this lesson: one's own, and a teacher's those of
+/// his classes.
 void Application::tellKnownAttempts(const lessons::Lesson& lesson)
 {
-    std::vector<ui::study::MeasuredAttempt> known;
-    const auto records = m_attempts ? m_attempts->byLesson(lesson.id, kMostKnownAttempts)
-                                    : core::Result<std::vector<database::AttemptRecord>>();
-    for (const database::AttemptRecord& record : records.value_or(std::vector<database::AttemptRecord>{}))
-        if (record.lessonHash == lesson.hash)
-            known.push_back({QString::fromStdString(record.finishedUtc), lessons::measuredIn(record.scoreSheetJson)});
-    m_window->setKnownAttempts(std::move(known));
+    m_window->setKnownAttempts({});
+    if (!m_desk || m_who.isGuest())
+        return;
+    m_desk->ask(
+        this,
+        [who = m_who, id = lesson.id, hash = lesson.hash](const School& school) {
+            return database::sql::sheetsOfLesson(school, who, id, hash, kMostKnownAttempts);
+        },
+        [this](const core::Result<std::vector<database::sql::KeptSheet>>& sheets) {
+            std::vector<ui::study::MeasuredAttempt> known;
+            for (const database::sql::KeptSheet& sheet : sheets.value_or(std::vector<database::sql::KeptSheet>{}))
+                known.push_back({QString::fromStdString(sheet.finishedUtc), lessons::measuredIn(sheet.json)});
+            m_window->setKnownAttempts(std::move(known));
+        });
 }
 
 /// Said in the window, and if nothing lies on the table yet, a tooth of our own is put there. Where only a picture was
@@ -608,10 +767,10 @@ void Application::grade()
     std::optional<core::grading::Practised> practised;
     if (const core::session::Findings now = m_follower.findings(); now.generation == m_ownGeneration)
         practised = now.practised;
-    if (m_graded && m_graded->isKept && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
+    if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
         m_graded->practised == practised) {
         m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
-        compareWithClass();
+        tellKeeping();
         m_explainer.tellAgain();
         return;
     }
@@ -647,67 +806,122 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
     }
     const lessons::ScoreSheet& sheet = marked->sheet;
     const std::uint64_t hash = core::terrain::stateHash(done->tooth);
-    QList<database::AttemptRecord> history;
-    bool isKept = !m_attempts;
-    if (m_attempts) {
-        database::AttemptRecord record;
-        record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-        record.tooth = m_assignment.anatomy->name;
-        record.scoreTenths = sheet.totalTenths;
-        record.passed = sheet.passed();
-        record.rubricHash = sheet.rubricHash;
-        if (expected)
-            record.expectedTenths = expected->tenths;
-        if (m_assignment.lesson) {
-            record.lessonId = m_assignment.lesson->id;
-            record.lessonHash = m_assignment.lesson->hash;
-        }
-        record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(done->recording.duration()).count();
-        record.scoreSheetJson = lessons::toJson(sheet, lessons::presetUsed(done->recording)).toStdString();
-        record.stateHash = QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0')).toStdString();
-        const auto kept = m_attempts->add(record);
-        const auto last = kept ? lastGrades(record)
-                               : core::Result<std::vector<database::AttemptRecord>>(tl::unexpected(kept.error()));
-        isKept = last.has_value();
-        if (last)
-            history = QList<database::AttemptRecord>(last->begin(), last->end());
-        else
-            m_window->showError(last.error(), Failed::KeepingGrades);
-    }
     m_graded = {m_ownGeneration,
                 hash,
                 sheet,
-                history,
+                recordOf(*done, sheet, expected),
+                Keeping::Nowhere,
+                {},
+                {},
                 expected,
                 {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured,
                  found.infractions, found.aids, lessons::presetUsed(done->recording), m_assignment.exercise},
                 done->recording,
-                isKept,
                 found.practised};
     static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
-    m_window->showScore(sheet, history, expected, m_graded->work);
-    compareWithClass();
+    m_window->showScore(sheet, {}, expected, m_graded->work);
+    keepGrade();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
 
-/// Where the grade stands among those of other people. The database does not say whose an attempt was: so far all are
-/// one person's.
-void Application::compareWithClass()
+database::AttemptRecord Application::recordOf(const core::session::Concluded& done, const lessons::ScoreSheet& sheet,
+                                              const std::optional<ui::study::Expectation>& expected) const
 {
-    if (m_graded->history.isEmpty())
-        return;
-    int best = m_graded->sheet.totalTenths;
-    for (const database::AttemptRecord& attempt : m_graded->history)
-        if (attempt.rubricHash == m_graded->sheet.rubricHash)
-            best = std::max(best, attempt.scoreTenths);
-    m_window->scorePage().setClass(lessons::classStanding(m_graded->sheet.totalTenths, std::array{best}));
+    const auto preset = lessons::presetUsed(done.recording);
+    database::AttemptRecord record;
+    record.uid = database::newUid();
+    record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    record.tooth = m_assignment.anatomy->name;
+    record.scoreTenths = sheet.totalTenths;
+    record.passed = sheet.passed();
+    record.passMarkTenths = sheet.passMarkTenths;
+    record.rubricHash = sheet.rubricHash;
+    if (expected)
+        record.expectedTenths = expected->tenths;
+    if (m_assignment.lesson) {
+        record.lessonId = m_assignment.lesson->id;
+        record.lessonHash = m_assignment.lesson->hash;
+    }
+    for (const lessons::Criterion& criterion : sheet.criteria)
+        record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
+    record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(done.recording.duration()).count();
+    record.scoreSheetJson = lessons::toJson(sheet, preset).toStdString();
+    record.stateHash =
+        QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
+    record.device = m_options.simulatedDevice ? "simulated" : "pointer";
+    record.method = m_settings.method;
+    record.grid = m_assignment.anatomy->grid.side;
+    record.viewMode = ui::render::idOf(m_window->view().settings().presentation.stereo);
+    record.seed = std::to_string(m_assignment.anatomy->seed);
+    record.preset = preset.name.toStdString() + (preset.version > 0 ? " v" + std::to_string(preset.version) : "") +
+                    (preset.isChanged ? ", changed" : "");
+    record.presetHash = preset.hash.toStdString();
+    record.program = CUSP_VERSION;
+    if (const auto& force = done.findings.process.force) {
+        record.meanForceMn = static_cast<int>(std::lround(force->meanN * kMnPerN));
+        record.peakForceMn = static_cast<int>(std::lround(force->largestN * kMnPerN));
+    }
+    return record;
 }
 
-/// Of the same lesson, or without one of the same tooth.
-core::Result<std::vector<database::AttemptRecord>> Application::lastGrades(const database::AttemptRecord& now)
+/// The grade that is shown goes into the outbox, and from there into the database.
+void Application::keepGrade()
 {
-    return now.lessonId.empty() ? m_attempts->byTooth(now.tooth, kHistoryLength)
-                                : m_attempts->byLesson(now.lessonId, kHistoryLength);
+    m_graded->keeping = !m_desk ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
+    tellKeeping();
+    if (m_graded->keeping != Keeping::Pending)
+        return;
+    m_desk->keep(this, m_who, m_graded->record, m_graded->recording,
+                 [this, uid = m_graded->record.uid](const core::Status& kept) {
+                     if (!kept)
+                         m_window->showError(kept.error(), Failed::KeepingGrades);
+                     if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Pending)
+                         return;
+                     m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
+                     tellKeeping();
+                 });
+}
+
+void Application::tellKeeping()
+{
+    ui::study::ScorePage& page = m_window->scorePage();
+    page.setHistory(m_graded->history);
+    page.setKeeping(m_graded->keeping);
+    if (m_graded->keeping == Keeping::Kept)
+        page.setClass(m_graded->standing);
+}
+
+/// The grades before it, of the same lesson or without one of the same tooth; and where it stands in the class.
+void Application::tellHistory()
+{
+    struct Found
+    {
+        std::vector<database::AttemptRecord> history;
+        std::vector<int> best;
+    };
+    m_desk->ask(
+        this,
+        [who = m_who, record = m_graded->record](const School& school) -> core::Result<Found> {
+            Found found;
+            auto history =
+                database::sql::history(school, who, who.person(),
+                                       {record.lessonId, record.lessonId.empty() ? record.tooth : "", kHistoryLength});
+            auto best = database::sql::bestOfClassmates(school, who, record.lessonId, record.rubricHash);
+            if (!history || !best)
+                return tl::unexpected(history ? best.error() : history.error());
+            return Found{std::move(*history), std::move(*best)};
+        },
+        [this, uid = m_graded->record.uid](const core::Result<Found>& found) {
+            if (!m_graded || m_graded->record.uid != uid)
+                return;
+            if (found) {
+                m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
+                m_graded->standing = lessons::classStanding(m_graded->sheet.totalTenths, found->best);
+            } else {
+                m_window->showError(found.error(), Failed::KeepingGrades);
+            }
+            tellKeeping();
+        });
 }
 
 void Application::saveRecording(const QString& path)
@@ -840,23 +1054,34 @@ void Application::readRecording(const QString& path, const UseRecording& use, co
     });
 }
 
-/// From now on the attempt reaches the disk while it goes on; and what was not finished last time is offered. What a
-/// simulated hand drills is nobody's work.
+/// From now on the attempt of who works here reaches the disk while it goes on; and what he did not finish last time is
+/// offered. What a simulated hand drills is nobody's work.
 void Application::keepJournal()
 {
     if (m_options.simulatedDevice)
         return;
-    m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_options.databaseFile));
+    stopJournal(m_journal != nullptr && !m_who.isGuest());
+    m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_stationFolder, m_who));
     m_journalThread =
         std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
     m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kSyncRest,
                                                 LoopThread::Urgency::Normal);
     m_journalThread->start();
     m_syncThread->start();
-    m_journalWatch.setInterval(kJournalWatchMs);
-    connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
     m_journalWatch.start();
     offerUnfinished();
+}
+
+/// @param putAway  the attempt is given up; else it stays to be found
+void Application::stopJournal(bool putAway)
+{
+    m_journalWatch.stop();
+    m_syncThread.reset();
+    m_journalThread.reset();
+    if (m_journal && putAway)
+        m_journal->putAway();
+    m_journal.reset();
+    m_unfinished.reset();
 }
 
 void Application::watchJournal()
@@ -875,7 +1100,7 @@ void Application::offerUnfinished()
     };
     inBackground(
         this,
-        [folder = journalFolder(m_options.databaseFile)] {
+        [folder = journalFolder(m_stationFolder, m_who)] {
             Search search;
             core::recording::tidyJournals(folder);
             // A program that was just killed may hold its journal for a moment more.

@@ -11,17 +11,20 @@
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
 #include "app/ReplayDesk.h"
+#include "app/SchoolDesk.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
 #include "core/session/ServoNumbers.h"
 #include "core/teeth/ToothBuilder.h"
-#include "database/sql/Database.h"
-#include "database/sql/SqlAttemptRepository.h"
+#include "database/people.h"
+#include "database/records.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/simulated/IdealHand.h"
 #include "lessons/Assignment.h"
+#include "lessons/ClassStanding.h"
 #include "lessons/PresetShelf.h"
 #include "ui/shell/MainWindow.h"
+#include "ui/study/ScorePage.h"
 
 namespace app {
 
@@ -31,7 +34,8 @@ struct WindowOptions
     core::teeth::ToothSource source;  ///< the tooth to begin with
     core::teeth::BuildOptions build;
     QString recording;     ///< play this instead of beginning with a tooth
-    QString databaseFile;  ///< empty: the user's own
+    QString database;      ///< a file or a server's address; empty: the user's own file
+    bool asksWho = false;  ///< begin at the login; else as a guest
     QString picture;       ///< draw the tooth, or the end of the recording, into this file and quit
     /// A simulated hand with a simulated Falcon does the work; the student watches.
     bool simulatedDevice = false;
@@ -57,7 +61,13 @@ public:
 private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
-    void openDatabase(const QString& file);
+    void openDatabase();
+    void takeOpening(const SchoolDesk::Opening& opening);
+    void connectDoor();
+    void takeAnswer(const core::Result<database::Session>& answer);
+    void enter(const database::Session& who);
+    void leave();
+    void becomeGuest();
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
     void tellKnownAttempts(const lessons::Lesson& lesson);
@@ -82,8 +92,12 @@ private:
     void takeBack(std::uint64_t tick);
     void grade();
     void finish(const std::optional<ui::study::Expectation>& expected);
-    void compareWithClass();
-    [[nodiscard]] core::Result<std::vector<database::AttemptRecord>> lastGrades(const database::AttemptRecord& now);
+    [[nodiscard]] database::AttemptRecord recordOf(const core::session::Concluded& done,
+                                                   const lessons::ScoreSheet& sheet,
+                                                   const std::optional<ui::study::Expectation>& expected) const;
+    void keepGrade();
+    void tellKeeping();
+    void tellHistory();
     void openBeside(const QString& path);
     void openExpert();
     void unpack(const QString& pack, const QString& name);
@@ -98,6 +112,8 @@ private:
     void saveReference(const QString& path);
     void openRecording(const QString& path);
     void keepJournal();
+    void stopJournal(bool putAway);
+    void clearTable();
     void watchJournal();
     void offerUnfinished();
     void tellUnfinished();
@@ -124,9 +140,12 @@ private:
     haptics::ServoLoop m_servo;
     core::session::SessionLoop m_session;
     core::session::Follower m_follower;
-    std::unique_ptr<database::sql::Database> m_database;
-    std::unique_ptr<database::AttemptRepository> m_attempts;
     std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::unique_ptr<SchoolDesk> m_desk;  ///< null: nothing is kept
+    QString m_stationFolder;             ///< of this computer's own files: journals, outbox, key
+    database::Session m_who;             ///< who works here
+    bool m_isNewSchool = false;
+    bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
     std::unique_ptr<lessons::PresetShelf> m_shelf;
     core::settings::FeelPreset m_preset;                 ///< what teeth feel like
@@ -146,11 +165,13 @@ private:
         std::uint64_t generation = 0;
         std::uint64_t hash = 0;
         lessons::ScoreSheet sheet;
+        database::AttemptRecord record;
+        ui::study::ScorePage::Keeping keeping{};
         QList<database::AttemptRecord> history;
+        lessons::ClassStanding standing;
         std::optional<ui::study::Expectation> expected;
         ui::study::ScoredWork work;
         core::recording::Recording recording;
-        bool isKept = false;                                ///< or nowhere to keep it
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;

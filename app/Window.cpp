@@ -43,7 +43,7 @@ void addOptions(QCommandLineParser& parser)
            "FILE|FDI");
     option("recording", "Plays a recording.", "FILE");
     option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
-    option("db", "Keeps grades in this file instead of the user's own.", "FILE");
+    option("db", "The school's data: a file, or postgresql://user@host/name.", "FILE|URL");
     option("theme", "light or dark; the desktop's own if not given.", "THEME");
     option("language", "en or de; the system's own if not given.", "CODE");
     cli::addDeviceOption(parser);
@@ -85,7 +85,10 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     options.build = *build;
     options.recording = parser.value(QStringLiteral("recording"));
     options.picture = parser.value(QStringLiteral("picture"));
-    options.databaseFile = parser.value(QStringLiteral("db"));
+    options.database = parser.value(QStringLiteral("db"));
+    // Who names what is to be seen wants to see it; a simulated hand's work is nobody's.
+    options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() && !options.simulatedDevice &&
+                      !parser.isSet(QStringLiteral("tooth"));
     return std::nullopt;
 }
 

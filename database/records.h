@@ -4,26 +4,58 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "database/Session.h"
 
 namespace database {
+
+/// What one criterion of a score took, out of how much; tenths of a point.
+struct CriterionLoss
+{
+    std::string id;
+    int lostTenths = 0;
+    int weightTenths = 0;
+    bool operator==(const CriterionLoss&) const = default;
+};
 
 /// One finished and graded attempt, as it is kept.
 struct AttemptRecord
 {
     std::int64_t id = 0;      ///< given by the database
+    std::string uid;          ///< 32 hex digits, given when it was graded: the same attempt is never kept twice
+    PersonId person;          ///< 0: of a guest, or made before there were people
+    std::string personUid;    ///< of that person
     std::string finishedUtc;  ///< ISO 8601, "2026-11-20T10:15:00Z"
     std::string tooth;        ///< FDI number or file name
     std::string lessonId;     ///< empty: practised freely, marked as removal of decay
     std::string lessonHash;   ///< of the lesson's content, 64 hex digits; empty without a lesson
     std::string rubricHash;   ///< of the rubric's content
-    int scoreTenths = 0;      ///< tenths of a point, 0 .. 1000
-    bool passed = false;
+    int scoreTenths = 0;      ///< the machine's; tenths of a point, 0 .. 1000
+    bool passed = false;      ///< by the machine: the pass mark was reached and nothing critical went wrong
+    int passMarkTenths = 0;
+    std::optional<int> givenTenths;     ///< what an instructor gave instead
     std::optional<int> expectedTenths;  ///< what the student had expected before seeing the score
     std::int64_t durationMs = 0;
+    std::vector<CriterionLoss> criteria;
     std::string scoreSheetJson;  ///< the whole explanation, so that an old score stays readable
     std::string stateHash;       ///< 16 hex digits of the tooth's state
-    std::string recordingFile;   ///< where the recording lies, empty if it was not saved
+    std::string recordingHash;   ///< database::digestOf the recording's bytes; empty if it was not kept
+    std::string device;          ///< "pointer", "simulated" ...
+    std::string method;          ///< of contact
+    int grid = 0;                ///< columns along a side of the tooth
+    std::string viewMode;        ///< "flat", "anaglyph" ...
+    std::string seed;            ///< of what the lesson drew by chance
+    std::string preset;          ///< "natural v1"
+    std::string presetHash;
+    std::string program;  ///< version of Cusp
+    int meanForceMn = 0;  ///< while cutting, millinewtons
+    int peakForceMn = 0;
     bool operator==(const AttemptRecord&) const = default;
+
+    /// What counts: the instructor's score, where there is one.
+    [[nodiscard]] int countingTenths() const { return givenTenths.value_or(scoreTenths); }
+    [[nodiscard]] bool countsAsPassed() const { return givenTenths ? *givenTenths >= passMarkTenths : passed; }
 };
 
 /// What has been reached in a lesson so far.
@@ -33,6 +65,7 @@ struct LessonStanding
     int attempts = 0;
     int bestTenths = 0;
     bool passed = false;  ///< once at least
+    std::string lastUtc;  ///< of the newest attempt
     bool operator==(const LessonStanding&) const = default;
 };
 

@@ -24,6 +24,12 @@ enum class ErrorCode {
     UnknownName,     ///< a bur, method, tooth or preset that does not exist
     OutOfRange,      ///< a value outside what is allowed
     OtherTooth,      ///< sound, but made on another tooth than the one at hand
+    Busy,            ///< another program holds it; the same may work in a moment
+    ConnectionLost,  ///< a server that does not answer, or not any more
+    NotAllowed,      ///< by the role of who asked
+    WrongLogin,      ///< name or password, and nobody is told which
+    TooSoon,         ///< after failed logins; the detail says how long to wait
+    NewPassword,     ///< a one-time code was given: a password has to be chosen
 };
 
 struct Error

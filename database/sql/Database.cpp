@@ -5,16 +5,18 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QSqlQuery>
-#include <QVariant>
 
+#include "database/sql/Backups.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
+#include "database/sql/Statement.h"
 
 namespace database::sql {
 namespace {
 
 using core::ErrorCode;
+
+constexpr int kConnectTimeoutS = 5;
 
 std::string head(const QString& path)
 {
@@ -44,73 +46,121 @@ core::Status inspect(const QString& path)
     return {};
 }
 
-core::Result<QVariant> ask(QSqlDatabase& db, const QString& sql, const std::string& doing)
+core::Error foreign(const QSqlDatabase& db)
 {
-    QSqlQuery query(db);
-    if (!query.exec(sql))
-        return tl::unexpected(dialect::error(db, query.lastError(), doing));
-    return query.next() ? query.value(0) : QVariant();
+    return {ErrorCode::WrongKind,
+            "database " + dialect::nameOf(db) + ": this database belongs to another program; choose another one"};
 }
 
 /// Checks whose file this is and that it is whole, before anything is written to it.
-core::Status examine(QSqlDatabase& db)
+core::Status examine(const QSqlDatabase& db)
 {
-    const std::string doing = "open it";
-    const auto application = ask(db, "PRAGMA application_id", doing);
+    const auto application = ask(db, "PRAGMA application_id", "open it");
     if (!application)
         return tl::unexpected(application.error());
-    const auto tables = ask(db, "SELECT count(*) FROM sqlite_master", doing);
+    const auto tables = dialect::countTables(db);
     if (!tables)
         return tl::unexpected(tables.error());
     const bool ours = application->toInt() == dialect::kApplicationId;
-    const bool blank = application->toInt() == 0 && tables->toInt() == 0;
+    const bool blank = application->toInt() == 0 && *tables == 0;
     if (!ours && !blank)
-        return core::unexpected(ErrorCode::WrongKind,
-                                head(db.databaseName()) +
-                                    "this database belongs to another program; choose another file");
-    const auto whole = ask(db, "PRAGMA quick_check(1)", doing);
+        return tl::unexpected(foreign(db));
+    const auto whole = ask(db, "PRAGMA quick_check(1)", "check it");
     if (!whole)
         return tl::unexpected(whole.error());
     if (whole->toString() != "ok")
         return core::unexpected(ErrorCode::BadStructure, head(db.databaseName()) + "the file is damaged (" +
-                                                             whole->toString().toStdString() +
+                                                             whole->toString().simplified().toStdString() +
                                                              "); restore a backup of it");
     return {};
 }
 
-core::Status configure(QSqlDatabase& db)
+core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 {
     // synchronous=FULL: with a write-ahead log NORMAL may lose the last commits when the power fails.
-    const QStringList settings{"PRAGMA journal_mode = WAL",
-                               "PRAGMA synchronous = FULL",
-                               "PRAGMA foreign_keys = ON",
-                               "PRAGMA trusted_schema = OFF",
-                               "PRAGMA cell_size_check = ON",
-                               "PRAGMA secure_delete = ON",
-                               QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId)};
+    const QStringList settings{
+        fileSystem == FileSystem::Network ? "PRAGMA locking_mode = EXCLUSIVE" : "PRAGMA locking_mode = NORMAL",
+        fileSystem == FileSystem::Network ? "PRAGMA journal_mode = DELETE" : "PRAGMA journal_mode = WAL",
+        "PRAGMA synchronous = FULL",
+        "PRAGMA foreign_keys = ON",
+        "PRAGMA trusted_schema = OFF",
+        "PRAGMA cell_size_check = ON",
+        "PRAGMA secure_delete = ON",
+        QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId)};
     for (const QString& setting : settings)
-        if (const auto done = ask(db, setting, "set it up"); !done)
-            return tl::unexpected(done.error());
+        if (auto done = execute(db, setting, "set it up"); !done)
+            return done;
     return {};
 }
 
 }  // namespace
 
-core::Result<std::unique_ptr<Database>> Database::open(const QString& path, std::chrono::milliseconds patience)
+core::Result<std::unique_ptr<Database>> Database::open(const Address& address)
 {
-    if (auto fit = inspect(path); !fit)
-        return tl::unexpected(fit.error());
+    return open(address, Options{});
+}
 
+core::Result<std::unique_ptr<Database>> Database::open(const QString& where, std::chrono::milliseconds patience)
+{
+    const auto address = Address::parse(where);
+    if (!address)
+        return tl::unexpected(address.error());
+    Options options;
+    options.patience = patience;
+    return open(*address, options);
+}
+
+core::Result<std::unique_ptr<Database>> Database::open(const Address& address, const Options& options)
+{
+    if (!address.isServer())
+        if (auto fit = inspect(address.file); !fit)
+            return tl::unexpected(fit.error());
     static std::atomic<int> opened{0};
-    const QString connection = QStringLiteral("cusp-%1").arg(opened.fetch_add(1));
-    std::unique_ptr<Database> database(new Database(connection));
-    QSqlDatabase db = QSqlDatabase::addDatabase("QSQLITE", connection);
-    db.setDatabaseName(path);
-    db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(patience.count()));
-    if (!db.open())
-        return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
+    std::unique_ptr<Database> database(new Database(address, QStringLiteral("cusp-%1").arg(opened.fetch_add(1))));
+    database->m_patience = options.patience;
+    auto ready = database->connect();
+    if (ready)
+        ready = address.isServer() ? database->prepareServer() : database->prepareFile(options);
+    if (ready)
+        ready = database->bringToNewest(options);
+    if (!ready)
+        return tl::unexpected(ready.error());
+    return database;
+}
+
+core::Status Database::connect()
+{
+    if (m_address.isServer() && !QSqlDatabase::isDriverAvailable(QStringLiteral("QPSQL")))
+        return core::unexpected(ErrorCode::ConnectionLost,
+                                "database " + m_address.shown().toStdString() +
+                                    ": this computer cannot speak with PostgreSQL; install libqt6sql6-psql");
+    QSqlDatabase db = QSqlDatabase::addDatabase(
+        m_address.isServer() ? QStringLiteral("QPSQL") : QStringLiteral("QSQLITE"), m_connection);
+    const auto patience = static_cast<long long>(m_patience.count());
+    if (m_address.isServer()) {
+        db.setHostName(m_address.host);
+        db.setDatabaseName(m_address.name);
+        db.setUserName(m_address.user);
+        db.setPassword(m_address.password);
+        if (m_address.port > 0)
+            db.setPort(m_address.port);
+        // A cable that is pulled is noticed within some ten seconds, instead of two hours.
+        db.setConnectOptions(QStringLiteral("connect_timeout=%1;keepalives_idle=5;keepalives_interval=2;"
+                                            "keepalives_count=3;tcp_user_timeout=10000;application_name=cusp%2")
+                                 .arg(kConnectTimeoutS)
+                                 .arg(m_address.sslMode.isEmpty() ? QString() : ";sslmode=" + m_address.sslMode));
+    } else {
+        db.setDatabaseName(m_address.file);
+        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(patience));
+    }
+    return reconnect();
+}
+
+core::Status Database::prepareFile(const Options& options)
+{
+    const QSqlDatabase db = handle();
     if (auto fit = examine(db); !fit)
-        return tl::unexpected(fit.error());
+        return fit;
     const auto steps = shippedMigrations();
     if (!steps)
         return tl::unexpected(steps.error());
@@ -118,17 +168,71 @@ core::Result<std::unique_ptr<Database>> Database::open(const QString& path, std:
     if (!version)
         return tl::unexpected(version.error());
     // A file from the future is refused before its settings are touched.
-    if (*version <= static_cast<int>(steps->size()))
-        if (auto set = configure(db); !set)
-            return tl::unexpected(set.error());
-    if (auto current = migrate(db, *steps); !current)
-        return tl::unexpected(current.error());
-    return database;
+    if (*version > static_cast<int>(steps->size()))
+        return {};
+    const FileSystem fileSystem = options.fileSystemOf(m_address.file);
+    if (fileSystem == FileSystem::Network)
+        m_notice = head(m_address.file) +
+                   "it lies on a network drive, where only one station at a time can use it and speed is that of the "
+                   "network; for several stations keep the data on a PostgreSQL server";
+    return configure(db, fileSystem);
+}
+
+core::Status Database::prepareServer()
+{
+    const QSqlDatabase db = handle();
+    const auto version = dialect::schemaVersion(db);
+    if (!version)
+        return tl::unexpected(version.error());
+    if (*version > 0)
+        return {};
+    const auto tables = dialect::countTables(db);
+    if (!tables)
+        return tl::unexpected(tables.error());
+    return *tables == 0 ? core::Status() : core::Status(tl::unexpected(foreign(db)));
+}
+
+core::Status Database::bringToNewest(const Options& options)
+{
+    const QSqlDatabase db = handle();
+    const auto steps = shippedMigrations();
+    if (!steps)
+        return tl::unexpected(steps.error());
+    const auto version = dialect::schemaVersion(db);
+    if (!version)
+        return tl::unexpected(version.error());
+    const bool isOlder = *version > 0 && *version < static_cast<int>(steps->size());
+    if (isOlder && !options.mayMigrate)
+        return core::unexpected(ErrorCode::WrongKind,
+                                "database " + dialect::nameOf(db) + ": an older program wrote it (schema " +
+                                    std::to_string(*version) + ", this program needs " + std::to_string(steps->size()) +
+                                    "); let its administrator run \"cusp db migrate\"");
+    if (isOlder && !m_address.isServer())
+        if (auto saved = saveBeforeMigration(db, *version); !saved)
+            return saved;
+    return migrate(db, *steps);
+}
+
+core::Status Database::reconnect()
+{
+    QSqlDatabase db = handle();
+    db.close();
+    if (!db.open())
+        return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
+    // Who waits for a lock longer than this is told, as SQLite does.
+    if (m_address.isServer())
+        return execute(
+            db, QStringLiteral("SET lock_timeout = %1; SET client_min_messages = warning").arg(m_patience.count()),
+            "set it up");
+    return {};
 }
 
 Database::~Database()
 {
-    handle().close();
+    {
+        QSqlDatabase db = handle();
+        db.close();
+    }
     QSqlDatabase::removeDatabase(m_connection);
 }
 

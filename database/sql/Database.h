@@ -3,36 +3,67 @@
 
 #include <chrono>
 #include <memory>
+#include <string>
 
 #include <QSqlDatabase>
 #include <QString>
 
 #include "core/base/Result.h"
+#include "database/Address.h"
+#include "database/FileSystem.h"
 
 namespace database::sql {
 
-/// One open SQLite file, brought to the newest schema. Belongs to the thread that opened it; close it before the
-/// QCoreApplication ends.
+/// One open SQLite file or PostgreSQL database, brought to the newest schema. Belongs to the thread that opened it;
+/// close it before the QCoreApplication ends.
 class Database
 {
 public:
-    /// Opens or creates `path`. Write-ahead log, full sync at each commit, foreign keys on; the file is checked before
-    /// it is used. Refused with one sentence and left untouched: a directory, a file that is no database or belongs to
-    /// another program, a damaged one, one from a later program, a place that cannot be written.
-    /// @param patience  how long to wait for another program's write
+    struct Options
+    {
+        /// How long to wait for another program's write.
+        std::chrono::milliseconds patience = std::chrono::seconds(5);
+        /// Bring an older schema to the newest. On a server that many stations share it is `cusp db migrate` that does.
+        bool mayMigrate = true;
+        /// Where the file lies; for tests. Servers are not asked.
+        FileSystem (*fileSystemOf)(const QString& path) = &database::fileSystemOf;
+    };
+
+    /// Opens the database, or creates it where nothing is. SQLite: write-ahead log, full sync at each commit, foreign
+    /// keys on, the file checked before it is used, a verified backup before its schema changes; on a network drive one
+    /// program at a time, see notice(). Refused with one sentence and left untouched: a folder, a file that is no
+    /// database or belongs to another program, a damaged one, one from a later program, a place that cannot be written,
+    /// a server that does not answer.
+    [[nodiscard]] static core::Result<std::unique_ptr<Database>> open(const Address& address, const Options& options);
+    [[nodiscard]] static core::Result<std::unique_ptr<Database>> open(const Address& address);
+    /// @param where  as Address::parse() reads it
     [[nodiscard]] static core::Result<std::unique_ptr<Database>>
-    open(const QString& path, std::chrono::milliseconds patience = std::chrono::seconds(5));
+    open(const QString& where, std::chrono::milliseconds patience = std::chrono::seconds(5));
 
     ~Database();
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
     [[nodiscard]] QSqlDatabase handle() const { return QSqlDatabase::database(m_connection, false); }
+    [[nodiscard]] const Address& address() const { return m_address; }
+    /// One sentence for who runs the place, such as that the file lies on a network drive; empty: nothing to say.
+    [[nodiscard]] const std::string& notice() const { return m_notice; }
+
+    /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
+    [[nodiscard]] core::Status reconnect();
 
 private:
-    explicit Database(QString connection) : m_connection(std::move(connection)) {}
+    Database(Address address, QString connection) : m_address(std::move(address)), m_connection(std::move(connection))
+    {}
+    [[nodiscard]] core::Status connect();
+    [[nodiscard]] core::Status prepareFile(const Options& options);
+    [[nodiscard]] core::Status prepareServer();
+    [[nodiscard]] core::Status bringToNewest(const Options& options);
 
+    Address m_address;
     QString m_connection;
+    std::string m_notice;
+    std::chrono::milliseconds m_patience{};
 };
 
 }  // namespace database::sql

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Dialect.h"
 
+#include <QRegularExpression>
 #include <QSqlQuery>
 #include <QVariant>
 
+#include "database/sql/Statement.h"
+
 namespace database::sql::dialect {
 namespace {
+
+using core::ErrorCode;
 
 // Primary result codes of SQLite (sqlite.org/rescode.html); the bits above the lowest eight only refine them.
 constexpr int kBusy = 5;
@@ -18,67 +23,190 @@ constexpr int kCannotOpen = 14;
 constexpr int kConstraint = 19;
 constexpr int kNotADatabase = 26;
 
+/// Any number that no other program is likely to lock: "CUSP".
+constexpr int kSchemaLock = kApplicationId;
+
+core::Error sqliteError(const std::string& head, const QSqlError& error)
+{
+    const std::string said = error.databaseText().toStdString();
+    switch (error.nativeErrorCode().toInt() & 0xFF) {
+    case kBusy:
+    case kLocked:
+        return {ErrorCode::Busy,
+                head + "another program is writing to it; close that program or try again in a moment"};
+    case kReadOnly:
+        return {ErrorCode::FileUnwritable,
+                head + "the file or its folder is read-only; make it writable or choose another place"};
+    case kFull:
+        return {ErrorCode::FileUnwritable, head + "the disk is full; free some space and try again"};
+    case kCannotOpen:
+        return {ErrorCode::FileUnwritable,
+                head + "the file cannot be opened or created there; choose a folder that exists and is writable"};
+    case kCorrupt:
+        return {ErrorCode::BadStructure, head + "the file is damaged; restore a backup of it"};
+    case kNotADatabase:
+        return {ErrorCode::WrongKind, head + "the file is not a database; choose another file"};
+    case kIoError:
+        return {ErrorCode::FileUnwritable, head + "the disk did not answer (" + said + "); check the disk"};
+    case kConstraint:
+        return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
+    default:
+        return {ErrorCode::BadStructure,
+                head + "the database answered: " + error.text().toStdString() + "; restore a backup if it persists"};
+    }
+}
+
+/// The codes are those of appendix A of PostgreSQL's manual: two digits for the class, three for the case.
+core::Error postgresError(const std::string& head, const QSqlError& error, bool isOpen)
+{
+    const QString code = error.nativeErrorCode();
+    const std::string said = error.databaseText().simplified().toStdString();
+    const auto is = [&code](const char* begin) { return code.startsWith(QLatin1String(begin)); };
+    if (is("28") || said.find("password authentication failed") != std::string::npos ||
+        said.find("no password supplied") != std::string::npos)
+        return {ErrorCode::NotAllowed,
+                head + "the server does not let this user in (" + said + "); check the user and ~/.pgpass"};
+    if (is("3D") || (said.find("database \"") != std::string::npos && said.find("does not exist") != std::string::npos))
+        return {ErrorCode::FileMissing,
+                head + "the server has no such database; create it with createdb, or correct the name"};
+    // Without a code it is libpq that speaks, not the server: the connection is gone or never was.
+    if (code.isEmpty() || is("08") || is("57P") || !isOpen)
+        return {ErrorCode::ConnectionLost,
+                head + "the server does not answer; check the network and that the server runs"};
+    if (is("23") || is("22"))
+        return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
+    if (is("42501") || is("25006"))
+        return {ErrorCode::FileUnwritable, head + "this user of the server may not write there (" + said +
+                                               "); let the server's administrator grant it"};
+    if (is("53"))
+        return {ErrorCode::FileUnwritable,
+                head + "the server has no room left (" + said + "); free some disk there and try again"};
+    if (is("55P03") || is("40") || is("57014"))
+        return {ErrorCode::Busy, head + "another station is writing to it; try again in a moment"};
+    if (is("XX"))
+        return {ErrorCode::BadStructure, head + "the server found damage (" + said + "); restore a backup of it"};
+    return {ErrorCode::BadStructure,
+            head + "the server answered: " + said + "; let the server's administrator look at it"};
+}
+
+/// An UPDATE, a DELETE and a TRUNCATE end with an error.
+QString appendOnly(bool postgres, const QString& table)
+{
+    if (!postgres)
+        return QStringLiteral("CREATE TRIGGER %1_no_update BEFORE UPDATE ON %1 BEGIN SELECT "
+                              "RAISE(ABORT, '%1 is append-only'); END;\n"
+                              "CREATE TRIGGER %1_no_delete BEFORE DELETE ON %1 BEGIN SELECT "
+                              "RAISE(ABORT, '%1 is append-only'); END;")
+            .arg(table);
+    return QStringLiteral(
+               "CREATE FUNCTION %1_is_append_only() RETURNS trigger LANGUAGE plpgsql AS "
+               "$$ BEGIN RAISE EXCEPTION '%1 is append-only' USING ERRCODE = 'integrity_constraint_violation'; "
+               "END $$;\n"
+               "CREATE TRIGGER %1_no_change BEFORE UPDATE OR DELETE OR TRUNCATE ON %1 "
+               "FOR EACH STATEMENT EXECUTE FUNCTION %1_is_append_only();")
+        .arg(table);
+}
+
 }  // namespace
 
-QString expand(QString sql)
+bool isPostgres(const QSqlDatabase& db)
 {
+    return db.driverName() == u"QPSQL";
+}
+
+QString expand(const QSqlDatabase& db, QString sql)
+{
+    const bool postgres = isPostgres(db);
     // AUTOINCREMENT: an id is never given out twice, not even after its row was deleted.
-    return sql.replace("{row_id}", "INTEGER PRIMARY KEY AUTOINCREMENT")
-        .replace("{int64}", "INTEGER")
-        .replace("{table_options}", "STRICT");
+    sql.replace("{row_id}",
+                postgres ? "BIGINT GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY" : "INTEGER PRIMARY KEY AUTOINCREMENT")
+        .replace("{int64}", postgres ? "BIGINT" : "INTEGER")
+        .replace("{blob}", postgres ? "BYTEA" : "BLOB")
+        .replace(" {table_options}", postgres ? "" : " STRICT");
+    static const QRegularExpression kAppendOnly(QStringLiteral(R"(\{append_only (\w+)\};)"));
+    for (auto found = kAppendOnly.match(sql); found.hasMatch(); found = kAppendOnly.match(sql))
+        sql.replace(found.capturedStart(), found.capturedLength(), appendOnly(postgres, found.captured(1)));
+    return sql;
 }
 
-QString beginWrite()
+QString beginWrite(const QSqlDatabase& db)
 {
-    return QStringLiteral("BEGIN IMMEDIATE");
+    return isPostgres(db) ? QStringLiteral("BEGIN") : QStringLiteral("BEGIN IMMEDIATE");
 }
 
-core::Result<int> schemaVersion(QSqlDatabase& db)
+QString forUpdate(const QSqlDatabase& db)
 {
-    QSqlQuery query(db);
-    if (!query.exec("PRAGMA user_version") || !query.next())
-        return tl::unexpected(error(db, query.lastError(), "read the schema version"));
-    return query.value(0).toInt();
+    return isPostgres(db) ? QStringLiteral(" FOR UPDATE") : QString();
 }
 
-core::Status setSchemaVersion(QSqlDatabase& db, int version)
+QString lockSchema(const QSqlDatabase& db)
 {
-    QSqlQuery query(db);
-    if (!query.exec(QStringLiteral("PRAGMA user_version = %1").arg(version)))
-        return tl::unexpected(error(db, query.lastError(), "note the schema version"));
-    return {};
+    return isPostgres(db) ? QStringLiteral("SELECT pg_advisory_xact_lock(%1)").arg(kSchemaLock) : QString();
+}
+
+core::Result<int> schemaVersion(const QSqlDatabase& db)
+{
+    const std::string doing = "read the schema version";
+    if (isPostgres(db)) {
+        const auto marked = ask(db, "SELECT to_regclass('cusp_schema') IS NOT NULL", doing);
+        if (!marked)
+            return tl::unexpected(marked.error());
+        if (!marked->toBool())
+            return 0;
+    }
+    const auto version =
+        ask(db, isPostgres(db) ? "SELECT max(version) FROM cusp_schema" : "PRAGMA user_version", doing);
+    if (!version)
+        return tl::unexpected(version.error());
+    return version->toInt();
+}
+
+core::Status setSchemaVersion(const QSqlDatabase& db, int version)
+{
+    const std::string doing = "note the schema version";
+    if (!isPostgres(db))
+        return execute(db, QStringLiteral("PRAGMA user_version = %1").arg(version), doing);
+    if (auto made = execute(db, "CREATE TABLE IF NOT EXISTS cusp_schema (version INTEGER NOT NULL UNIQUE)", doing);
+        !made)
+        return made;
+    return execute(db, "INSERT INTO cusp_schema VALUES (?)", doing, {version});
+}
+
+core::Result<int> countTables(const QSqlDatabase& db)
+{
+    const auto count = ask(db,
+                           isPostgres(db) ? "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema()"
+                                          : "SELECT count(*) FROM sqlite_master",
+                           "open it");
+    if (!count)
+        return tl::unexpected(count.error());
+    return count->toInt();
+}
+
+core::Status continueIds(const QSqlDatabase& db, const QString& table)
+{
+    if (!isPostgres(db))
+        return {};  // AUTOINCREMENT has seen them
+    return execute(db,
+                   QStringLiteral("SELECT setval(pg_get_serial_sequence('%1', 'id'), greatest(1, max(id)), "
+                                  "max(id) IS NOT NULL) FROM %1")
+                       .arg(table),
+                   "go on with its numbers");
+}
+
+std::string nameOf(const QSqlDatabase& db)
+{
+    if (!isPostgres(db))
+        return db.databaseName().toStdString();
+    return ("postgresql://" + (db.userName().isEmpty() ? QString() : db.userName() + '@') + db.hostName() + '/' +
+            db.databaseName())
+        .toStdString();
 }
 
 core::Error error(const QSqlDatabase& db, const QSqlError& error, const std::string& doing)
 {
-    const std::string head = "database " + db.databaseName().toStdString() + ": could not " + doing + ", ";
-    switch (error.nativeErrorCode().toInt() & 0xFF) {
-    case kBusy:
-    case kLocked:
-        return {core::ErrorCode::FileUnwritable,
-                head + "another program is writing to it; close that program or try again in a moment"};
-    case kReadOnly:
-        return {core::ErrorCode::FileUnwritable,
-                head + "the file or its folder is read-only; make it writable or choose another place"};
-    case kFull:
-        return {core::ErrorCode::FileUnwritable, head + "the disk is full; free some space and try again"};
-    case kCannotOpen:
-        return {core::ErrorCode::FileUnwritable,
-                head + "the file cannot be opened or created there; choose a folder that exists and is writable"};
-    case kCorrupt:
-        return {core::ErrorCode::BadStructure, head + "the file is damaged; restore a backup of it"};
-    case kNotADatabase:
-        return {core::ErrorCode::WrongKind, head + "the file is not a database; choose another file"};
-    case kIoError:
-        return {core::ErrorCode::FileUnwritable,
-                head + "the disk did not answer (" + error.databaseText().toStdString() + "); check the disk"};
-    case kConstraint:
-        return {core::ErrorCode::OutOfRange,
-                head + "a value is not allowed (" + error.databaseText().toStdString() + "); correct it"};
-    default:
-        return {core::ErrorCode::BadStructure,
-                head + "the database answered: " + error.text().toStdString() + "; restore a backup if it persists"};
-    }
+    const std::string head = "database " + nameOf(db) + ": could not " + doing + ", ";
+    return isPostgres(db) ? postgresError(head, error, db.isOpen()) : sqliteError(head, error);
 }
 
 }  // namespace database::sql::dialect

@@ -9,25 +9,39 @@
 
 namespace database::sql {
 
-/// What the databases disagree on, in one place. Every other line of SQL is the subset that SQLite and PostgreSQL
-/// share; only SQLite is served so far.
+/// What SQLite and PostgreSQL disagree on, in one place. Every other line of SQL is the subset that they share.
 namespace dialect {
 
-/// "CUSP" as SQLite's application_id: tells our files from those of other programs.
+/// "CUSP" as SQLite's application_id: tells our files from those of other programs. PostgreSQL's mark is the table
+/// cusp_schema.
 inline constexpr int kApplicationId = 0x43555350;
 
-/// A migration's text with its braces filled in: {row_id}, {int64}, {table_options}.
-[[nodiscard]] QString expand(QString sql);
+[[nodiscard]] bool isPostgres(const QSqlDatabase& db);
 
-/// Begins a transaction that writes: waits for other writers now, not at its end.
-[[nodiscard]] QString beginWrite();
+/// A migration's text with its braces filled in: {row_id}, {int64}, {blob}, {table_options}, and {append_only NAME},
+/// which makes the database itself refuse to change or delete a row of that table.
+[[nodiscard]] QString expand(const QSqlDatabase& db, QString sql);
+
+/// Begins a transaction that writes. SQLite waits for other writers now, not at its end.
+[[nodiscard]] QString beginWrite(const QSqlDatabase& db);
+/// Goes behind a SELECT whose rows nobody else may take until the transaction ends.
+[[nodiscard]] QString forUpdate(const QSqlDatabase& db);
+/// Lets one migration run at a time, until the transaction ends; empty where beginWrite() does.
+[[nodiscard]] QString lockSchema(const QSqlDatabase& db);
 
 /// Number of the last migration applied; 0 on an empty database.
-[[nodiscard]] core::Result<int> schemaVersion(QSqlDatabase& db);
+[[nodiscard]] core::Result<int> schemaVersion(const QSqlDatabase& db);
 /// To be called inside the transaction of the migration.
-[[nodiscard]] core::Status setSchemaVersion(QSqlDatabase& db, int version);
+[[nodiscard]] core::Status setSchemaVersion(const QSqlDatabase& db, int version);
+/// Tables there are, of this program or another.
+[[nodiscard]] core::Result<int> countTables(const QSqlDatabase& db);
+/// After rows came with ids of their own: the next id is beyond them.
+[[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
 
-/// A failed statement as a sentence: `doing` ("add the attempt"), the database's file, the cause and a way out.
+/// For people: the file, or the server's address.
+[[nodiscard]] std::string nameOf(const QSqlDatabase& db);
+
+/// A failed statement as a sentence: `doing` ("add the attempt"), the database's name, the cause and a way out.
 [[nodiscard]] core::Error error(const QSqlDatabase& db, const QSqlError& error, const std::string& doing);
 
 }  // namespace dialect

@@ -3,9 +3,9 @@
 
 #include <QDir>
 #include <QFile>
-#include <QSqlQuery>
 
 #include "database/sql/Dialect.h"
+#include "database/sql/Statement.h"
 
 /// Resources of a static library must be asked for by name, outside any namespace.
 static void useMigrationResources()
@@ -15,14 +15,6 @@ static void useMigrationResources()
 
 namespace database::sql {
 namespace {
-
-core::Status run(QSqlDatabase& db, const QString& statement, const std::string& doing)
-{
-    QSqlQuery query(db);
-    if (!query.exec(statement))
-        return tl::unexpected(dialect::error(db, query.lastError(), doing));
-    return {};
-}
 
 /// The statements of a step, comments left out.
 QStringList statementsOf(const QString& sql)
@@ -44,16 +36,19 @@ QStringList statementsOf(const QString& sql)
 }
 
 /// Runs one step inside a transaction that is already open.
-core::Status apply(QSqlDatabase& db, const Migration& step, const std::string& doing)
+core::Status apply(const QSqlDatabase& db, const Migration& step, const std::string& doing)
 {
+    if (const QString lock = dialect::lockSchema(db); !lock.isEmpty())
+        if (auto locked = execute(db, lock, doing); !locked)
+            return locked;
     // Another program may have migrated while we waited for the lock.
     const auto version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());
     if (*version >= step.number)
         return {};
-    for (const QString& statement : statementsOf(dialect::expand(step.sql)))
-        if (auto done = run(db, statement, doing); !done)
+    for (const QString& statement : statementsOf(dialect::expand(db, step.sql)))
+        if (auto done = execute(db, statement, doing); !done)
             return done;
     return dialect::setSchemaVersion(db, step.number);
 }
@@ -77,32 +72,23 @@ core::Result<std::vector<Migration>> shippedMigrations()
     return steps;
 }
 
-core::Status migrate(QSqlDatabase db, std::span<const Migration> steps)
+core::Status migrate(const QSqlDatabase& db, std::span<const Migration> steps)
 {
     const auto version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());
     const int newest = steps.empty() ? 0 : steps.back().number;
     if (*version > newest)
-        return core::unexpected(core::ErrorCode::NewerVersion, "database " + db.databaseName().toStdString() +
-                                                                   ": it was written by a later program (schema " +
-                                                                   std::to_string(*version) + ", this program knows " +
-                                                                   std::to_string(newest) +
-                                                                   "); use that program, nothing was changed");
+        return core::unexpected(core::ErrorCode::NewerVersion,
+                                "database " + dialect::nameOf(db) + ": it was written by a later program (schema " +
+                                    std::to_string(*version) + ", this program knows " + std::to_string(newest) +
+                                    "); use that program, nothing was changed");
     for (const Migration& step : steps) {
         if (step.number <= *version)
             continue;
         const std::string doing = "bring it to schema " + std::to_string(step.number);
-        if (auto begun = run(db, dialect::beginWrite(), doing); !begun)
-            return begun;
-        auto done = apply(db, step, doing);
-        if (done)
-            done = run(db, QStringLiteral("COMMIT"), doing);
-        if (!done) {
-            // The first failure is the one to tell; a failed rollback ends with the connection anyway.
-            static_cast<void>(run(db, QStringLiteral("ROLLBACK"), doing));
+        if (auto done = inTransaction(db, doing, [&] { return apply(db, step, doing); }); !done)
             return done;
-        }
     }
     return {};
 }

@@ -23,6 +23,6 @@ struct Migration
 
 /// Brings the database to the newest schema, one transaction per step: a step that breaks leaves the file as it was.
 /// A file newer than us is refused, not guessed at. The caller has made a backup copy.
-[[nodiscard]] core::Status migrate(QSqlDatabase db, std::span<const Migration> steps);
+[[nodiscard]] core::Status migrate(const QSqlDatabase& db, std::span<const Migration> steps);
 
 }  // namespace database::sql

@@ -155,9 +155,10 @@ void TestDatabase::refusesADamagedFile()
         QSqlQuery query((*database)->handle());
         for (int row = 0; row < 400; ++row)
             QVERIFY(
-                query.exec("INSERT INTO attempts (finished_utc, tooth, score_tenths, duration_ms, score_sheet_json, "
-                           "state_hash, recording_file) VALUES ('2026-11-20T10:15:00Z', '36', 80, 1, "
-                           "'a sheet of some length to fill a page or two', '0123456789abcdef', '')"));
+                query.exec(QStringLiteral("INSERT INTO attempts (finished_utc, tooth, score_tenths, duration_ms, uid, "
+                                          "device, state_hash) VALUES ('2026-11-20T10:15:00Z', '36', 80, 1, '%1', "
+                                          "'a device of some length to fill a page or two', '0123456789abcdef')")
+                               .arg(row)));
     }
     QByteArray content = bytes(at("hurt.db"));
     QVERIFY(content.size() > 5 * 4096);

@@ -10,6 +10,23 @@
 
 namespace ui::render {
 
+const char* idOf(Stereo stereo)
+{
+    switch (stereo) {
+    case Stereo::Off:
+        break;
+    case Stereo::RedCyan:
+        return "red-cyan";
+    case Stereo::RedCyanGrey:
+        return "red-cyan-grey";
+    case Stereo::SideBySide:
+        return "side-by-side";
+    case Stereo::TopBottom:
+        return "top-bottom";
+    }
+    return "flat";
+}
+
 QColor seenAs(const QColor& colour, Stereo stereo)
 {
     if (stereo != Stereo::RedCyan && stereo != Stereo::RedCyanGrey)

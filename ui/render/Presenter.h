@@ -23,6 +23,9 @@ enum class Stereo : std::uint8_t { Off, RedCyan, RedCyanGrey, SideBySide, TopBot
 /// A colour of one surface as a picture for both eyes has it: what is painted over such a picture must match it.
 [[nodiscard]] QColor seenAs(const QColor& colour, Stereo stereo);
 
+/// "flat", "red-cyan" ...: as an attempt says what it was seen in.
+[[nodiscard]] const char* idOf(Stereo stereo);
+
 /// What becomes of a picture on its way to the screen.
 struct Presentation
 {

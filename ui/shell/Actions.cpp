@@ -156,6 +156,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     console = add("console", tr("Console"), tr("Look at parameters and turn them while you drill, or put it away"),
                   {Qt::Key_F10, Qt::Key_QuoteLeft});
     settings = add("settings", tr("Settings"), tr("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
+    account = add("account", {}, tr("Log in, or lock this place and let somebody else log in"), {Qt::CTRL | Qt::Key_L});
+    showAccount({});
     fullScreen = add("fullscreen", tr("Full screen"), tr("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", tr("Keys and mouse"), tr("Show what every key does"), {Qt::Key_F1});
@@ -168,6 +170,11 @@ void Actions::showReplayPaused(bool paused)
 {
     pauseReplay->setText(paused ? tr("Resume the replay") : tr("Pause the replay"));
     pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
+}
+
+void Actions::showAccount(const QString& username)
+{
+    account->setText(username.isEmpty() ? tr("Log in") : username);
 }
 
 void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
     /// What pauseReplay offers: to let the recording go on, or to hold it.
     void showReplayPaused(bool paused);
+    /// @param username  empty: a guest
+    void showAccount(const QString& username);
     /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
     /// enabled is the window's business.
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
@@ -90,6 +92,7 @@ public:
     QAction* panel = nullptr;  ///< checkable: the side panel is there
     QAction* console = nullptr;
     QAction* settings = nullptr;
+    QAction* account = nullptr;  ///< who is logged in; locks the place, or leads to the login
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* back = nullptr;

@@ -35,6 +35,7 @@
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/LoginPage.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
@@ -128,7 +129,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
-      m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)),
+      m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
       m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
       m_watch(new console::WatchPanel(m_parameters, m_room)),
@@ -147,7 +148,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
-          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_presets)})
+          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_presets)})
         m_pages->addWidget(page);
     registerParameters();
     m_settingsPage = new settings::SettingsPage(*m_actions, m_parameters, m_pages);
@@ -159,6 +160,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectActions();
     connectView();
     connectReplay();
+    connectDoor();
     connectPresets();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
@@ -288,10 +290,7 @@ void MainWindow::connectActions()
         else
             emit gradeRequested();
     });
-    on(m_actions->lessons, [this] {
-        emit lessonsWanted();
-        goTo(m_lessonsPage);
-    });
+    on(m_actions->lessons, [this] { openLessons(); });
     on(m_actions->chooseTooth, [this] { goTo(m_chooser); });
     on(m_actions->mouth, [this] {
         const bool flatIsShown = m_pages->currentWidget() != m_chooser || !m_chooser->isMouthShown();
@@ -343,7 +342,78 @@ void MainWindow::connectActions()
         placeOverlays();
     });
     on(m_actions->back, [this] { goBack(); });
+    on(m_actions->account, [this] { changeAccount(); });
     on(m_actions->quit, [this] { close(); });
+}
+
+void MainWindow::connectDoor()
+{
+    using people::LoginPage;
+    connect(m_login, &LoginPage::loginWanted, this, &MainWindow::loginWanted);
+    connect(m_login, &LoginPage::codeWanted, this, &MainWindow::codeWanted);
+    connect(m_login, &LoginPage::schoolWanted, this, &MainWindow::schoolWanted);
+    connect(m_login, &LoginPage::guestWanted, this, &MainWindow::guestWanted);
+    connect(m_scorePage, &study::ScorePage::keepWanted, this, &MainWindow::keepWanted);
+    // His attempt is on the disk, and offered to him when he is back.
+    connect(m_login, &LoginPage::otherWanted, this, &MainWindow::logoutWanted);
+}
+
+bool MainWindow::isAtDoor() const
+{
+    return m_pages->currentWidget() == m_login;
+}
+
+/// Who is logged in locks his place; from there he comes back, or lets somebody else log in.
+void MainWindow::changeAccount()
+{
+    if (isAtDoor())
+        goBack();
+    else if (m_who.isGuest()) {
+        askWho(people::Door::Login);
+        m_mayLeaveDoor = true;
+        enableActions();
+    } else
+        askWho(people::Door::Locked);
+}
+
+void MainWindow::askWho(people::Door door)
+{
+    if (!isAtDoor())
+        m_behindDoor = m_pages->currentWidget();
+    m_mayLeaveDoor = false;
+    m_login->setLockedBy(QString::fromStdString(m_who.username()));
+    m_login->ask(door);
+    goTo(m_login);
+}
+
+void MainWindow::setWho(const database::Session& who)
+{
+    m_who = who;
+    m_actions->showAccount(QString::fromStdString(who.username()));
+    if (!isAtDoor())
+        return;
+    m_mayLeaveDoor = true;
+    goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
+}
+
+void MainWindow::leaveAll()
+{
+    m_behindDoor = m_room;
+    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::General})
+        m_messages->withdraw(topic);
+}
+
+void MainWindow::refuseLogin(const core::Error& error)
+{
+    if (error.code == core::ErrorCode::NewPassword)
+        m_login->ask(people::Door::NewPassword);
+    else
+        m_login->refuse(text::loginFault(error));
+}
+
+void MainWindow::setUnreachable(const std::optional<core::Error>& error)
+{
+    m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) : QString());
 }
 
 void MainWindow::connectPresets()
@@ -553,6 +623,12 @@ void MainWindow::editChosenLesson()
         editLesson(entry->read);
     else
         emit unpackWanted(entry->pack, QFileInfo(entry->read.file).fileName());
+}
+
+void MainWindow::openLessons()
+{
+    emit lessonsWanted();
+    goTo(m_lessonsPage);
 }
 
 void MainWindow::editLesson(const lessons::ReadLesson& lesson)
@@ -1077,6 +1153,11 @@ void MainWindow::setHandpieces(const std::vector<core::settings::Handpiece>& atH
 
 void MainWindow::goTo(QWidget* page)
 {
+    // An exam whose time is over, or a tooth that was being made, opens no door.
+    if (isAtDoor() && page != m_login && !m_mayLeaveDoor) {
+        m_behindDoor = page;
+        return;
+    }
     m_help->hide();
     if (page == m_lessonsPage)
         m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
@@ -1092,6 +1173,8 @@ void MainWindow::goTo(QWidget* page)
 
 void MainWindow::goBack()
 {
+    if (isAtDoor() && !m_mayLeaveDoor)
+        return;
     if (m_help->isVisible()) {
         m_help->hide();
         m_view->setFocus();
@@ -1174,6 +1257,14 @@ void MainWindow::enableActions()
     m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     if (m_beside != nullptr)  // there is no room for it
         m_actions->section->setEnabled(false);
+    if (isAtDoor())
+        for (const Actions::Group& group : m_actions->groups())
+            for (QAction* action : group.actions)
+                action->setEnabled(action == m_actions->fullScreen || action == m_actions->quit ||
+                                   (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account)));
+    else
+        for (QAction* action : {m_actions->account, m_actions->back, m_actions->help, m_actions->editLesson})
+            action->setEnabled(action != m_actions->editLesson || m_pages->currentWidget() == m_lessonsPage);
 }
 
 void MainWindow::placeOverlays()
@@ -1462,8 +1553,8 @@ bool MainWindow::isExamRunning() const
     return isExam() && !m_isGraded;
 }
 
-/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a whole
-/// tooth.
+/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a
+/// whole tooth.
 void MainWindow::endExam()
 {
     if (!isExam())
@@ -1689,7 +1780,7 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!droppedFile(event->mimeData()).isEmpty() && !m_busy->isWorking())
+    if (!droppedFile(event->mimeData()).isEmpty() && !m_busy->isWorking() && !isAtDoor())
         event->acceptProposedAction();
 }
 

@@ -20,9 +20,11 @@
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
 #include "core/settings/Parameters.h"
+#include "database/people.h"
 #include "database/records.h"
 #include "lessons/Assignment.h"
 #include "ui/console/Registration.h"
+#include "ui/people/Door.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
@@ -34,6 +36,10 @@
 #include "ui/tooth/ExerciseMarks.h"
 
 class QStackedWidget;
+
+namespace ui::people {
+class LoginPage;
+}
 
 namespace ui::tooth {
 class ToothView;
@@ -140,6 +146,8 @@ public slots:
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     /// Bur and handpiece (an index, as of SetHandpiece) that an attempt was left with.
     void takeInHand(std::optional<std::uint8_t> bur, std::optional<std::uint8_t> handpiece);
+    /// The page where a lesson is chosen.
+    void openLessons();
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
@@ -177,6 +185,17 @@ public slots:
     void showReplayEnd();
     /// Where the undo history is asked for.
     void setHistorySource(replay::HistorySource source);
+    /// Somebody is to log in, to create the school, or to come back. Nothing else can be done meanwhile but practising
+    /// without a login where the door offers that.
+    void askWho(people::Door door);
+    /// Who works here now.
+    void setWho(const database::Session& who);
+    /// Somebody else will work here: nothing that was said to the one before stays to be read.
+    void leaveAll();
+    /// What was typed at the door is wrong.
+    void refuseLogin(const core::Error& error);
+    /// The database cannot be reached, and why; nothing: it can.
+    void setUnreachable(const std::optional<core::Error>& error);
     /// Every tooth shown from now on is drilled by the simulated handpiece, and the window says so beside its name.
     void setSelfDrilling() { m_selfDrilling = true; }
     /// The device has a work area and a force: the user can ask to be led home over the tooth.
@@ -185,6 +204,15 @@ public slots:
     void setAids(const lessons::Aids& aids);
 
 signals:
+    void loginWanted(const QString& username, const QString& password);
+    void codeWanted(const QString& username, const QString& code, const QString& newPassword);
+    void schoolWanted(const database::NewPerson& admin, const QString& password);
+    /// Practice without an account.
+    void guestWanted();
+    /// The grade that is shown shall be kept as that of whoever logs in now.
+    void keepWanted();
+    /// Who works here leaves for somebody else; his work has been asked about, or is kept to be gone on with.
+    void logoutWanted();
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
     /// The lesson on the table is to begin anew, as another attempt.
@@ -280,6 +308,9 @@ private:
     void leaveWork(const std::function<void()>& what);
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
+    void connectDoor();
+    void changeAccount();
+    [[nodiscard]] bool isAtDoor() const;
     /// Whether something is saved or discarded; cancelled, nothing happens.
     struct Question
     {
@@ -337,6 +368,8 @@ private:
     ToothChooser* m_chooser;
     study::ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
+    people::LoginPage* m_login;
+    database::Session m_who;
     study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
     presets::PresetsPage* m_presets;
@@ -395,6 +428,8 @@ private:
     tooth::ToothView* m_beside = nullptr;  ///< while there is another attempt beside
     glm::dmat4 m_sharedLook{1.0};          ///< from where both looked last
     bool m_selfDrilling = false;
+    QWidget* m_behindDoor = nullptr;  ///< the page to go on with
+    bool m_mayLeaveDoor = false;      ///< who practises as a guest, and has only looked at it
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below

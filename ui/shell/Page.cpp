@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -31,6 +32,12 @@ Page::Page(const Actions& actions, const QString& title, QWidget* parent)
     head->setSpacing(kSpace2);
     head->addWidget(back);
     head->addWidget(m_title, 1);
+    QPushButton* account = pageButton(actions.account, "quiet", this);
+    connect(actions.account, &QAction::changed, account, [account, action = actions.account] {
+        account->setText(action->text());
+        account->setAccessibleName(action->text());
+    });
+    head->addWidget(account);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace6);
     column->setSpacing(kSpace4);

@@ -29,6 +29,7 @@
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/HeatMap.h"
 #include "ui/study/WorstSection.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -369,7 +370,17 @@ QWidget* ScorePage::makeHistory()
     column->addWidget(label(tr("Your attempts"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
     m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
+    fold(m_remark);
     column->addWidget(m_remark);
+    m_keep = new QPushButton(frame);
+    m_keep->setObjectName(QStringLiteral("keepGrade"));
+    m_keep->setAutoDefault(true);
+    text::inEveryLanguage(m_keep, [this] {
+        m_keep->setText(tr("Log in and keep it"));
+        m_keep->setAccessibleName(m_keep->text());
+    });
+    connect(m_keep, &QPushButton::clicked, this, &ScorePage::keepWanted);
+    column->addWidget(m_keep, 0, Qt::AlignLeft);
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * kSpace6);
     m_chart = new HistoryChart(frame);
@@ -426,7 +437,9 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     arrange();
     setMomentsProgress({});
     fillCriteria(sheet);
-    fillHistory(history, sheet);
+    m_sheet = sheet;
+    m_keeping = history.isEmpty() ? Keeping::Nowhere : Keeping::Kept;
+    setHistory(history);
     m_class->hide();
 }
 
@@ -532,8 +545,8 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
                              .arg(text::number(*standing.percentBelow, 0)));
     else if (standing.people <= 1)
         //: %1 is a number of people
-        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and the "
-                            "grades here bear no names and count as one person's.")
+        m_class->setText(tr("No comparison with a class: it takes %1 people, so that nobody can be made out, and "
+                            "yours is the only one here.")
                              .arg(::lessons::kFewestPeople));
     else
         //: %1 is a number of people
@@ -544,14 +557,15 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
     m_class->show();
 }
 
-void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet)
+void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
 {
+    const ::lessons::ScoreSheet& sheet = m_sheet;
     const auto isComparable = [&](const database::AttemptRecord& attempt) {
         return attempt.rubricHash == sheet.rubricHash;
     };
     QList<HistoryChart::Score> scores;
     for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
-        scores << HistoryChart::Score{history[k - 1].scoreTenths, isComparable(history[k - 1])};
+        scores << HistoryChart::Score{history[k - 1].countingTenths(), isComparable(history[k - 1])};
     if (scores.isEmpty())
         scores << HistoryChart::Score{sheet.totalTenths, true};
     m_chart->setScores(scores, sheet.passMarkTenths);
@@ -571,7 +585,7 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, const
         auto* score = new TabularLabel(m_list);
         score->setFont(typeface(kBody, k == 0 ? QFont::DemiBold : QFont::Normal));
         score->setAlignment(Qt::AlignRight);
-        score->setText(text::points(attempt.scoreTenths));
+        score->setText(text::points(attempt.countingTenths()));
         const int row = static_cast<int>(k);
         grid->addWidget(
             label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), row,
@@ -582,11 +596,38 @@ void ScorePage::fillHistory(const QList<database::AttemptRecord>& history, const
                             1);
         grid->addWidget(score, row, 2);
     }
-    m_remark->setText(history.isEmpty()     ? tr("Grades are not being kept; this one will not be here next time.")
-                      : history.size() == 1 ? tr("This is the first grade here.")
-                                            : QString());
-    m_remark->setVisible(!m_remark->text().isEmpty());
+    m_known = history.size();
+    tellKeeping();
     m_listSlot->addWidget(m_list);
+}
+
+void ScorePage::setKeeping(Keeping keeping)
+{
+    m_keeping = keeping;
+    tellKeeping();
+}
+
+void ScorePage::tellKeeping()
+{
+    const auto words = [this]() -> QString {
+        switch (m_keeping) {
+        case Keeping::Nowhere:
+            return tr("Grades are not being kept; this one will not be here next time.");
+        case Keeping::Guest:
+            return tr("You are not logged in, so this grade is not kept.");
+        case Keeping::Waiting:
+            return tr("This grade is kept on this computer. The school's database gets it when it can be reached.");
+        case Keeping::Pending:
+            break;
+        case Keeping::Kept:
+            if (m_known == 1)
+                return tr("This is the first grade here.");
+        }
+        return {};
+    };
+    m_remark->setText(words());
+    m_remark->setVisible(!m_remark->text().isEmpty());
+    m_keep->setVisible(m_keeping == Keeping::Guest);
 }
 
 }  // namespace ui::study

@@ -43,12 +43,23 @@ public:
     ScorePage(const shell::Actions& actions, QWidget* parent);
 
     /// @param work     the lesson, or the tooth
-    /// @param history  newest first, this attempt included; empty: grades are not kept
+    /// @param history  newest first, this attempt included
     /// @param expected  what the student had expected, where that was asked
     /// @param scored   what was marked; nothing: no pictures
     void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                   const std::optional<ScoredWork>& scored);
+    /// The same, when the database has answered.
+    void setHistory(const QList<database::AttemptRecord>& history);
+    /// What becomes of the grade that is shown.
+    enum class Keeping {
+        Nowhere,  ///< there is no database
+        Guest,    ///< nobody is logged in: keepWanted() is offered
+        Pending,  ///< it is being kept
+        Waiting,  ///< on this computer, until the database can be reached
+        Kept
+    };
+    void setKeeping(Keeping keeping);
     /// Where the score stands among those of a class.
     void setClass(const ::lessons::ClassStanding& standing);
     /// What the score comes to on other grids.
@@ -62,6 +73,8 @@ public:
 signals:
     /// The attempt is to be seen from this moment on.
     void momentWanted(double seconds);
+    /// A guest wants to log in, so that the grade is kept as his.
+    void keepWanted();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -76,7 +89,7 @@ private:
     void arrange();
     void fillCriteria(const ::lessons::ScoreSheet& sheet);
     void showPlace(const CriterionRow& row);
-    void fillHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet);
+    void tellKeeping();
 
     std::optional<ScoredWork> m_scored;
     std::size_t m_criterionCount = 0;
@@ -104,6 +117,10 @@ private:
     WorstSection* m_section = nullptr;
     QPushButton* m_back = nullptr;
     QLabel* m_remark = nullptr;
+    QPushButton* m_keep = nullptr;
+    Keeping m_keeping = Keeping::Nowhere;
+    qsizetype m_known = 0;          ///< attempts in the history
+    ::lessons::ScoreSheet m_sheet;  ///< that is shown
     QLabel* m_class = nullptr;
     shell::HistoryChart* m_chart = nullptr;
     QWidget* m_list = nullptr;

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include "core/session/Links.h"
 #include "core/teeth/Block.h"
@@ -141,6 +142,18 @@ QString reason(core::ErrorCode code, Failed failed)
     case core::ErrorCode::OtherTooth:
         return QCoreApplication::translate("Error", "It was made on another tooth, or with another decay, than this "
                                                     "lesson's. Ask who made the lesson.");
+    case core::ErrorCode::Busy:
+        return QCoreApplication::translate("Error", "Another program is writing to it. Try again in a moment.");
+    case core::ErrorCode::ConnectionLost:
+        return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
+    case core::ErrorCode::NotAllowed:
+        return QCoreApplication::translate("Error", "Your role does not allow it.");
+    case core::ErrorCode::WrongLogin:
+        return QCoreApplication::translate("Error", "Name or password is wrong.");
+    case core::ErrorCode::TooSoon:
+        return QCoreApplication::translate("Error", "Too many logins have failed. Wait a moment and try again.");
+    case core::ErrorCode::NewPassword:
+        return QCoreApplication::translate("Error", "Choose a password first.");
     }
     return {};
 }
@@ -195,6 +208,32 @@ QString errorText(const core::Error& error, Failed failed)
             .arg(reason(error.code, failed));
     }
     return QString::fromStdString(error.detail);
+}
+
+QString loginFault(const core::Error& error)
+{
+    switch (error.code) {
+    case core::ErrorCode::WrongLogin:
+        return QCoreApplication::translate("Login", "Name or password is wrong. Try again, or ask an admin for a "
+                                                    "one-time code.");
+    case core::ErrorCode::TooSoon: {
+        // The sentence has one number.
+        static const QRegularExpression kNumber(QStringLiteral("\\d+"));
+        const int seconds = kNumber.match(QString::fromStdString(error.detail)).captured().toInt();
+        return QCoreApplication::translate("Login", "Too many logins have failed. Wait %n second(s) and try again.",
+                                           nullptr, seconds);
+    }
+    case core::ErrorCode::OutOfRange:
+        return QCoreApplication::translate("Login", "A name has letters, digits and . _ - @ only. A password has eight "
+                                                    "characters or more, and is not the name.");
+    case core::ErrorCode::NotAllowed:
+        return QCoreApplication::translate("Login", "Somebody has been entered here meanwhile. Log in as an admin.");
+    case core::ErrorCode::ConnectionLost:
+        return QCoreApplication::translate("Login", "The school's server does not answer. Try again, or practise "
+                                                    "without a login.");
+    default:
+        return errorText(error, Failed::KeepingGrades);
+    }
 }
 
 QStringList scanNotes(const core::teeth::ToothReport& report)

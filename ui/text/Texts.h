@@ -32,6 +32,8 @@ enum class Failed {
 /// What happened, what still works and what to try, two or three sentences. The error's own detail (English, exact) is
 /// for the log and for whoever asks.
 [[nodiscard]] QString errorText(const core::Error& error, Failed failed);
+/// Why somebody could not log in, or be entered.
+[[nodiscard]] QString loginFault(const core::Error& error);
 
 /// What the importer guessed, left out or could not make sense of, one sentence each; empty when all is well.
 [[nodiscard]] QStringList scanNotes(const core::teeth::ToothReport& report);

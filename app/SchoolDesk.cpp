@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/SchoolDesk.h"
+
+#include <utility>
+
+#include <QDir>
+
+#include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Logins.h"
+
+namespace app {
+namespace {
+
+using core::ErrorCode;
+
+constexpr int kRetryMs = 10'000;
+
+}  // namespace
+
+SchoolDesk::SchoolDesk(database::Address address, QString folder)
+    : m_address(std::move(address)), m_folder(std::move(folder))
+{
+    m_there.moveToThread(&m_thread);
+    m_thread.setObjectName(QStringLiteral("school"));
+    m_thread.start();
+    m_retry.setInterval(kRetryMs);
+    QObject::connect(&m_retry, &QTimer::timeout, this, &SchoolDesk::deliver);
+    m_retry.start();
+}
+
+SchoolDesk::~SchoolDesk()
+{
+    // After all that was asked, and where it was opened.
+    post([this] {
+        m_school.reset();
+        m_database.reset();
+        m_there.moveToThread(nullptr);
+        m_thread.quit();
+    });
+    m_thread.wait();
+}
+
+void SchoolDesk::post(std::function<void()> job)
+{
+    QMetaObject::invokeMethod(&m_there, std::move(job), Qt::QueuedConnection);
+}
+
+core::Status SchoolDesk::openDatabase()
+{
+    if (!m_key) {
+        auto key = database::StationKey::readOrMake(QDir(m_folder).filePath(QStringLiteral("station.key")));
+        if (!key)
+            return tl::unexpected(key.error());
+        m_key = std::move(*key);
+    }
+    database::sql::Database::Options options;
+    options.mayMigrate = !m_address.isServer();
+    auto opened = database::sql::Database::open(m_address, options);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    m_database = std::move(*opened);
+    m_school = std::make_unique<database::sql::School>(database::sql::School{m_database->handle(), *m_key});
+    return {};
+}
+
+/// With a database that was away: tries again.
+core::Status SchoolDesk::connect()
+{
+    if (!m_database)
+        return openDatabase();
+    if (std::exchange(m_isLost, false))
+        if (auto again = m_database->reconnect(); !again) {
+            m_isLost = true;
+            return again;
+        }
+    return {};
+}
+
+void SchoolDesk::notice(const core::Error& error)
+{
+    m_isLost = m_isLost || error.code == ErrorCode::ConnectionLost;
+}
+
+void SchoolDesk::open(QObject* owner, const std::function<void(const Opening&)>& done)
+{
+    post([this, guard = QPointer<QObject>(owner), done] {
+        Opening opening;
+        opening.status = connect();
+        if (opening.status) {
+            opening.notice = m_database->notice();
+            const auto isNew = database::sql::Logins::isNew(*m_school);
+            opening.isNew = isNew.value_or(false);
+            if (!isNew)
+                opening.status = tl::unexpected(isNew.error());
+        }
+        deliverAll();
+        QMetaObject::invokeMethod(
+            this,
+            [guard, opening, done] {
+                if (guard)
+                    done(opening);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SchoolDesk::keep(QObject* owner, const database::Session& session, const database::AttemptRecord& attempt,
+                      const core::recording::Recording& recording, const std::function<void(const core::Status&)>& kept)
+{
+    post([this, guard = QPointer<QObject>(owner), session, attempt, recording, kept] {
+        core::Status status;
+        if (!m_key)
+            status = connect();  // which reads the key, whether or not there is a server
+        if (m_key)
+            status = database::Outbox(QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key)
+                         .put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
+        QMetaObject::invokeMethod(
+            this,
+            [guard, status, kept] {
+                if (guard)
+                    kept(status);
+            },
+            Qt::QueuedConnection);
+        deliverAll();
+    });
+}
+
+void SchoolDesk::deliver()
+{
+    post([this] { deliverAll(); });
+}
+
+void SchoolDesk::deliverAll()
+{
+    if (!m_key)
+        return;
+    const database::Outbox outbox(QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key);
+    const QStringList files = outbox.waiting();
+    int left = static_cast<int>(files.size());
+    core::Error why;
+    if (!files.isEmpty())
+        if (const core::Status connected = connect(); !connected)
+            why = connected.error();
+    for (const QString& file : files) {
+        if (!why.detail.empty())
+            break;
+        const auto letter = outbox.read(file);
+        if (!letter) {
+            outbox.setAside(file);
+            --left;
+            QMetaObject::invokeMethod(
+                this, [this, error = letter.error()] { emit damaged(error); }, Qt::QueuedConnection);
+            continue;
+        }
+        const auto id = database::sql::deliverAttempt(*m_school, letter->attempt, letter->recording);
+        if (id) {
+            outbox.remove(file);
+            --left;
+            QMetaObject::invokeMethod(
+                this, [this, uid = QString::fromStdString(letter->attempt.uid)] { emit delivered(uid); },
+                Qt::QueuedConnection);
+        } else if (id.error().code == ErrorCode::OutOfRange || id.error().code == ErrorCode::UnknownName) {
+            // It will never be taken; those behind it shall be.
+            outbox.setAside(file);
+            --left;
+            QMetaObject::invokeMethod(
+                this, [this, error = id.error()] { emit damaged(error); }, Qt::QueuedConnection);
+        } else {
+            notice(id.error());
+            why = id.error();
+        }
+    }
+    if (std::exchange(m_waiting, left) != left)
+        QMetaObject::invokeMethod(
+            this, [this, left, why] { emit waitingChanged(left, why); }, Qt::QueuedConnection);
+}
+
+}  // namespace app

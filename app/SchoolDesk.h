@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QPointer>
+#include <QThread>
+#include <QTimer>
+
+#include "core/base/Result.h"
+#include "core/recording/Recording.h"
+#include "database/Outbox.h"
+#include "database/sql/Database.h"
+#include "database/sql/School.h"
+
+namespace app {
+
+/// The school's data, on a thread of its own: a server that is slow or away, a disk that sleeps and the hashing of a
+/// password hold up no window. What is asked is done in the order of asking; answers come back on the ui thread.
+class SchoolDesk final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// @param address  of the database, which is opened by open()
+    /// @param folder  of this station's own files: its key, and attempts on their way
+    SchoolDesk(database::Address address, QString folder);
+    ~SchoolDesk() override;
+
+    /// What is known of the database after it was opened, or was not.
+    struct Opening
+    {
+        core::Status status;
+        bool isNew = false;  ///< nobody has been entered yet
+        std::string notice;
+    };
+    void open(QObject* owner, const std::function<void(const Opening&)>& done);
+
+    /// Does `work` with the school on the desk's thread and gives its result to `done` on the ui thread, unless `owner`
+    /// has gone meanwhile. Where there is no connection, the error of that is the result.
+    /// @param work  takes `const database::sql::School&` and returns a core::Result
+    template <class Work, class Done>
+    void ask(QObject* owner, Work work, Done done)
+    {
+        using Answer = decltype(work(std::declval<const database::sql::School&>()));
+        post([this, guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
+            auto answer = std::make_shared<Answer>(tl::unexpected(core::Error{}));
+            if (const core::Status connected = connect(); connected)
+                *answer = work(*m_school);
+            else
+                *answer = tl::unexpected(connected.error());
+            if (!*answer)
+                notice(answer->error());
+            QMetaObject::invokeMethod(
+                this,
+                [guard, answer, done = std::move(done)]() mutable {
+                    if (guard)
+                        done(*answer);
+                },
+                Qt::QueuedConnection);
+        });
+    }
+
+    /// Puts a graded attempt into the outbox; `kept` hears whether it is on the disk. delivered() follows when the
+    /// database has it, perhaps much later.
+    void keep(QObject* owner, const database::Session& session, const database::AttemptRecord& attempt,
+              const core::recording::Recording& recording, const std::function<void(const core::Status&)>& kept);
+
+    /// Tries to deliver what waits.
+    void deliver();
+
+signals:
+    /// The database has this attempt now.
+    void delivered(const QString& uid);
+    /// So many attempts wait, since the database cannot be reached: told when that changes.
+    void waitingChanged(int waiting, const core::Error& why);
+    /// An attempt on its way is damaged, or the database refuses it for good; its file is kept.
+    void damaged(const core::Error& error);
+
+private:
+    void post(std::function<void()> job);
+    // What follows runs on the desk's thread.
+    [[nodiscard]] core::Status connect();
+    [[nodiscard]] core::Status openDatabase();
+    void notice(const core::Error& error);
+    void deliverAll();
+
+    database::Address m_address;
+    QString m_folder;
+    QThread m_thread;
+    QObject m_there;  ///< lives on m_thread
+    QTimer m_retry;
+
+    std::unique_ptr<database::sql::Database> m_database;
+    std::unique_ptr<database::sql::School> m_school;
+    std::optional<database::StationKey> m_key;
+    bool m_isLost = false;
+    int m_waiting = 0;
+};
+
+}  // namespace app

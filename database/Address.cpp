@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/Address.h"
+
+#include <QUrl>
+#include <QUrlQuery>
+
+namespace database {
+namespace {
+
+const QStringList kSchemes{QStringLiteral("postgresql://"), QStringLiteral("postgres://")};
+const QStringList kSslModes{QStringLiteral("disable"), QStringLiteral("allow"),     QStringLiteral("prefer"),
+                            QStringLiteral("require"), QStringLiteral("verify-ca"), QStringLiteral("verify-full")};
+constexpr int kLastPort = 65535;
+
+QString decoded(const QString& part)
+{
+    return QUrl::fromPercentEncoding(part.toUtf8());
+}
+
+core::Error wrong(const QString& what)
+{
+    return {core::ErrorCode::BadStructure,
+            ("the address of the database " + what + "; write it as postgresql://user@host/name").toStdString()};
+}
+
+}  // namespace
+
+QString Address::shown() const
+{
+    if (!isServer())
+        return file;
+    const auto coded = [](const QString& part) { return QString::fromLatin1(QUrl::toPercentEncoding(part)); };
+    return QStringLiteral("postgresql://") + (user.isEmpty() ? QString() : coded(user) + '@') + coded(host) +
+           (port > 0 ? QStringLiteral(":%1").arg(port) : QString()) + '/' + coded(name);
+}
+
+core::Result<Address> Address::parse(const QString& text)
+{
+    Address address;
+    QString rest;
+    for (const QString& scheme : kSchemes)
+        if (text.startsWith(scheme, Qt::CaseInsensitive))
+            rest = text.mid(scheme.size());
+    if (rest.isNull()) {
+        // A misspelt scheme shall not become the name of a file.
+        if (text.contains(QStringLiteral("://")))
+            return tl::unexpected(wrong(QStringLiteral("names a kind of server that Cusp does not know")));
+        if (text.trimmed().isEmpty())
+            return core::unexpected(core::ErrorCode::FileMissing,
+                                    "the database has no name; give a file or postgresql://user@host/name");
+        address.file = text;
+        return address;
+    }
+    const QString query = rest.section('?', 1);
+    rest = rest.section('?', 0, 0);
+    address.name = decoded(rest.section('/', 1));
+    QString server = rest.section('/', 0, 0);
+    if (server.contains('@')) {
+        const QString who = server.section('@', 0, -2);
+        address.user = decoded(who.section(':', 0, 0));
+        address.password = decoded(who.section(':', 1));
+        server = server.section('@', -1);
+    }
+    // The colons of an IPv6 address stand within brackets.
+    const auto bracket = server.lastIndexOf(']');
+    if (const auto colon = server.indexOf(':', bracket + 1); colon >= 0) {
+        bool isNumber = false;
+        address.port = server.mid(colon + 1).toInt(&isNumber);
+        if (!isNumber || address.port < 1 || address.port > kLastPort)
+            return tl::unexpected(wrong(QStringLiteral("has a port that is no number from 1 to 65535")));
+        server.truncate(colon);
+    }
+    if (server.startsWith('[') && server.endsWith(']'))
+        server = server.mid(1, server.size() - 2);
+    address.host = decoded(server);
+    if (address.name.isEmpty() || address.name.contains('/'))
+        return tl::unexpected(wrong(QStringLiteral("names no database")));
+    for (const auto& [key, value] : QUrlQuery(query).queryItems(QUrl::FullyDecoded)) {
+        if (key != u"sslmode")
+            return tl::unexpected(wrong(QStringLiteral("has \"%1\", which Cusp does not know").arg(key)));
+        if (!kSslModes.contains(value))
+            return tl::unexpected(wrong(QStringLiteral("has an sslmode that is none of %1").arg(kSslModes.join(", "))));
+        address.sslMode = value;
+    }
+    return address;
+}
+
+}  // namespace database

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/FileSystem.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <QFile>
+#include <QFileInfo>
+
+#ifdef __linux__
+#include <sys/vfs.h>
+#endif
+
+namespace database {
+
+FileSystem fileSystemOf(const QString& path)
+{
+#ifdef __linux__
+    // The magic numbers of statfs(2).
+    static constexpr std::array<std::uint32_t, 10> kNetworks{0x6969,       // NFS
+                                                             0x517B,       // SMB
+                                                             0xFF534D42,   // CIFS
+                                                             0xFE534D42,   // SMB 2
+                                                             0x65735546,   // FUSE
+                                                             0x5346414F,   // AFS
+                                                             0x73757245,   // Coda
+                                                             0x0BD00BD0,   // Lustre
+                                                             0x00C36400,   // Ceph
+                                                             0x7461636F};  // OCFS2
+    struct statfs found
+    {};
+    const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
+    if (statfs(folder.constData(), &found) == 0 &&
+        std::find(kNetworks.begin(), kNetworks.end(), static_cast<std::uint32_t>(found.f_type)) != kNetworks.end())
+        return FileSystem::Network;
+#else
+    static_cast<void>(path);
+#endif
+    return FileSystem::Local;
+}
+
+}  // namespace database

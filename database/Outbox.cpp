@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/Outbox.h"
+
+#include <array>
+#include <string_view>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "core/base/Bytes.h"
+#include "database/Passwords.h"
+
+namespace database {
+namespace {
+
+using core::ErrorCode;
+
+constexpr std::string_view kMagic = "CUSPOUT1";
+constexpr qint64 kLargest = 1LL << 30U;
+const QString kEnding = QStringLiteral(".attempt");
+
+/// The texts of a record, in the order of the file.
+template <class Record>
+auto textsOf(Record& r)
+{
+    return std::array{&r.uid,        &r.personUid, &r.finishedUtc,    &r.tooth,   &r.lessonId,     &r.lessonHash,
+                      &r.rubricHash, &r.stateHash, &r.scoreSheetJson, &r.device,  &r.method,       &r.viewMode,
+                      &r.seed,       &r.preset,    &r.presetHash,     &r.program, &r.recordingHash};
+}
+
+std::string bytesOf(const AttemptRecord& attempt)
+{
+    core::ByteWriter bytes;
+    for (const std::string* text : textsOf(attempt))
+        bytes.putText(*text);
+    for (const std::int64_t value :
+         {std::int64_t{attempt.scoreTenths}, std::int64_t{attempt.passed ? 1 : 0}, std::int64_t{attempt.passMarkTenths},
+          std::int64_t{attempt.expectedTenths.value_or(-1)}, attempt.durationMs, std::int64_t{attempt.grid},
+          std::int64_t{attempt.meanForceMn}, std::int64_t{attempt.peakForceMn},
+          static_cast<std::int64_t>(attempt.criteria.size())})
+        bytes.put(value);
+    for (const CriterionLoss& criterion : attempt.criteria) {
+        bytes.putText(criterion.id);
+        bytes.put(std::int64_t{criterion.lostTenths});
+        bytes.put(std::int64_t{criterion.weightTenths});
+    }
+    return bytes.bytes();
+}
+
+bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
+{
+    for (std::string* text : textsOf(attempt))
+        *text = bytes.takeText();
+    const auto number = [&bytes] { return bytes.take<std::int64_t>(); };
+    attempt.scoreTenths = static_cast<int>(number());
+    attempt.passed = number() != 0;
+    attempt.passMarkTenths = static_cast<int>(number());
+    if (const auto expected = static_cast<int>(number()); expected >= 0)
+        attempt.expectedTenths = expected;
+    attempt.durationMs = number();
+    attempt.grid = static_cast<int>(number());
+    attempt.meanForceMn = static_cast<int>(number());
+    attempt.peakForceMn = static_cast<int>(number());
+    const std::int64_t criteria = number();
+    for (std::int64_t k = 0; k < criteria && bytes.ok(); ++k) {
+        CriterionLoss criterion;
+        criterion.id = bytes.takeText();
+        criterion.lostTenths = static_cast<int>(number());
+        criterion.weightTenths = static_cast<int>(number());
+        attempt.criteria.push_back(std::move(criterion));
+    }
+    return bytes.ok();
+}
+
+/// The name of a new file is on the disk when its folder is.
+void syncFolder(const QString& folder)
+{
+    const int file = open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file >= 0) {
+        static_cast<void>(fsync(file));
+        close(file);
+    }
+}
+
+core::Error refused(ErrorCode code, const QString& file, const std::string& why)
+{
+    return {code, "attempt " + file.toStdString() + ": " + why};
+}
+
+}  // namespace
+
+core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording)
+{
+    if (session.isGuest())
+        return core::unexpected(ErrorCode::NotAllowed, "a guest's attempts are not kept; log in first");
+    AttemptRecord own = attempt;
+    own.personUid = session.uid();
+    own.recordingHash.clear();
+    core::ByteWriter content;
+    content.putText(bytesOf(own));
+    content.putText({recording.constData(), static_cast<std::size_t>(recording.size())});
+    const std::string signature = m_key.sign(digestOf(content.bytes()));
+
+    QDir().mkpath(m_folder);
+    const QString path = QDir(m_folder).filePath(QString::fromStdString(own.uid) + kEnding);
+    const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + signature + content.bytes());
+    QSaveFile file(path);  // synced before it gets its name
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
+                                      "it cannot be written (" + file.errorString().toStdString() +
+                                          "); make room on the disk, and grade the work again"));
+    syncFolder(m_folder);
+    return {};
+}
+
+QStringList Outbox::waiting() const
+{
+    QStringList files;
+    const QDir there(m_folder);
+    for (const QString& name : there.entryList({'*' + kEnding}, QDir::Files, QDir::Time | QDir::Reversed))
+        files += there.filePath(name);
+    return files;
+}
+
+core::Result<Outbox::Letter> Outbox::read(const QString& path) const
+{
+    constexpr std::size_t kSignature = 128;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
+    const QByteArray all = file.size() <= kLargest ? file.readAll() : QByteArray();
+    const std::string_view bytes(all.constData(), static_cast<std::size_t>(all.size()));
+    const auto damaged = [&path] {
+        return tl::unexpected(refused(ErrorCode::BadStructure, path,
+                                      "it is damaged, or another station wrote it; it is kept in the folder "
+                                      "\"damaged\""));
+    };
+    if (bytes.size() < kMagic.size() + kSignature || bytes.substr(0, kMagic.size()) != kMagic)
+        return damaged();
+    const std::string signature(bytes.substr(kMagic.size(), kSignature));
+    const std::string_view content = bytes.substr(kMagic.size() + kSignature);
+    if (!StationKey::isSigned(digestOf(content), signature, m_key.publicHex()))
+        return damaged();
+    Letter letter;
+    letter.file = path;
+    core::ByteReader parts(content);
+    const std::string attempt = parts.takeText();
+    const std::string recording = parts.takeText();
+    core::ByteReader fields(attempt);
+    if (!parts.ok() || !takeAttempt(fields, letter.attempt))
+        return damaged();
+    letter.recording = QByteArray::fromStdString(recording);
+    return letter;
+}
+
+void Outbox::remove(const QString& file) const
+{
+    QFile::remove(file);
+}
+
+void Outbox::setAside(const QString& file) const
+{
+    const QDir folder(m_folder);
+    folder.mkpath(QStringLiteral("damaged"));
+    QFile::rename(file, folder.filePath("damaged/" + QFileInfo(file).fileName()));
+}
+
+}  // namespace database

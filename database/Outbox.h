@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include "core/base/Result.h"
+#include "database/Session.h"
+#include "database/StationKey.h"
+#include "database/records.h"
+
+namespace database {
+
+/// Graded attempts on their way to the database: each a file that is on the disk before the student is told that his
+/// score is kept, and goes when the database has it. A server that is away, a database that is locked or a disk that is
+/// full there holds nobody up; a program that is killed in between delivers at its next start, and the attempt's uid
+/// sees to it that it arrives once. Any one thread at a time.
+class Outbox
+{
+public:
+    /// An attempt that waits.
+    struct Letter
+    {
+        QString file;
+        AttemptRecord attempt;
+        QByteArray recording;
+    };
+
+    /// @param folder  is made when the first attempt is put there
+    Outbox(QString folder, StationKey key) : m_folder(std::move(folder)), m_key(std::move(key)) {}
+
+    /// Puts an attempt of the session's person there, on the disk when this returns. NotAllowed: a guest's.
+    [[nodiscard]] core::Status put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording);
+
+    /// Those that wait, oldest first.
+    [[nodiscard]] QStringList waiting() const;
+    /// BadStructure: damaged, or not written by this station. Such a file is for setAside().
+    [[nodiscard]] core::Result<Letter> read(const QString& file) const;
+    void remove(const QString& file) const;
+    /// Into the folder "damaged" beside it: nothing is thrown away.
+    void setAside(const QString& file) const;
+
+private:
+    QString m_folder;
+    StationKey m_key;
+};
+
+}  // namespace database

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/base/Result.h"
+
+/// Argon2id by libsodium. A hash takes a fraction of a second and tens of megabytes on purpose: keep it off the ui
+/// thread. Any thread.
+namespace database {
+
+/// What a hash costs. The default is libsodium's INTERACTIVE, above OWASP's minimum of 19 MiB and 2 passes.
+struct PasswordCost
+{
+    unsigned long long passes = 2;
+    std::size_t memoryBytes = std::size_t{64} << 20U;
+    bool operator==(const PasswordCost&) const = default;
+};
+
+/// The dearest cost that this computer pays within `goalMs` of thread time: 64 MiB, and passes from 2 to 16.
+[[nodiscard]] PasswordCost timedCost(double goalMs = 350.0);
+
+inline constexpr int kShortestPassword = 8;
+inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a novel would keep the station busy
+
+/// OutOfRange with a sentence: too short, too long, or the user's own name.
+[[nodiscard]] core::Status checkPassword(const std::string& password, const std::string& username);
+
+/// "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge when there is no memory for it.
+[[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
+[[nodiscard]] bool fits(const std::string& password, const std::string& hash);
+/// Made at another cost.
+[[nodiscard]] bool wantsRehash(const std::string& hash, const PasswordCost& cost);
+
+/// Twelve letters and digits that are not mistaken for each other, in groups of four: "K7QM-2XHP-9RTB".
+[[nodiscard]] std::string newCode();
+/// What is kept of a person's code. A code is 59 bits of chance and lives for days, so that a quick hash is enough.
+[[nodiscard]] std::string hashOfCode(const std::string& uid, const std::string& code);
+/// 32 hex digits that nobody else has.
+[[nodiscard]] std::string newUid();
+/// BLAKE2b-256, 64 hex digits.
+[[nodiscard]] std::string digestOf(std::string_view bytes);
+
+}  // namespace database

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/base/Result.h"
+
+namespace database {
+
+/// A user's name as it is kept and compared: without spaces around it, small letters. OutOfRange with a sentence:
+/// empty, over 64 characters, or with others than letters, digits, ". _ - @".
+[[nodiscard]] core::Result<std::string> normalUsername(const std::string& typed);
+
+}  // namespace database

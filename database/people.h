@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "database/Session.h"
+
+namespace database {
+
+/// What is said of a person when he is entered.
+struct NewPerson
+{
+    std::string username;  ///< letters, digits, dot, hyphen, underline, at; capitals do not count
+    std::string givenName;
+    std::string familyName;
+    Role role = Role::Student;
+    bool operator==(const NewPerson&) const = default;
+};
+
+struct Person
+{
+    PersonId id;
+    std::string uid;
+    std::string username;
+    std::string givenName;
+    std::string familyName;
+    Role role = Role::Student;
+    bool disabled = false;
+    bool hasPassword = false;  ///< if not, a one-time code lets him in, once
+    std::string lastLoginUtc;  ///< empty: never
+    std::vector<ClassId> classes;
+    bool operator==(const Person&) const = default;
+
+    [[nodiscard]] std::string fullName() const
+    {
+        return givenName + (givenName.empty() || familyName.empty() ? "" : " ") + familyName;
+    }
+};
+
+struct SchoolClass
+{
+    ClassId id;
+    std::string name;
+    int students = 0;
+    int teachers = 0;
+    bool operator==(const SchoolClass&) const = default;
+};
+
+/// A lesson that a class is to do.
+struct ClassAssignment
+{
+    std::int64_t id = 0;  ///< given by the database
+    ClassId classId;
+    std::string lessonId;
+    std::string dueUtc;    ///< "2026-11-27T23:00:00Z"; empty: none
+    int attemptLimit = 0;  ///< 0: as many as one likes
+    bool operator==(const ClassAssignment&) const = default;
+};
+
+}  // namespace database

@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Attempts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "core/base/Bytes.h"
+#include "database/Passwords.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Recordings.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+const std::string kAdd = "add the attempt";
+const std::string kRead = "read the attempts";
+constexpr double kUmPerMm = 1000.0;
+constexpr qsizetype kMostWords = 4000;
+
+const QString kColumns =
+    QStringLiteral("a.id, a.uid, a.person_id, a.finished_utc, a.tooth, a.lesson_id, a.lesson_hash, a.rubric_hash, "
+                   "a.score_tenths, a.passed, a.given_tenths, a.expected_tenths, a.duration_ms, a.criteria_json, "
+                   "a.state_hash, a.recording_hash, a.device, a.method, a.grid, a.view_mode, a.seed, a.preset, "
+                   "a.preset_hash, a.program, a.mean_force_mn, a.peak_force_mn, a.pass_mark_tenths");
+
+QVariant number(std::int64_t value)
+{
+    return QVariant::fromValue<qlonglong>(value);
+}
+
+QVariant tenthsOr(const std::optional<int>& tenths)
+{
+    return tenths ? QVariant(*tenths) : QVariant();
+}
+
+std::string criteriaJson(const std::vector<CriterionLoss>& criteria)
+{
+    QJsonArray rows;
+    for (const CriterionLoss& criterion : criteria)
+        rows += QJsonArray{QString::fromStdString(criterion.id), criterion.lostTenths, criterion.weightTenths};
+    return QJsonDocument(rows).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::vector<CriterionLoss> criteriaOf(const QByteArray& json)
+{
+    std::vector<CriterionLoss> criteria;
+    const QJsonArray rows = QJsonDocument::fromJson(json).array();
+    for (const auto& row : rows)
+        criteria.push_back(
+            {row.toArray().at(0).toString().toStdString(), row.toArray().at(1).toInt(), row.toArray().at(2).toInt()});
+    return criteria;
+}
+
+AttemptRecord recordOf(const QSqlQuery& row)
+{
+    AttemptRecord record;
+    record.id = row.value(0).toLongLong();
+    record.uid = textOf(row, 1);
+    record.person = {row.value(2).toLongLong()};
+    record.finishedUtc = textOf(row, 3);
+    record.tooth = textOf(row, 4);
+    record.lessonId = textOf(row, 5);
+    record.lessonHash = textOf(row, 6);
+    record.rubricHash = textOf(row, 7);
+    record.scoreTenths = row.value(8).toInt();
+    record.passed = row.value(9).toInt() != 0;
+    if (!row.isNull(10))
+        record.givenTenths = row.value(10).toInt();
+    if (!row.isNull(11))
+        record.expectedTenths = row.value(11).toInt();
+    record.durationMs = row.value(12).toLongLong();
+    record.criteria = criteriaOf(row.value(13).toByteArray());
+    record.stateHash = textOf(row, 14);
+    record.recordingHash = textOf(row, 15);
+    record.device = textOf(row, 16);
+    record.method = textOf(row, 17);
+    record.grid = row.value(18).toInt();
+    record.viewMode = textOf(row, 19);
+    record.seed = textOf(row, 20);
+    record.preset = textOf(row, 21);
+    record.presetHash = textOf(row, 22);
+    record.program = textOf(row, 23);
+    record.meanForceMn = row.value(24).toInt();
+    record.peakForceMn = row.value(25).toInt();
+    record.passMarkTenths = row.value(26).toInt();
+    return record;
+}
+
+/// What a lesson's standing says after one more attempt.
+core::Status countIn(const School& school, PersonId person, const AttemptRecord& attempt)
+{
+    return execute(school.db,
+                   "INSERT INTO standings (person_id, lesson_id, attempts, best_tenths, passed, last_utc) VALUES "
+                   "(?, ?, 1, ?, ?, ?) ON CONFLICT (person_id, lesson_id) DO UPDATE SET "
+                   "attempts = standings.attempts + 1, "
+                   "best_tenths = CASE WHEN excluded.best_tenths > standings.best_tenths THEN excluded.best_tenths "
+                   "ELSE standings.best_tenths END, "
+                   "passed = CASE WHEN excluded.passed > standings.passed THEN excluded.passed ELSE standings.passed "
+                   "END, "
+                   "last_utc = CASE WHEN excluded.last_utc > standings.last_utc THEN excluded.last_utc ELSE "
+                   "standings.last_utc END",
+                   kAdd,
+                   {number(person.value), text(attempt.lessonId), attempt.scoreTenths, attempt.passed ? 1 : 0,
+                    text(attempt.finishedUtc)});
+}
+
+/// Inside a transaction.
+core::Result<AttemptId> insert(const School& school, PersonId person, const std::string& actor,
+                               const AttemptRecord& attempt, const QByteArray& recording)
+{
+    AttemptRecord kept = attempt;
+    if (!recording.isEmpty()) {
+        const auto hash = putRecording(school, recording);
+        if (!hash)
+            return tl::unexpected(hash.error());
+        kept.recordingHash = *hash;
+    }
+    auto added = ask(
+        school.db,
+        "INSERT INTO attempts (uid, person_id, finished_utc, tooth, lesson_id, lesson_hash, rubric_hash, score_tenths, "
+        "passed, expected_tenths, duration_ms, criteria_json, state_hash, recording_hash, device, method, grid, "
+        "view_mode, seed, preset, preset_hash, program, mean_force_mn, peak_force_mn, pass_mark_tenths) VALUES (?, ?, "
+        "?, ?, ?, ?, ?, ?, "
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING RETURNING id",
+        kAdd,
+        {text(kept.uid),
+         number(person.value),
+         text(kept.finishedUtc),
+         text(kept.tooth),
+         text(kept.lessonId),
+         text(kept.lessonHash),
+         text(kept.rubricHash),
+         kept.scoreTenths,
+         kept.passed ? 1 : 0,
+         tenthsOr(kept.expectedTenths),
+         number(kept.durationMs),
+         text(criteriaJson(kept.criteria)),
+         text(kept.stateHash),
+         text(kept.recordingHash),
+         text(kept.device),
+         text(kept.method),
+         kept.grid,
+         text(kept.viewMode),
+         text(kept.seed),
+         text(kept.preset),
+         text(kept.presetHash),
+         text(kept.program),
+         kept.meanForceMn,
+         kept.peakForceMn,
+         kept.passMarkTenths});
+    if (!added)
+        return tl::unexpected(added.error());
+    if (added->isNull()) {
+        const auto known = ask(school.db, "SELECT id FROM attempts WHERE uid = ? AND person_id = ?", kAdd,
+                               {text(kept.uid), number(person.value)});
+        if (!known)
+            return tl::unexpected(known.error());
+        if (known->isNull())
+            return core::unexpected(ErrorCode::OutOfRange, "that attempt is kept already, as somebody else's");
+        return AttemptId{known->toLongLong()};
+    }
+    const AttemptId id{added->toLongLong()};
+    if (auto put = execute(school.db, "INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)", kAdd,
+                           {number(id.value), text(kept.scoreSheetJson)});
+        !put)
+        return tl::unexpected(put.error());
+    if (auto counted = countIn(school, person, kept); !counted)
+        return tl::unexpected(counted.error());
+    if (auto noted = note(school, actor, "attempt.add", "attempt:" + kept.uid,
+                          {{"digest", QString::fromStdString(digestOfAttempt(kept))}});
+        !noted)
+        return tl::unexpected(noted.error());
+    return id;
+}
+
+core::Status checkUid(const AttemptRecord& attempt)
+{
+    constexpr std::size_t kUidLength = 32;
+    if (attempt.uid.size() == kUidLength)
+        return {};
+    return core::unexpected(ErrorCode::BadStructure, "the attempt has no number of its own");
+}
+
+/// Whose an attempt is.
+core::Result<PersonId> ownerOf(const School& school, AttemptId id)
+{
+    auto row = run(school.db, "SELECT person_id FROM attempts WHERE id = ?", kRead, {number(id.value)});
+    if (!row)
+        return tl::unexpected(row.error());
+    if (!row->next())
+        return core::unexpected(ErrorCode::UnknownName, "there is no such attempt");
+    return PersonId{row->value(0).toLongLong()};
+}
+
+core::Result<Who> admitToAttempt(const School& school, const Session& session, Operation operation, AttemptId id)
+{
+    // Who may do it to nobody's shall not learn what there is.
+    if (auto who = admit(school, session, operation); !who)
+        return who;
+    const auto owner = ownerOf(school, id);
+    if (!owner)
+        return tl::unexpected(owner.error());
+    return admitTo(school, session, operation, *owner);
+}
+
+core::Result<std::string> uidOf(const School& school, AttemptId id)
+{
+    const auto uid = ask(school.db, "SELECT uid FROM attempts WHERE id = ?", kRead, {number(id.value)});
+    if (!uid)
+        return tl::unexpected(uid.error());
+    return uid->toString().toStdString();
+}
+
+core::Result<std::string> checkWords(const std::string& words, const char* what)
+{
+    const QString trimmed = QString::fromStdString(words).trimmed();
+    if (trimmed.isEmpty() || trimmed.size() > kMostWords)
+        return core::unexpected(ErrorCode::OutOfRange,
+                                std::string(what) + " has 1 to " + std::to_string(kMostWords) + " characters");
+    return trimmed.toStdString();
+}
+
+/// Of one person at one lesson, anew from the attempts.
+core::Status recount(const School& school, AttemptId id)
+{
+    return execute(
+        school.db,
+        "UPDATE standings SET best_tenths = (SELECT MAX(COALESCE(b.given_tenths, b.score_tenths)) FROM "
+        "attempts b WHERE b.person_id = standings.person_id AND b.lesson_id = standings.lesson_id), passed = "
+        "(SELECT MAX(CASE WHEN c.given_tenths IS NULL THEN c.passed WHEN c.given_tenths >= "
+        "c.pass_mark_tenths THEN 1 ELSE 0 END) FROM attempts c WHERE c.person_id = standings.person_id AND "
+        "c.lesson_id = standings.lesson_id) WHERE "
+        "EXISTS (SELECT 1 FROM attempts a WHERE a.id = ? AND a.person_id = standings.person_id AND "
+        "a.lesson_id = standings.lesson_id)",
+        "count the standing", {number(id.value)});
+}
+
+}  // namespace
+
+std::string digestOfAttempt(const AttemptRecord& attempt)
+{
+    core::ByteWriter bytes;
+    for (const std::string* part :
+         {&attempt.uid, &attempt.personUid, &attempt.finishedUtc, &attempt.tooth, &attempt.lessonId,
+          &attempt.lessonHash, &attempt.rubricHash, &attempt.scoreSheetJson, &attempt.stateHash, &attempt.recordingHash,
+          &attempt.device, &attempt.method, &attempt.viewMode, &attempt.seed, &attempt.preset, &attempt.presetHash,
+          &attempt.program})
+        bytes.putText(*part);
+    for (const std::int64_t value :
+         {std::int64_t{attempt.scoreTenths}, std::int64_t{attempt.passed ? 1 : 0},
+          std::int64_t{attempt.expectedTenths.value_or(-1)}, attempt.durationMs, std::int64_t{attempt.grid},
+          std::int64_t{attempt.meanForceMn}, std::int64_t{attempt.peakForceMn}, std::int64_t{attempt.passMarkTenths}})
+        bytes.put(value);
+    bytes.putText(criteriaJson(attempt.criteria));
+    return digestOf(bytes.bytes());
+}
+
+core::Result<AttemptId> addAttempt(const School& school, const Session& session, const AttemptRecord& attempt,
+                                   const QByteArray& recording)
+{
+    if (auto fit = checkUid(attempt); !fit)
+        return tl::unexpected(fit.error());
+    if (auto who = admit(school, session, Operation::AddAttempt); !who)
+        return tl::unexpected(who.error());
+    AttemptRecord own = attempt;
+    own.personUid = session.uid();
+    return inTransaction(school.db, kAdd,
+                         [&] { return insert(school, session.person(), session.uid(), own, recording); });
+}
+
+core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt, const QByteArray& recording)
+{
+    if (auto fit = checkUid(attempt); !fit)
+        return tl::unexpected(fit.error());
+    return inTransaction(school.db, kAdd, [&]() -> core::Result<AttemptId> {
+        const auto person = ask(school.db, "SELECT id FROM people WHERE uid = ?", kAdd, {text(attempt.personUid)});
+        if (!person)
+            return tl::unexpected(person.error());
+        if (person->isNull())
+            return core::unexpected(ErrorCode::UnknownName,
+                                    "nobody here has the account that the attempt was made with");
+        return insert(school, {person->toLongLong()}, attempt.personUid, attempt, recording);
+    });
+}
+
+core::Result<std::vector<AttemptRecord>> history(const School& school, const Session& session, PersonId person,
+                                                 const HistoryQuery& query)
+{
+    if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
+        return tl::unexpected(who.error());
+    QString where = QStringLiteral(" WHERE a.person_id = ?");
+    QVariantList values{number(person.value)};
+    if (!query.lessonId.empty()) {
+        where += QStringLiteral(" AND a.lesson_id = ?");
+        values += text(query.lessonId);
+    }
+    if (!query.tooth.empty()) {
+        where += QStringLiteral(" AND a.tooth = ?");
+        values += text(query.tooth);
+    }
+    values += query.limit > 0 ? query.limit : std::numeric_limits<int>::max();
+    std::vector<AttemptRecord> found;
+    if (auto read = forEach(school.db,
+                            "SELECT " + kColumns + " FROM attempts a" + where +
+                                " ORDER BY a.finished_utc DESC, a.id DESC LIMIT ?",
+                            kRead, values, [&](const QSqlQuery& row) { found.push_back(recordOf(row)); });
+        !read)
+        return tl::unexpected(read.error());
+    return found;
+}
+
+core::Result<std::vector<LessonStanding>> standingsOf(const School& school, const Session& session, PersonId person)
+{
+    if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
+        return tl::unexpected(who.error());
+    std::vector<LessonStanding> found;
+    if (auto read = forEach(school.db,
+                            "SELECT lesson_id, attempts, best_tenths, passed, last_utc FROM standings WHERE "
+                            "person_id = ? AND lesson_id <> '' ORDER BY lesson_id",
+                            kRead, {number(person.value)},
+                            [&](const QSqlQuery& row) {
+                                found.push_back({textOf(row, 0), row.value(1).toInt(), row.value(2).toInt(),
+                                                 row.value(3).toInt() != 0, textOf(row, 4)});
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return found;
+}
+
+core::Result<AttemptRecord> openAttempt(const School& school, const Session& session, AttemptId id)
+{
+    if (auto who = admitToAttempt(school, session, Operation::OpenAttempt, id); !who)
+        return tl::unexpected(who.error());
+    AttemptRecord record;
+    if (auto read = forEach(school.db,
+                            "SELECT " + kColumns +
+                                ", s.json, COALESCE(p.uid, '') FROM attempts a JOIN score_sheets s ON s.attempt_id = "
+                                "a.id LEFT JOIN people p ON p.id = a.person_id WHERE a.id = ?",
+                            kRead, {number(id.value)},
+                            [&](const QSqlQuery& row) {
+                                record = recordOf(row);
+                                record.scoreSheetJson = textOf(row, 27);
+                                record.personUid = textOf(row, 28);
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return record;
+}
+
+core::Result<QByteArray> openRecording(const School& school, const Session& session, AttemptId id)
+{
+    if (auto who = admitToAttempt(school, session, Operation::OpenAttempt, id); !who)
+        return tl::unexpected(who.error());
+    const auto hash = ask(school.db, "SELECT recording_hash FROM attempts WHERE id = ?", kRead, {number(id.value)});
+    if (!hash)
+        return tl::unexpected(hash.error());
+    if (hash->toString().isEmpty())
+        return core::unexpected(ErrorCode::FileMissing, "no recording was kept of this attempt");
+    return recordingOf(school, hash->toString().toStdString());
+}
+
+core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const Session& session,
+                                                    const std::string& lessonId, const std::string& lessonHash,
+                                                    int limit)
+{
+    const auto who = admit(school, session, Operation::OpenAttempt);
+    if (!who)
+        return tl::unexpected(who.error());
+    QString whose;
+    QVariantList values{text(lessonId), text(lessonHash)};
+    const qlonglong me = session.person().value;
+    if (who->reach == Reach::Own) {
+        whose = QStringLiteral(" AND a.person_id = ?");
+        values += me;
+    } else if (who->reach == Reach::Classes) {
+        whose = QStringLiteral(" AND (a.person_id = ? OR a.person_id IN (SELECT theirs.person_id FROM enrolments mine "
+                               "JOIN enrolments theirs ON mine.class_id = theirs.class_id WHERE mine.person_id = ?))");
+        values += me;
+        values += me;
+    }
+    values += std::max(0, limit);
+    std::vector<KeptSheet> sheets;
+    if (auto read = forEach(school.db,
+                            "SELECT a.finished_utc, s.json FROM attempts a JOIN score_sheets s ON s.attempt_id = a.id "
+                            "WHERE a.lesson_id = ? AND a.lesson_hash = ?" +
+                                whose + " ORDER BY a.finished_utc DESC, a.id DESC LIMIT ?",
+                            kRead, values,
+                            [&](const QSqlQuery& row) {
+                                sheets.push_back({textOf(row, 0), textOf(row, 1)});
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return sheets;
+}
+
+core::Result<std::vector<int>> bestOfClassmates(const School& school, const Session& session,
+                                                const std::string& lessonId, const std::string& rubricHash)
+{
+    if (auto who = admit(school, session, Operation::CompareWithClass); !who)
+        return tl::unexpected(who.error());
+    const qlonglong me = session.person().value;
+    std::vector<int> best;
+    if (auto read = forEach(school.db,
+                            "SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN people p ON "
+                            "p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? AND (a.person_id = ? OR "
+                            "(p.role = 'student' AND a.person_id IN (SELECT theirs.person_id FROM enrolments mine JOIN "
+                            "enrolments theirs ON mine.class_id = theirs.class_id WHERE mine.person_id = ?))) GROUP BY "
+                            "a.person_id",
+                            "compare with the class", {text(lessonId), text(rubricHash), me, me},
+                            [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
+        !read)
+        return tl::unexpected(read.error());
+    std::sort(best.begin(), best.end());
+    return best;
+}
+
+core::Status overrideScore(const School& school, const Session& session, AttemptId id, std::optional<int> tenths,
+                           const std::string& reason)
+{
+    if (auto who = admitToAttempt(school, session, Operation::Override, id); !who)
+        return tl::unexpected(who.error());
+    const auto words = checkWords(reason, "the reason for another score");
+    if (!words)
+        return tl::unexpected(words.error());
+    const std::string doing = "give another score";
+    return inTransaction(school.db, doing, [&]() -> core::Status {
+        const auto uid = uidOf(school, id);
+        if (!uid)
+            return tl::unexpected(uid.error());
+        if (auto kept = execute(
+                school.db,
+                "INSERT INTO overrides (attempt_id, author_id, given_utc, given_tenths, reason) VALUES "
+                "(?, ?, ?, ?, ?)",
+                doing,
+                {number(id.value), number(session.person().value), text(school.now()), tenthsOr(tenths), text(*words)});
+            !kept)
+            return kept;
+        if (auto set = execute(school.db, "UPDATE attempts SET given_tenths = ? WHERE id = ?", doing,
+                               {tenthsOr(tenths), number(id.value)});
+            !set)
+            return set;
+        if (auto counted = recount(school, id); !counted)
+            return counted;
+        return note(school, session.uid(), "attempt.override", "attempt:" + *uid,
+                    {{"given_tenths", tenths ? QJsonValue(*tenths) : QJsonValue()},
+                     {"reason_digest", QString::fromStdString(digestOf(*words))}});
+    });
+}
+
+core::Result<std::int64_t> addComment(const School& school, const Session& session, AttemptId id,
+                                      const NewComment& comment)
+{
+    if (auto who = admitToAttempt(school, session, Operation::Comment, id); !who)
+        return tl::unexpected(who.error());
+    const auto words = checkWords(comment.words, "a comment");
+    if (!words)
+        return tl::unexpected(words.error());
+    const std::string doing = "add the comment";
+    return inTransaction(school.db, doing, [&]() -> core::Result<std::int64_t> {
+        const auto uid = uidOf(school, id);
+        if (!uid)
+            return tl::unexpected(uid.error());
+        const auto um = [&](std::size_t axis) {
+            return comment.placeMm ? QVariant(static_cast<int>(
+                                         std::lround(std::clamp((*comment.placeMm)[axis], -1000.0, 1000.0) * kUmPerMm)))
+                                   : QVariant();
+        };
+        const auto added =
+            ask(school.db,
+                "INSERT INTO comments (attempt_id, author_id, written_utc, words, x_um, y_um, z_um, "
+                "moment_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING id",
+                doing,
+                {number(id.value), number(session.person().value), text(school.now()), text(*words), um(0), um(1),
+                 um(2), comment.momentMs ? QVariant(number(*comment.momentMs)) : QVariant()});
+        if (!added)
+            return tl::unexpected(added.error());
+        if (auto noted = note(school, session.uid(), "attempt.comment", "attempt:" + *uid); !noted)
+            return tl::unexpected(noted.error());
+        return added->toLongLong();
+    });
+}
+
+}  // namespace database::sql

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QByteArray>
+
+#include "database/records.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Keeps an attempt of the session's person, with its recording (empty: none). On the disk when this returns. Exactly
+/// once: one with a uid that is kept already is that one, and its id is returned.
+[[nodiscard]] core::Result<AttemptId> addAttempt(const School& school, const Session& session,
+                                                 const AttemptRecord& attempt, const QByteArray& recording);
+
+/// The same for one that waited in this station's outbox, which vouches for whose it is: record.personUid. He may have
+/// logged out, or been disabled, meanwhile.
+[[nodiscard]] core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt,
+                                                     const QByteArray& recording);
+
+/// The last attempts of a person, newest first, without their score sheets. `attempts` 0: as many as there are.
+struct HistoryQuery
+{
+    std::string lessonId;  ///< empty: of any lesson
+    std::string tooth;     ///< empty: at any tooth
+    int limit = 0;
+};
+[[nodiscard]] core::Result<std::vector<AttemptRecord>> history(const School& school, const Session& session,
+                                                               PersonId person, const HistoryQuery& query);
+
+/// Every lesson that a person ever attempted, by its id.
+[[nodiscard]] core::Result<std::vector<LessonStanding>> standingsOf(const School& school, const Session& session,
+                                                                    PersonId person);
+
+/// One attempt with all there is of it. UnknownName where there is none.
+[[nodiscard]] core::Result<AttemptRecord> openAttempt(const School& school, const Session& session, AttemptId id);
+/// Its recording; FileMissing where none was kept.
+[[nodiscard]] core::Result<QByteArray> openRecording(const School& school, const Session& session, AttemptId id);
+
+/// What is kept of attempts at exactly this lesson, newest first: the session's person's own, and those within his
+/// reach.
+struct KeptSheet
+{
+    std::string finishedUtc;
+    std::string json;
+};
+[[nodiscard]] core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const Session& session,
+                                                                  const std::string& lessonId,
+                                                                  const std::string& lessonHash, int limit);
+
+/// Each classmate's best score of a lesson by that rubric, tenths of a point, the session's own among them; no names,
+/// in no order. Without a class: one's own.
+[[nodiscard]] core::Result<std::vector<int>> bestOfClassmates(const School& school, const Session& session,
+                                                              const std::string& lessonId,
+                                                              const std::string& rubricHash);
+
+/// The machine's score stays; this one counts. Nothing: the machine's counts again.
+[[nodiscard]] core::Status overrideScore(const School& school, const Session& session, AttemptId id,
+                                         std::optional<int> tenths, const std::string& reason);
+
+struct NewComment
+{
+    std::string words;
+    std::optional<std::array<double, 3>> placeMm;  ///< in the tooth's frame
+    std::optional<std::int64_t> momentMs;          ///< since the attempt began
+};
+[[nodiscard]] core::Result<std::int64_t> addComment(const School& school, const Session& session, AttemptId id,
+                                                    const NewComment& comment);
+
+/// What the audit says of an attempt when it is kept: a hash of everything in it that never changes.
+[[nodiscard]] std::string digestOfAttempt(const AttemptRecord& attempt);
+
+}  // namespace database::sql

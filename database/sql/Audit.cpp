@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Audit.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include <QJsonDocument>
+
+#include "core/base/Bytes.h"
+#include "database/Passwords.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+constexpr std::size_t kCodeDigits = 12;
+const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
+
+AuditRow rowOf(const QSqlQuery& query)
+{
+    return {query.value(0).toLongLong(),
+            textOf(query, 1),
+            textOf(query, 2),
+            textOf(query, 3),
+            textOf(query, 4),
+            textOf(query, 5),
+            textOf(query, 6)};
+}
+
+std::string wordsOf(const AuditHead& head)
+{
+    return "cusp audit " + std::to_string(head.seq) + ' ' + head.hash;
+}
+
+/// Reads the chain row by row and says where it does not hold.
+class ChainReader
+{
+public:
+    explicit ChainReader(const std::vector<std::string>& witnesses)
+    {
+        for (const std::string& witness : witnesses) {
+            const auto dash = witness.find('-');
+            const std::int64_t seq = std::atoll(witness.c_str());
+            if (seq < 1 || dash == std::string::npos || dash + 1 == witness.size())
+                say('"' + witness + "\" is no audit code; a report shows one such as 412-9f3ac07be1d2");
+            else
+                m_witnesses.push_back({seq, witness.substr(dash + 1)});
+        }
+    }
+
+    void take(const AuditRow& row)
+    {
+        const std::string before = m_last.hash;
+        witness(row);
+        if (row.seq != m_last.seq + 1)
+            tellMissing(m_last.seq + 1, row.seq - 1);  // what stood before this row is not known
+        else if (!isAs(row, row.seq + m_shift, before) && !explain(row))
+            suspect(row, before);
+        m_beforeLast = before;
+        m_last = row;
+        if (!m_continueWith.empty())
+            m_last.hash = std::exchange(m_continueWith, {});
+    }
+
+    [[nodiscard]] std::vector<std::string> conclude(const QSqlQuery& seal)
+    {
+        settle();
+        const AuditHead head{seal.value(0).toLongLong(), textOf(seal, 1)};
+        if (head.seq > m_last.seq)
+            tellMissing(m_last.seq + 1, head.seq);
+        else if (head.seq < m_last.seq)
+            say("rows " + std::to_string(head.seq + 1) + " to " + std::to_string(m_last.seq) +
+                " were inserted: no station has signed them");
+        else if (head.hash != m_last.hash)
+            say(named(m_last) + " is not the one that was signed: it was changed");
+        if (head.seq > 0 && !StationKey::isSigned(wordsOf(head), textOf(seal, 2), textOf(seal, 3)))
+            say("the signature of the newest row was not made by the station whose key stands beside it");
+        for (const Witness& witness : m_witnesses)
+            if (witness.seq > m_last.seq)
+                say("row " + std::to_string(witness.seq) + ", which a report names, was removed");
+        return std::move(m_findings);
+    }
+
+private:
+    struct Witness
+    {
+        std::int64_t seq = 0;
+        std::string hash;
+    };
+
+    static std::string named(const AuditRow& row)
+    {
+        return "row " + std::to_string(row.seq) + " (" + row.atUtc + ", " + row.action + ", " + row.object + ")";
+    }
+    void say(const std::string& sentence)
+    {
+        if (m_findings.size() < kMostFindings)
+            m_findings.push_back(sentence);
+    }
+    void tellMissing(std::int64_t first, std::int64_t last)
+    {
+        say(first >= last ? "row " + std::to_string(first) + " was removed"
+                          : "rows " + std::to_string(first) + " to " + std::to_string(last) + " were removed");
+    }
+    [[nodiscard]] static bool isAs(const AuditRow& row, std::int64_t seq, const std::string& hashBefore)
+    {
+        AuditRow as = row;
+        as.seq = seq;
+        return hashOf(as, hashBefore) == row.hash;
+    }
+    /// Of a row that does not follow from the one before: whether it tells what was done to that one.
+    bool explain(const AuditRow& row)
+    {
+        const std::int64_t seq = row.seq + m_shift;
+        if (isAs(row, seq - 1, m_beforeLast)) {
+            m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
+                                            [&](const Suspect& s) { return s.row.seq == m_last.seq; }),
+                             m_suspects.end());
+            if (isAs(m_last, seq, row.hash)) {
+                say(named(m_last) + " and " + named(row) + " were exchanged");
+                m_continueWith = m_last.hash;
+            } else {
+                say(named(m_last) + " was inserted, and those behind it were renumbered");
+                --m_shift;
+            }
+            return true;
+        }
+        if (!isAs(row, seq + 1, m_last.hash))
+            return false;
+        // The first behind the one that was taken out follows from what is not there any more.
+        if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
+            m_suspects.pop_back();
+        say("a row before " + named(m_last) + " was removed, and those behind it were renumbered");
+        ++m_shift;
+        return true;
+    }
+    void suspect(const AuditRow& row, const std::string& before)
+    {
+        if (m_suspects.size() < kMostFindings)
+            m_suspects.push_back({row, before});
+    }
+    /// Those that fit into each other's place were moved there. One that follows from a row that was moved is sound.
+    void settle()
+    {
+        for (const Suspect& suspect : m_suspects) {
+            const auto fits = [&](const Suspect& place) {
+                return place.row.seq != suspect.row.seq && isAs(suspect.row, place.row.seq, place.before);
+            };
+            const auto leads = [&](const Suspect& other) { return isAs(suspect.row, suspect.row.seq, other.row.hash); };
+            const auto place = std::find_if(m_suspects.begin(), m_suspects.end(), fits);
+            if (place != m_suspects.end())
+                say(named(suspect.row) + " was moved: it was written as row " + std::to_string(place->row.seq));
+            else if (std::none_of(m_suspects.begin(), m_suspects.end(), leads))
+                say(named(suspect.row) + " was changed, or the one before it was and its hash with it");
+        }
+    }
+    void witness(const AuditRow& row)
+    {
+        for (const Witness& witness : m_witnesses)
+            if (witness.seq == row.seq && (row.hash.rfind(witness.hash, 0) != 0))
+                say(named(row) + " is not the one that a report names: it or one before it was changed");
+    }
+
+    struct Suspect
+    {
+        AuditRow row;
+        std::string before;  ///< hash of the row that stands before it
+    };
+
+    std::vector<Witness> m_witnesses;
+    std::vector<std::string> m_findings;
+    AuditRow m_last;
+    std::string m_beforeLast;    ///< hash of the row before m_last
+    std::string m_continueWith;  ///< what the next row follows from, where that is not the last one read
+    std::int64_t m_shift = 0;    ///< what a row's number was when it was written, less what it is
+    std::vector<Suspect> m_suspects;
+};
+
+}  // namespace
+
+std::string hashOf(const AuditRow& row, const std::string& hashBefore)
+{
+    core::ByteWriter bytes;
+    bytes.putText(hashBefore);
+    bytes.put(row.seq);
+    for (const std::string* part : {&row.atUtc, &row.actor, &row.action, &row.object, &row.detail})
+        bytes.putText(*part);
+    return digestOf(bytes.bytes());
+}
+
+std::string AuditHead::code() const
+{
+    return seq == 0 ? std::string("0") : std::to_string(seq) + '-' + hash.substr(0, kCodeDigits);
+}
+
+core::Status note(const School& school, const std::string& actor, const std::string& action, const std::string& object,
+                  const QJsonObject& detail)
+{
+    const std::string doing = "note it in the audit";
+    auto head = run(school.db, "SELECT seq, hash FROM audit_seal WHERE id = 1" + dialect::forUpdate(school.db), doing);
+    if (!head)
+        return tl::unexpected(head.error());
+    if (!head->next())
+        return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(school.db) +
+                                                                   ": the head of its audit is missing; restore a "
+                                                                   "backup of it");
+    AuditRow row;
+    row.seq = head->value(0).toLongLong() + 1;
+    row.atUtc = school.now();
+    row.actor = actor;
+    row.action = action;
+    row.object = object;
+    row.detail = QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString();
+    row.hash = hashOf(row, textOf(*head, 1));
+    head->finish();
+    const qlonglong seq = row.seq;
+    if (auto added = execute(school.db,
+                             QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns), doing,
+                             {seq, text(row.atUtc), text(row.actor), text(row.action), text(row.object),
+                              text(row.detail), text(row.hash)});
+        !added)
+        return added;
+    return execute(
+        school.db, "UPDATE audit_seal SET seq = ?, hash = ?, signature = ?, station_key = ? WHERE id = 1", doing,
+        {seq, text(row.hash), text(school.key.sign(wordsOf({row.seq, row.hash}))), text(school.key.publicHex())});
+}
+
+core::Result<AuditHead> auditHead(const School& school)
+{
+    AuditHead head;
+    if (auto read = forEach(school.db, "SELECT seq, hash FROM audit_seal WHERE id = 1", "read the audit", {},
+                            [&](const QSqlQuery& row) {
+                                head = {row.value(0).toLongLong(), textOf(row, 1)};
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return head;
+}
+
+core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
+                                              std::int64_t beforeSeq)
+{
+    if (auto who = admit(school, session, Operation::ReadAudit); !who)
+        return tl::unexpected(who.error());
+    std::vector<AuditRow> rows;
+    const qlonglong before = beforeSeq > 0 ? beforeSeq : std::numeric_limits<qlonglong>::max();
+    if (auto read = forEach(
+            school.db, QStringLiteral("SELECT %1 FROM audit WHERE seq < ? ORDER BY seq DESC LIMIT ?").arg(kColumns),
+            "read the audit", {before, std::max(0, limit)}, [&](const QSqlQuery& row) { rows.push_back(rowOf(row)); });
+        !read)
+        return tl::unexpected(read.error());
+    return rows;
+}
+
+core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+                                                  const std::function<void(std::int64_t)>& progress)
+{
+    ChainReader reader(witnesses);
+    if (auto read = forEach(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), "read the audit", {},
+                            [&](const QSqlQuery& query) {
+                                const AuditRow row = rowOf(query);
+                                reader.take(row);
+                                if (progress)
+                                    progress(row.seq);
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", "read the audit");
+    if (!seal)
+        return tl::unexpected(seal.error());
+    if (!seal->next())
+        return std::vector<std::string>{"the signed head of the audit was removed"};
+    return reader.conclude(*seal);
+}
+
+}  // namespace database::sql

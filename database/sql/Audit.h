@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QJsonObject>
+
+#include "core/base/Result.h"
+#include "database/sql/School.h"
+
+/// What was done here, by whom, in rows of which each holds the hash of the one before; the newest is signed by the
+/// station that wrote it. Who changes, removes, inserts or reorders rows breaks the chain where he did it; who cuts its
+/// end off breaks the signed head, and whoever holds a printed report has an older head to compare with.
+namespace database::sql {
+
+struct AuditRow
+{
+    std::int64_t seq = 0;  ///< from 1, without a gap
+    std::string atUtc;
+    std::string actor;  ///< uid of a person; "system"; empty: somebody who was not logged in
+    std::string action;
+    std::string object;  ///< "person:uid", "attempt:uid", "class:3" ...
+    std::string detail;  ///< JSON, keys in order; no names of people, which must be erasable
+    std::string hash;
+    bool operator==(const AuditRow&) const = default;
+};
+
+/// BLAKE2b-256 over the hash of the row before and all of this row but its hash, each part with its length.
+[[nodiscard]] std::string hashOf(const AuditRow& row, const std::string& hashBefore);
+
+/// Adds a row, inside the transaction of what it tells of: they are kept together or not at all.
+[[nodiscard]] core::Status note(const School& school, const std::string& actor, const std::string& action,
+                                const std::string& object, const QJsonObject& detail = {});
+
+/// Number and hash of the newest row; 0 and empty where nothing was noted.
+struct AuditHead
+{
+    std::int64_t seq = 0;
+    std::string hash;
+    bool operator==(const AuditHead&) const = default;
+
+    /// As reports show it: "412-9f3ac07be1d2", which `cusp db check --witness` takes.
+    [[nodiscard]] std::string code() const;
+};
+[[nodiscard]] core::Result<AuditHead> auditHead(const School& school);
+
+/// The newest rows, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
+[[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
+                                                            std::int64_t beforeSeq = 0);
+
+/// What is wrong with the chain, one sentence for each row that was changed, removed, inserted or moved; at most
+/// `kMostFindings`. Empty: nothing.
+inline constexpr std::size_t kMostFindings = 100;
+[[nodiscard]] core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db,
+                                                                const std::vector<std::string>& witnesses,
+                                                                const std::function<void(std::int64_t)>& progress = {});
+
+}  // namespace database::sql

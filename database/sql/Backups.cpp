@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Backups.h"
+
+#include <memory>
+#include <set>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QSqlDriver>
+#include <QTemporaryDir>
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include "database/sql/Dialect.h"
+#include "database/sql/Migrations.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+constexpr int kPagesAtOnce = 2000;
+constexpr int kBusyRestMs = 50;
+constexpr int kMostBusyRests = 200;
+constexpr std::size_t kDays = 12;
+constexpr std::size_t kWeeks = 10;
+constexpr std::size_t kMonths = 9;
+const QString kStamp = QStringLiteral("yyyy-MM-dd-HH.mm.ss");
+const QString kSuffix = QStringLiteral(".sqlite");
+
+core::Error refused(const QString& file, const std::string& why)
+{
+    return {ErrorCode::FileUnwritable, "backup " + file.toStdString() + ": " + why};
+}
+
+/// Of a file or a folder, to the disk.
+bool sync(const QString& path)
+{
+    const int file = open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    const bool done = fsync(file) == 0;
+    close(file);
+    return done;
+}
+
+/// A connection of its own to a file that must not change.
+class Reader
+{
+public:
+    explicit Reader(const QString& file) : m_name(QStringLiteral("cusp-backup-%1").arg(quintptr(this)))
+    {
+        QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
+        db.setDatabaseName(file);
+        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
+        db.open();
+    }
+    ~Reader()
+    {
+        handle().close();
+        QSqlDatabase::removeDatabase(m_name);
+    }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    [[nodiscard]] QSqlDatabase handle() const { return QSqlDatabase::database(m_name, false); }
+
+private:
+    QString m_name;
+};
+
+core::Status expectOk(const QSqlDatabase& db, const QString& pragma)
+{
+    const auto answer = ask(db, pragma, "check it");
+    if (!answer)
+        return tl::unexpected(answer.error());
+    // foreign_key_check answers with nothing if all is well.
+    if (answer->isNull() || answer->toString() == u"ok")
+        return {};
+    return core::unexpected(ErrorCode::BadStructure,
+                            "database " + db.databaseName().toStdString() + ": it is damaged (" +
+                                answer->toString().simplified().toStdString() + "); restore an older backup");
+}
+
+core::Status copyPages(const QSqlDatabase& db, const QString& file, const BackupProgress& progress)
+{
+    const QVariant handle = db.driver()->handle();
+    if (!handle.isValid() || qstrcmp(handle.typeName(), "sqlite3*") != 0)
+        return core::unexpected(ErrorCode::WrongKind, "database " + dialect::nameOf(db) +
+                                                          ": only a file is backed up so; use \"cusp db copy\"");
+    auto* const from = *static_cast<sqlite3* const*>(handle.data());
+    sqlite3* opened = nullptr;
+    const int begun = sqlite3_open(file.toUtf8().constData(), &opened);
+    const std::unique_ptr<sqlite3, int (*)(sqlite3*)> to(opened, sqlite3_close);
+    sqlite3_backup* const backup = begun == SQLITE_OK ? sqlite3_backup_init(to.get(), "main", from, "main") : nullptr;
+    if (backup == nullptr)
+        return tl::unexpected(refused(file, "it cannot be created; check the folder and the room on the disk"));
+    int code = SQLITE_OK;
+    for (int rests = 0; code == SQLITE_OK || code == SQLITE_BUSY || code == SQLITE_LOCKED;) {
+        code = sqlite3_backup_step(backup, kPagesAtOnce);
+        if (code == SQLITE_OK && progress &&
+            !progress(sqlite3_backup_pagecount(backup) - sqlite3_backup_remaining(backup),
+                      sqlite3_backup_pagecount(backup))) {
+            sqlite3_backup_finish(backup);
+            return tl::unexpected(refused(file, "it was stopped"));
+        }
+        if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+            if (++rests > kMostBusyRests)
+                break;
+            sqlite3_sleep(kBusyRestMs);
+        }
+    }
+    const bool done = sqlite3_backup_finish(backup) == SQLITE_OK && code == SQLITE_DONE;
+    return done ? core::Status()
+                : core::Status(
+                      tl::unexpected(refused(file, std::string("it could not be written (") + sqlite3_errstr(code) +
+                                                       "); make room on the "
+                                                       "disk and try again")));
+}
+
+QStringList tablesOf(const QSqlDatabase& db)
+{
+    QStringList tables;
+    static_cast<void>(forEach(db,
+                              "SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite_%' "
+                              "ORDER BY name",
+                              "check it", {}, [&](const QSqlQuery& row) { tables += row.value(0).toString(); }));
+    return tables;
+}
+
+core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, const QString& name,
+                               const BackupProgress& progress)
+{
+    if (auto sound = expectOk(db, "PRAGMA quick_check(1)"); !sound)
+        return tl::unexpected(sound.error());
+    if (!QDir().mkpath(folder))
+        return tl::unexpected(refused(folder, "the folder cannot be created; check who may write there"));
+    const QString file = QDir(folder).filePath(name);
+    const QString part = file + ".part";
+    const auto removePart = [&part] {
+        for (const char* end : {"", "-wal", "-shm", "-journal"})
+            QFile::remove(part + QLatin1String(end));
+    };
+    removePart();
+    auto made = copyPages(db, part, progress);
+    if (made)
+        made = verifyBackup(part);
+    // Checking a copy that has the write-ahead mark leaves two empty files beside it.
+    for (const char* end : {"-wal", "-shm"})
+        QFile::remove(part + QLatin1String(end));
+    if (made && !sync(part))
+        made = tl::unexpected(refused(file, "it could not be brought to the disk; make room there and try again"));
+    if (made) {
+        QFile::remove(file);
+        if (!QFile::rename(part, file) || !sync(folder))
+            made = tl::unexpected(refused(file, "it could not be given its name; check who may write there"));
+    }
+    if (!made) {
+        removePart();
+        return tl::unexpected(made.error());
+    }
+    return file;
+}
+
+/// When a backup was made, out of its name; invalid for other files.
+QDateTime madeAt(const QString& file)
+{
+    static const QRegularExpression kName(QStringLiteral(R"(^backup-(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)\.sqlite$)"));
+    const auto found = kName.match(QFileInfo(file).fileName());
+    return found.hasMatch() ? QDateTime::fromString(found.captured(1), kStamp) : QDateTime();
+}
+
+}  // namespace
+
+QString backupFolder(const QString& databaseFile)
+{
+    return QFileInfo(databaseFile).absoluteDir().filePath(QStringLiteral("backups"));
+}
+
+core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
+                             const BackupProgress& progress)
+{
+    return backUpAs(db, folder, "backup-" + nowUtc.toString(kStamp) + kSuffix, progress);
+}
+
+core::Status saveBeforeMigration(const QSqlDatabase& db, int version)
+{
+    const QString name =
+        QStringLiteral("before-schema-%1-%2%3")
+            .arg(QString::number(version + 1), QDateTime::currentDateTimeUtc().toString(kStamp), kSuffix);
+    const auto made = backUpAs(db, backupFolder(db.databaseName()), name, {});
+    return made ? core::Status() : core::Status(tl::unexpected(made.error()));
+}
+
+core::Status verifyBackup(const QString& file)
+{
+    if (!QFileInfo(file).isFile())
+        return core::unexpected(ErrorCode::FileMissing,
+                                "backup " + file.toStdString() + ": there is no such file; choose another one");
+    const Reader reader(file);
+    const QSqlDatabase db = reader.handle();
+    if (!db.isOpen())
+        return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
+    const auto application = ask(db, "PRAGMA application_id", "check it");
+    if (!application)
+        return tl::unexpected(application.error());
+    if (application->toInt() != dialect::kApplicationId)
+        return core::unexpected(ErrorCode::WrongKind, "backup " + file.toStdString() +
+                                                          ": this database belongs to another program; choose another "
+                                                          "file");
+    const auto version = dialect::schemaVersion(db);
+    const auto steps = shippedMigrations();
+    if (!version || !steps)
+        return tl::unexpected(version ? steps.error() : version.error());
+    if (*version > static_cast<int>(steps->size()))
+        return core::unexpected(ErrorCode::NewerVersion,
+                                "backup " + file.toStdString() + ": a later program made it; use that program");
+    for (const char* pragma : {"PRAGMA integrity_check(1)", "PRAGMA foreign_key_check"})
+        if (auto sound = expectOk(db, QLatin1String(pragma)); !sound)
+            return sound;
+    return {};
+}
+
+QStringList backupsIn(const QString& folder)
+{
+    QStringList files;
+    const QDir there(folder);
+    for (const QString& name : there.entryList({"backup-*.sqlite"}, QDir::Files, QDir::Name | QDir::Reversed))
+        if (madeAt(name).isValid())
+            files += there.filePath(name);
+    return files;
+}
+
+QStringList tooMany(const QStringList& files)
+{
+    QStringList sorted = files;
+    std::sort(sorted.begin(), sorted.end(), [](const QString& a, const QString& b) { return madeAt(a) > madeAt(b); });
+    QStringList gone;
+    std::set<QString> days;
+    std::set<QString> weeks;
+    std::set<QString> months;
+    for (const QString& file : std::as_const(sorted)) {
+        const QDateTime made = madeAt(file);
+        if (!made.isValid())
+            continue;
+        int year = 0;
+        const int week = made.date().weekNumber(&year);
+        // The newest of its day, week or month comes first.
+        const auto isFirst = [](std::set<QString>& seen, std::size_t most, const QString& when) {
+            return seen.size() < most && seen.insert(when).second;
+        };
+        const bool forDay = isFirst(days, kDays, made.date().toString(Qt::ISODate));
+        const bool forWeek = isFirst(weeks, kWeeks, QStringLiteral("%1-%2").arg(year).arg(week));
+        const bool forMonth = isFirst(months, kMonths, made.date().toString(QStringLiteral("yyyy-MM")));
+        if (!forDay && !forWeek && !forMonth)
+            gone += file;
+    }
+    return gone;
+}
+
+core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile, const QDateTime& nowUtc)
+{
+    if (auto sound = verifyBackup(backup); !sound)
+        return tl::unexpected(sound.error());
+    const QFileInfo target(databaseFile);
+    const QString part = databaseFile + ".restoring";
+    QFile::remove(part);
+    if (!QFile::copy(backup, part) || !sync(part)) {
+        QFile::remove(part);
+        return tl::unexpected(refused(databaseFile, "it could not be copied there; make room on the disk"));
+    }
+    QString replaced;
+    if (target.exists()) {
+        const QString stem = QStringLiteral("replaced-%1-").arg(nowUtc.toString(kStamp)) + target.fileName();
+        replaced = target.absoluteDir().filePath(stem);
+        for (const char* end : {"", "-wal", "-shm"})
+            if (QFile::exists(databaseFile + QLatin1String(end)) &&
+                !QFile::rename(databaseFile + QLatin1String(end), replaced + QLatin1String(end))) {
+                QFile::remove(part);
+                return tl::unexpected(
+                    refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
+            }
+    } else {
+        for (const char* end : {"-wal", "-shm"})
+            QFile::remove(databaseFile + QLatin1String(end));
+    }
+    if (!QFile::rename(part, databaseFile) || !sync(target.absolutePath()))
+        return tl::unexpected(
+            refused(databaseFile, "it could not be put in its place; it lies there as " + part.toStdString()));
+    return replaced;
+}
+
+core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
+{
+    QTemporaryDir folder(QFileInfo(db.databaseName()).absoluteDir().filePath(QStringLiteral("drill-XXXXXX")));
+    if (!folder.isValid())
+        return tl::unexpected(refused(folder.path(), "the folder cannot be created; check who may write there"));
+    const auto backup = backUp(db, folder.path(), QDateTime::currentDateTimeUtc(), progress);
+    if (!backup)
+        return tl::unexpected(backup.error());
+    const QString restored = folder.filePath(QStringLiteral("restored.sqlite"));
+    if (const auto put = restoreBackup(*backup, restored, QDateTime::currentDateTimeUtc()); !put)
+        return tl::unexpected(put.error());
+    const Reader reader(restored);
+    qint64 rows = 0;
+    for (const QString& table : tablesOf(db)) {
+        const QString count = QStringLiteral("SELECT count(*) FROM %1").arg(table);
+        const auto here = ask(db, count, "count its rows");
+        const auto there = ask(reader.handle(), count, "count its rows");
+        if (!here || !there)
+            return tl::unexpected(here ? there.error() : here.error());
+        // Who writes meanwhile only adds.
+        if (there->toLongLong() > here->toLongLong())
+            return core::unexpected(ErrorCode::BadStructure, "the restored copy holds more rows of " +
+                                                                 table.toStdString() + " than the database");
+        rows += there->toLongLong();
+    }
+    return rows;
+}
+
+}  // namespace database::sql

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QDateTime>
+#include <QSqlDatabase>
+#include <QString>
+#include <QStringList>
+
+#include "core/base/Result.h"
+
+/// Copies of an SQLite database, each checked before it counts. What a server keeps its administrator backs up;
+/// `cusp db copy` brings it into a file.
+namespace database::sql {
+
+/// Pages done, and all; returns false to stop.
+using BackupProgress = std::function<bool(int done, int all)>;
+
+/// The folder "backups" beside the database's file.
+[[nodiscard]] QString backupFolder(const QString& databaseFile);
+
+/// Copies the database, as it is at one moment, into `folder` as "backup-2026-11-20-10.15.00.sqlite" by SQLite's online
+/// API: others may write meanwhile. The database is checked first, so that a damaged one never replaces a good copy,
+/// and the copy afterwards (see verifyBackup()); only then it gets its name, on the disk. Returns its path.
+[[nodiscard]] core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
+                                           const BackupProgress& progress = {});
+
+/// As backUp(), under the name "before-schema-3-...": kept until somebody deletes it.
+[[nodiscard]] core::Status saveBeforeMigration(const QSqlDatabase& db, int version);
+
+/// Whether a file is a whole database of this program: its pages and keys checked, its schema known.
+[[nodiscard]] core::Status verifyBackup(const QString& file);
+
+/// The backups in a folder, newest first.
+[[nodiscard]] QStringList backupsIn(const QString& folder);
+
+/// Of names as backUp() gives them, those to delete: kept are the newest of each of the last 12 days, 10 weeks and 9
+/// months that have one.
+[[nodiscard]] QStringList tooMany(const QStringList& files);
+
+/// Puts a backup in the place of the database, which nobody may have open. The backup is checked first; what lies there
+/// is moved to "replaced-...", with its -wal and -shm, which would otherwise be read into the restored file. Returns
+/// where the old file lies now, empty if there was none.
+[[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
+                                                  const QDateTime& nowUtc);
+
+/// Tries that a backup can be made of this database and brought back: into a folder of its own, which is removed.
+/// Returns how many rows were compared.
+[[nodiscard]] core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress = {});
+
+}  // namespace database::sql

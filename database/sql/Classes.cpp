@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Classes.h"
+
+#include <algorithm>
+
+#include "database/sql/Audit.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+const std::string kListClasses = "list the classes";
+const std::string kChange = "change the class";
+constexpr qsizetype kLongestName = 100;
+
+QVariant number(std::int64_t value)
+{
+    return QVariant::fromValue<qlonglong>(value);
+}
+
+/// ", and only those": what a session's reach adds to a query over classes, as c.
+QString within(const Who& who)
+{
+    return who.reach == Reach::All ? QString()
+                                   : QStringLiteral(" WHERE c.id IN (SELECT class_id FROM enrolments WHERE "
+                                                    "person_id = ?)");
+}
+
+QVariantList valuesOf(const Who& who, const Session& session)
+{
+    return who.reach == Reach::All ? QVariantList() : QVariantList{number(session.person().value)};
+}
+
+core::Result<std::string> checkedName(const std::string& name)
+{
+    const QString trimmed = QString::fromStdString(name).simplified();
+    if (trimmed.isEmpty() || trimmed.size() > kLongestName ||
+        !std::all_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.isPrint(); }))
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "the name of a class has 1 to 100 characters that can be seen; correct it");
+    return trimmed.toStdString();
+}
+
+std::string objectOf(ClassId id)
+{
+    return "class:" + std::to_string(id.value);
+}
+
+core::Status expectFreeName(const School& school, const std::string& name, ClassId except)
+{
+    const auto taken =
+        ask(school.db, "SELECT 1 FROM classes WHERE name = ? AND id <> ?", kChange, {text(name), number(except.value)});
+    if (!taken)
+        return tl::unexpected(taken.error());
+    if (!taken->isNull())
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "there is a class \"" + name + "\" already; choose another name");
+    return {};
+}
+
+}  // namespace
+
+core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session)
+{
+    const auto who = admit(school, session, Operation::ListClasses);
+    if (!who)
+        return tl::unexpected(who.error());
+    std::vector<SchoolClass> classes;
+    if (auto read =
+            forEach(school.db,
+                    "SELECT c.id, c.name, COUNT(CASE WHEN p.role = 'student' THEN 1 END), "
+                    "COUNT(CASE WHEN p.role = 'instructor' THEN 1 END) FROM classes c "
+                    "LEFT JOIN enrolments e ON e.class_id = c.id LEFT JOIN people p ON p.id = e.person_id" +
+                        within(*who) + " GROUP BY c.id, c.name ORDER BY c.name",
+                    kListClasses, valuesOf(*who, session),
+                    [&](const QSqlQuery& row) {
+                        classes.push_back(
+                            {{row.value(0).toLongLong()}, textOf(row, 1), row.value(2).toInt(), row.value(3).toInt()});
+                    });
+        !read)
+        return tl::unexpected(read.error());
+    return classes;
+}
+
+core::Result<ClassId> classNamed(const School& school, const std::string& actor, const std::string& name)
+{
+    const auto checked = checkedName(name);
+    if (!checked)
+        return tl::unexpected(checked.error());
+    const auto found = ask(school.db, "SELECT id FROM classes WHERE name = ?", kChange, {text(*checked)});
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!found->isNull())
+        return ClassId{found->toLongLong()};
+    const auto made = ask(school.db, "INSERT INTO classes (name) VALUES (?) RETURNING id", kChange, {text(*checked)});
+    if (!made)
+        return tl::unexpected(made.error());
+    const ClassId id{made->toLongLong()};
+    if (auto noted = note(school, actor, "class.add", objectOf(id), {{"name", QString::fromStdString(*checked)}});
+        !noted)
+        return tl::unexpected(noted.error());
+    return id;
+}
+
+core::Status putInto(const School& school, const std::string& actor, ClassId id, PersonId person)
+{
+    const auto is = ask(school.db, "SELECT 1 FROM enrolments WHERE class_id = ? AND person_id = ?", kChange,
+                        {number(id.value), number(person.value)});
+    if (!is)
+        return tl::unexpected(is.error());
+    if (!is->isNull())
+        return {};
+    if (auto put = execute(school.db, "INSERT INTO enrolments (class_id, person_id) VALUES (?, ?)", kChange,
+                           {number(id.value), number(person.value)});
+        !put)
+        return put;
+    const auto uid = ask(school.db, "SELECT uid FROM people WHERE id = ?", kChange, {number(person.value)});
+    if (!uid)
+        return tl::unexpected(uid.error());
+    return note(school, actor, "class.enrol", objectOf(id), {{"person", uid->toString()}});
+}
+
+core::Result<ClassId> addClass(const School& school, const Session& session, const std::string& name)
+{
+    if (auto who = admit(school, session, Operation::ChangeClasses); !who)
+        return tl::unexpected(who.error());
+    return inTransaction(school.db, kChange, [&]() -> core::Result<ClassId> {
+        const auto checked = checkedName(name);
+        if (!checked)
+            return tl::unexpected(checked.error());
+        if (auto is = expectFreeName(school, *checked, {}); !is)
+            return tl::unexpected(is.error());
+        return classNamed(school, session.uid(), *checked);
+    });
+}
+
+core::Status renameClass(const School& school, const Session& session, ClassId id, const std::string& name)
+{
+    if (auto who = admit(school, session, Operation::ChangeClasses); !who)
+        return tl::unexpected(who.error());
+    const auto checked = checkedName(name);
+    if (!checked)
+        return tl::unexpected(checked.error());
+    return inTransaction(school.db, kChange, [&]() -> core::Status {
+        if (auto is = expectFreeName(school, *checked, id); !is)
+            return is;
+        if (auto renamed = execute(school.db, "UPDATE classes SET name = ? WHERE id = ?", kChange,
+                                   {text(*checked), number(id.value)});
+            !renamed)
+            return renamed;
+        return note(school, session.uid(), "class.rename", objectOf(id), {{"name", QString::fromStdString(*checked)}});
+    });
+}
+
+core::Status enrol(const School& school, const Session& session, ClassId id, PersonId person, bool belongs)
+{
+    if (auto who = admit(school, session, Operation::ChangeClasses); !who)
+        return tl::unexpected(who.error());
+    return inTransaction(school.db, kChange, [&]() -> core::Status {
+        if (belongs)
+            return putInto(school, session.uid(), id, person);
+        const auto uid = ask(school.db,
+                             "DELETE FROM enrolments WHERE class_id = ? AND person_id = ? RETURNING "
+                             "(SELECT uid FROM people WHERE people.id = person_id)",
+                             kChange, {number(id.value), number(person.value)});
+        if (!uid)
+            return tl::unexpected(uid.error());
+        if (uid->isNull())
+            return {};
+        return note(school, session.uid(), "class.leave", objectOf(id), {{"person", uid->toString()}});
+    });
+}
+
+core::Result<std::vector<ClassAssignment>> listAssignments(const School& school, const Session& session)
+{
+    const auto who = admit(school, session, Operation::ListAssignments);
+    if (!who)
+        return tl::unexpected(who.error());
+    std::vector<ClassAssignment> assignments;
+    if (auto read = forEach(school.db,
+                            "SELECT a.id, a.class_id, a.lesson_id, a.due_utc, a.attempt_limit FROM assignments a JOIN "
+                            "classes c ON c.id = a.class_id" +
+                                within(*who) + " ORDER BY a.due_utc = '', a.due_utc, a.id",
+                            "list what is to be done", valuesOf(*who, session),
+                            [&](const QSqlQuery& row) {
+                                assignments.push_back({row.value(0).toLongLong(),
+                                                       {row.value(1).toLongLong()},
+                                                       textOf(row, 2),
+                                                       textOf(row, 3),
+                                                       row.value(4).toInt()});
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return assignments;
+}
+
+core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment)
+{
+    if (auto who = admitToClass(school, session, Operation::Assign, assignment.classId); !who)
+        return tl::unexpected(who.error());
+    const std::string doing = "assign the lesson";
+    return inTransaction(school.db, doing, [&]() -> core::Status {
+        if (auto put = execute(school.db,
+                               "INSERT INTO assignments (class_id, lesson_id, due_utc, attempt_limit, created_by, "
+                               "created_utc) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (class_id, lesson_id) DO UPDATE SET "
+                               "due_utc = excluded.due_utc, attempt_limit = excluded.attempt_limit",
+                               doing,
+                               {number(assignment.classId.value), text(assignment.lessonId), text(assignment.dueUtc),
+                                assignment.attemptLimit, number(session.person().value), text(school.now())});
+            !put)
+            return put;
+        return note(school, session.uid(), "lesson.assign", objectOf(assignment.classId),
+                    {{"lesson", QString::fromStdString(assignment.lessonId)},
+                     {"due", QString::fromStdString(assignment.dueUtc)},
+                     {"limit", assignment.attemptLimit}});
+    });
+}
+
+core::Status unassign(const School& school, const Session& session, ClassId id, const std::string& lessonId)
+{
+    if (auto who = admitToClass(school, session, Operation::Assign, id); !who)
+        return tl::unexpected(who.error());
+    const std::string doing = "take the lesson back";
+    return inTransaction(school.db, doing, [&]() -> core::Status {
+        if (auto gone = execute(school.db, "DELETE FROM assignments WHERE class_id = ? AND lesson_id = ?", doing,
+                                {number(id.value), text(lessonId)});
+            !gone)
+            return gone;
+        return note(school, session.uid(), "lesson.unassign", objectOf(id),
+                    {{"lesson", QString::fromStdString(lessonId)}});
+    });
+}
+
+core::Result<std::optional<int>> attemptsLeft(const School& school, const Session& session, const std::string& lessonId)
+{
+    std::optional<int> left;
+    if (session.isGuest())
+        return left;
+    const std::string doing = "see how often the lesson may be tried";
+    if (auto who = admit(school, session, Operation::ListAssignments); !who)
+        return tl::unexpected(who.error());
+    // No limit anywhere is the most generous of all.
+    const auto limit = ask(school.db,
+                           "SELECT CASE WHEN MIN(a.attempt_limit) = 0 THEN 0 ELSE MAX(a.attempt_limit) END FROM "
+                           "assignments a JOIN enrolments e ON e.class_id = a.class_id WHERE e.person_id = ? AND "
+                           "a.lesson_id = ?",
+                           doing, {number(session.person().value), text(lessonId)});
+    if (!limit)
+        return tl::unexpected(limit.error());
+    if (limit->toInt() == 0)
+        return left;
+    const auto done = ask(school.db, "SELECT attempts FROM standings WHERE person_id = ? AND lesson_id = ?", doing,
+                          {number(session.person().value), text(lessonId)});
+    if (!done)
+        return tl::unexpected(done.error());
+    left = std::max(0, limit->toInt() - done->toInt());
+    return left;
+}
+
+}  // namespace database::sql

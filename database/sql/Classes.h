@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/people.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Those within the session's reach, by name.
+[[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session);
+[[nodiscard]] core::Result<ClassId> addClass(const School& school, const Session& session, const std::string& name);
+[[nodiscard]] core::Status renameClass(const School& school, const Session& session, ClassId id,
+                                       const std::string& name);
+/// Puts a person into a class, or takes him out; what is so already stays so.
+[[nodiscard]] core::Status enrol(const School& school, const Session& session, ClassId id, PersonId person,
+                                 bool belongs);
+
+/// What the classes within the session's reach are to do, by due date.
+[[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const School& school, const Session& session);
+/// Gives a class a lesson to do, or changes when it is due and how often it may be tried. The id is ignored.
+[[nodiscard]] core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment);
+/// Takes it back; attempts stay.
+[[nodiscard]] core::Status unassign(const School& school, const Session& session, ClassId id,
+                                    const std::string& lessonId);
+
+/// How often the session's person may still try a lesson; nothing: as often as he likes. Of several classes the most
+/// generous decides.
+[[nodiscard]] core::Result<std::optional<int>> attemptsLeft(const School& school, const Session& session,
+                                                            const std::string& lessonId);
+
+/// Inside a transaction of others, who have looked whether it is allowed: the class of that name, made if need be.
+[[nodiscard]] core::Result<ClassId> classNamed(const School& school, const std::string& actor, const std::string& name);
+[[nodiscard]] core::Status putInto(const School& school, const std::string& actor, ClassId id, PersonId person);
+
+}  // namespace database::sql

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "database/Passwords.h"
+#include "database/people.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// How one comes in. Each call hashes a password: keep it off the ui thread. A class only because nobody else makes a
+/// Session.
+class Logins
+{
+public:
+    /// After this many failures in a row the next try has to wait a second, then two, four, up to a quarter of an hour.
+    static constexpr int kFreeFailures = 3;
+    static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
+    /// How long a one-time code is good for.
+    static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
+
+    /// Whether nobody has been entered yet: the first may make himself the admin.
+    [[nodiscard]] static core::Result<bool> isNew(const School& school);
+
+    /// Enters the first person, an admin, and keeps what passwords cost here. NotAllowed when there is somebody.
+    [[nodiscard]] static core::Result<Session> createFirstAdmin(const School& school, const NewPerson& who,
+                                                                const std::string& password, const PasswordCost& cost);
+
+    /// Lets a person in. WrongLogin, with the same words and after the same time: no such name, a wrong password, a
+    /// disabled account. TooSoon: after failures. NewPassword: a one-time code was right, which redeem() takes.
+    [[nodiscard]] static core::Result<Session> login(const School& school, const std::string& username,
+                                                     const std::string& password);
+
+    /// Takes a one-time code, which is then used up, and sets the password. Failures as of login(), and of
+    /// checkPassword().
+    [[nodiscard]] static core::Result<Session> redeem(const School& school, const std::string& username,
+                                                      const std::string& code, const std::string& newPassword);
+
+    /// Tells the audit that a person has gone.
+    [[nodiscard]] static core::Status logout(const School& school, const Session& session);
+
+    /// WrongLogin if the present password is not `old`.
+    [[nodiscard]] static core::Status changePassword(const School& school, const Session& session,
+                                                     const std::string& old, const std::string& newPassword);
+};
+
+/// What passwords cost in this school.
+[[nodiscard]] core::Result<PasswordCost> passwordCost(const School& school);
+
+}  // namespace database::sql

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/People.h"
+
+#include <map>
+
+#include "database/Passwords.h"
+#include "database/Usernames.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Logins.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+const QString kColumns = QStringLiteral("p.id, p.uid, p.username, p.given_name, p.family_name, p.role, p.disabled, "
+                                        "p.password_hash <> '', p.last_login_utc");
+
+Person personOf(const QSqlQuery& row)
+{
+    Person person;
+    person.id = {row.value(0).toLongLong()};
+    person.uid = textOf(row, 1);
+    person.username = textOf(row, 2);
+    person.givenName = textOf(row, 3);
+    person.familyName = textOf(row, 4);
+    person.role = roleOf(textOf(row, 5)).value_or(Role::Student);
+    person.disabled = row.value(6).toInt() != 0;
+    person.hasPassword = row.value(7).toBool();
+    person.lastLoginUtc = textOf(row, 8);
+    return person;
+}
+
+QVariant roleText(Role role)
+{
+    return text(std::string(roleName(role)));
+}
+
+core::Status checkNames(const NewPerson& who)
+{
+    if (who.role == Role::Guest)
+        return core::unexpected(ErrorCode::OutOfRange, "a person is a student, an instructor or an admin");
+    for (const std::string* name : {&who.givenName, &who.familyName})
+        for (const QChar c : QString::fromStdString(*name))
+            if (!c.isPrint())
+                return core::unexpected(ErrorCode::OutOfRange,
+                                        "a name holds characters that cannot be seen; type it again");
+    return {};
+}
+
+/// Somebody must be left who can let others in.
+core::Status expectAnotherAdmin(const School& school, PersonId person)
+{
+    const auto other = ask(school.db,
+                           "SELECT 1 FROM people WHERE role = 'admin' AND disabled = 0 AND password_hash <> '' "
+                           "AND id <> ? LIMIT 1",
+                           "see who else is an admin", {static_cast<qlonglong>(person.value)});
+    if (!other)
+        return tl::unexpected(other.error());
+    if (other->isNull())
+        return core::unexpected(ErrorCode::NotAllowed,
+                                "this is the last admin who can log in; make somebody else an admin first");
+    return {};
+}
+
+core::Result<Person> personBy(const School& school, const QString& column, const QVariant& value)
+{
+    std::optional<Person> found;
+    if (auto read = forEach(school.db, QStringLiteral("SELECT %1 FROM people p WHERE p.%2 = ?").arg(kColumns, column),
+                            "find the person", {value}, [&](const QSqlQuery& row) { found = personOf(row); });
+        !read)
+        return tl::unexpected(read.error());
+    if (!found)
+        return core::unexpected(ErrorCode::UnknownName, "nobody here is called \"" + value.toString().toStdString() +
+                                                            "\"; \"cusp user list\" "
+                                                            "lists who there is");
+    return *found;
+}
+
+}  // namespace
+
+core::Result<std::vector<Person>> listPeople(const School& school, const Session& session)
+{
+    const auto who = admit(school, session, Operation::ListPeople);
+    if (!who)
+        return tl::unexpected(who.error());
+    QString where;
+    QVariantList values;
+    if (who->reach != Reach::All) {
+        where = QStringLiteral(" WHERE p.id IN (SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs "
+                               "ON mine.class_id = theirs.class_id WHERE mine.person_id = ?)");
+        values = {static_cast<qlonglong>(session.person().value)};
+    }
+    std::vector<Person> people;
+    std::map<std::int64_t, std::size_t> placeOf;
+    if (auto read = forEach(school.db,
+                            "SELECT " + kColumns + " FROM people p" + where +
+                                " ORDER BY p.family_name, p.given_name, p.username",
+                            "list the people", values,
+                            [&](const QSqlQuery& row) {
+                                people.push_back(personOf(row));
+                                placeOf[people.back().id.value] = people.size() - 1;
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    if (auto read =
+            forEach(school.db, "SELECT person_id, class_id FROM enrolments ORDER BY class_id", "list the people", {},
+                    [&](const QSqlQuery& row) {
+                        if (const auto place = placeOf.find(row.value(0).toLongLong()); place != placeOf.end())
+                            people[place->second].classes.push_back({row.value(1).toLongLong()});
+                    });
+        !read)
+        return tl::unexpected(read.error());
+    return people;
+}
+
+core::Result<Person> enter(const School& school, const std::string& actor, const NewPerson& who,
+                           const std::string& passwordHash)
+{
+    const auto username = normalUsername(who.username);
+    if (!username)
+        return tl::unexpected(username.error());
+    if (auto fit = checkNames(who); !fit)
+        return tl::unexpected(fit.error());
+    const auto taken = ask(school.db, "SELECT 1 FROM people WHERE username = ?", "enter the person", {text(*username)});
+    if (!taken)
+        return tl::unexpected(taken.error());
+    if (!taken->isNull())
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "there is somebody called \"" + *username + "\" already; choose another user's name");
+    Person person;
+    person.uid = newUid();
+    person.username = *username;
+    person.givenName = who.givenName;
+    person.familyName = who.familyName;
+    person.role = who.role;
+    person.hasPassword = !passwordHash.empty();
+    auto added = ask(school.db,
+                     "INSERT INTO people (uid, username, given_name, family_name, role, password_hash, reset_hash, "
+                     "reset_until_utc, disabled, created_utc, last_login_utc) VALUES (?, ?, ?, ?, ?, ?, '', '', 0, ?, "
+                     "'') RETURNING id",
+                     "enter the person",
+                     {text(person.uid), text(person.username), text(person.givenName), text(person.familyName),
+                      roleText(person.role), text(passwordHash), text(school.now())});
+    if (!added)
+        return tl::unexpected(added.error());
+    person.id = {added->toLongLong()};
+    if (auto noted = note(school, actor, "person.add", "person:" + person.uid,
+                          {{"role", QString::fromUtf8(roleName(person.role).data())}});
+        !noted)
+        return tl::unexpected(noted.error());
+    return person;
+}
+
+core::Result<std::string> giveCode(const School& school, const Person& person)
+{
+    const std::string code = newCode();
+    const QString until =
+        school.nowUtc().addSecs(std::chrono::seconds(Logins::kCodeLife).count()).toString(Qt::ISODate);
+    if (auto set =
+            execute(school.db, "UPDATE people SET password_hash = '', reset_hash = ?, reset_until_utc = ? WHERE id = ?",
+                    "set a one-time code",
+                    {text(hashOfCode(person.uid, code)), until, static_cast<qlonglong>(person.id.value)});
+        !set)
+        return tl::unexpected(set.error());
+    return code;
+}
+
+core::Result<Entered> addPerson(const School& school, const Session& session, const NewPerson& who)
+{
+    if (auto may = admit(school, session, Operation::AddPerson); !may)
+        return tl::unexpected(may.error());
+    return inTransaction(school.db, "enter the person", [&]() -> core::Result<Entered> {
+        auto person = enter(school, session.uid(), who, {});
+        if (!person)
+            return tl::unexpected(person.error());
+        auto code = giveCode(school, *person);
+        if (!code)
+            return tl::unexpected(code.error());
+        return Entered{std::move(*person), std::move(*code)};
+    });
+}
+
+core::Status changePerson(const School& school, const Session& session, const Person& person)
+{
+    if (auto may = admit(school, session, Operation::ChangePerson); !may)
+        return tl::unexpected(may.error());
+    if (auto fit = checkNames({person.username, person.givenName, person.familyName, person.role}); !fit)
+        return fit;
+    const qlonglong id = person.id.value;
+    return inTransaction(school.db, "change the person", [&]() -> core::Status {
+        const auto before = personBy(school, QStringLiteral("id"), id);
+        if (!before)
+            return tl::unexpected(before.error());
+        if (before->role == Role::Admin && (person.disabled || person.role != Role::Admin))
+            if (auto left = expectAnotherAdmin(school, person.id); !left)
+                return left;
+        if (auto changed = execute(
+                school.db, "UPDATE people SET given_name = ?, family_name = ?, role = ?, disabled = ? WHERE id = ?",
+                "change the person",
+                {text(person.givenName), text(person.familyName), roleText(person.role), person.disabled ? 1 : 0, id});
+            !changed)
+            return changed;
+        // Names stay out of the audit, which cannot forget.
+        QJsonObject detail;
+        if (before->role != person.role)
+            detail["role"] = QString::fromUtf8(roleName(person.role).data());
+        if (before->disabled != person.disabled)
+            detail["disabled"] = person.disabled;
+        if (before->givenName != person.givenName || before->familyName != person.familyName)
+            detail["renamed"] = true;
+        return note(school, session.uid(), "person.change", "person:" + before->uid, detail);
+    });
+}
+
+core::Result<std::string> resetPassword(const School& school, const Session& session, PersonId person)
+{
+    if (auto may = admit(school, session, Operation::ResetPassword); !may)
+        return tl::unexpected(may.error());
+    return inTransaction(school.db, "set a one-time code", [&]() -> core::Result<std::string> {
+        const auto who = personBy(school, QStringLiteral("id"), static_cast<qlonglong>(person.value));
+        if (!who)
+            return tl::unexpected(who.error());
+        if (who->role == Role::Admin)
+            if (auto left = expectAnotherAdmin(school, person); !left)
+                return tl::unexpected(left.error());
+        auto code = giveCode(school, *who);
+        if (!code)
+            return code;
+        if (auto forgiven = execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", "set a one-time code",
+                                    {text(digestOf(who->username))});
+            !forgiven)
+            return tl::unexpected(forgiven.error());
+        if (auto noted = note(school, session.uid(), "password.reset", "person:" + who->uid); !noted)
+            return tl::unexpected(noted.error());
+        return code;
+    });
+}
+
+core::Result<Person> findPerson(const School& school, const Session& session, const std::string& username)
+{
+    const auto who = admit(school, session, Operation::ChangePerson);
+    if (!who)
+        return tl::unexpected(who.error());
+    const auto name = normalUsername(username);
+    if (!name)
+        return tl::unexpected(name.error());
+    return personBy(school, QStringLiteral("username"), text(*name));
+}
+
+}  // namespace database::sql

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/people.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Everybody within the session's reach, by family name. Admins: all; instructors: those of their classes.
+[[nodiscard]] core::Result<std::vector<Person>> listPeople(const School& school, const Session& session);
+
+/// Who was entered, and the one-time code that lets him in: it is kept nowhere in clear, so tell it now.
+struct Entered
+{
+    Person person;
+    std::string code;
+};
+[[nodiscard]] core::Result<Entered> addPerson(const School& school, const Session& session, const NewPerson& who);
+
+/// Names, role and whether disabled; the uid and the username stay. The last admin who can log in cannot be disabled or
+/// made something else.
+[[nodiscard]] core::Status changePerson(const School& school, const Session& session, const Person& person);
+
+/// Takes the password away and returns a one-time code in its place, good for Logins::kCodeLife. Failed logins are
+/// forgiven.
+[[nodiscard]] core::Result<std::string> resetPassword(const School& school, const Session& session, PersonId person);
+
+/// By the name that is typed at the login. UnknownName; admins.
+[[nodiscard]] core::Result<Person> findPerson(const School& school, const Session& session,
+                                              const std::string& username);
+
+/// Inside a transaction of others, who have looked whether it is allowed.
+/// @param actor  uid, for the audit
+[[nodiscard]] core::Result<Person> enter(const School& school, const std::string& actor, const NewPerson& who,
+                                         const std::string& passwordHash);
+/// The same: sets a new one-time code.
+[[nodiscard]] core::Result<std::string> giveCode(const School& school, const Person& person);
+
+}  // namespace database::sql

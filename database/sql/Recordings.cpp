@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Recordings.h"
+
+#include <string_view>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include "database/Passwords.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+std::string_view viewOf(const QByteArray& bytes)
+{
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
+/// "recordings/3f/3f9a….cusprec" beside the database.
+QString fileOf(const School& school, const std::string& hash)
+{
+    const QString name = QString::fromStdString(hash);
+    return QFileInfo(school.db.databaseName())
+        .absoluteDir()
+        .filePath(QStringLiteral("recordings/%1/%2.cusprec").arg(name.left(2), name));
+}
+
+core::Status writeFile(const QString& path, const QByteArray& bytes)
+{
+    if (QFileInfo(path).size() == bytes.size() && QFileInfo::exists(path))
+        return {};
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    QSaveFile file(path);  // synced before it gets its name
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+        return {};
+    return core::unexpected(ErrorCode::FileUnwritable, "recording " + path.toStdString() + ": it cannot be written (" +
+                                                           file.errorString().toStdString() +
+                                                           "); make room on the disk and try again");
+}
+
+}  // namespace
+
+core::Result<std::string> putRecording(const School& school, const QByteArray& bytes)
+{
+    const std::string hash = digestOf(viewOf(bytes));
+    const core::Status put =
+        dialect::isPostgres(school.db)
+            ? execute(school.db, "INSERT INTO recordings (hash, content) VALUES (?, ?) ON CONFLICT (hash) DO NOTHING",
+                      "keep the recording", {text(hash), bytes})
+            : writeFile(fileOf(school, hash), bytes);
+    if (!put)
+        return tl::unexpected(put.error());
+    return hash;
+}
+
+core::Result<QByteArray> recordingOf(const School& school, const std::string& hash)
+{
+    const std::string name = "recording " + hash.substr(0, 12) + ": ";
+    QByteArray bytes;
+    bool isThere = false;
+    if (dialect::isPostgres(school.db)) {
+        if (auto read =
+                forEach(school.db, "SELECT content FROM recordings WHERE hash = ?", "read the recording", {text(hash)},
+                        [&](const QSqlQuery& row) {
+                            bytes = row.value(0).toByteArray();
+                            isThere = true;
+                        });
+            !read)
+            return tl::unexpected(read.error());
+    } else {
+        QFile file(fileOf(school, hash));
+        isThere = file.open(QIODevice::ReadOnly);
+        bytes = file.readAll();
+    }
+    if (!isThere)
+        return core::unexpected(ErrorCode::FileMissing,
+                                name + "it is not there any more; bring the folder \"recordings\" back from a backup");
+    if (digestOf(viewOf(bytes)) != hash)
+        return core::unexpected(ErrorCode::BadStructure, name + "it was changed or is damaged; bring it back from a "
+                                                                "backup");
+    return bytes;
+}
+
+}  // namespace database::sql

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/School.h"
+
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+core::Error notAllowed(const std::string& why)
+{
+    return {core::ErrorCode::NotAllowed, why};
+}
+
+core::Status within(const School& school, const QString& question, const QVariantList& values)
+{
+    const auto found = ask(school.db, question, "see whether that is allowed", values);
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->isNull())
+        return tl::unexpected(
+            notAllowed("that belongs to a class which is not one of yours; ask an admin to enrol you"));
+    return {};
+}
+
+}  // namespace
+
+std::string School::now() const
+{
+    return nowUtc().toString(Qt::ISODate).toStdString();
+}
+
+core::Result<Who> admit(const School& school, const Session& session, Operation operation)
+{
+    Who who;
+    if (!session.isGuest()) {
+        auto row =
+            run(school.db, "SELECT role, disabled FROM people WHERE id = ? AND uid = ?", "see whether that is allowed",
+                {QVariant::fromValue<qlonglong>(session.person().value), text(session.uid())});
+        if (!row)
+            return tl::unexpected(row.error());
+        if (!row->next() || row->value(1).toInt() != 0)
+            return tl::unexpected(notAllowed("this account has been disabled; ask an admin"));
+        who.role = roleOf(textOf(*row, 0)).value_or(Role::Guest);
+    }
+    who.reach = reachOf(operation, who.role);
+    if (who.reach == Reach::Nothing)
+        return tl::unexpected(
+            notAllowed(session.isGuest() ? std::string("that needs a login; log in first")
+                                         : "a " + std::string(roleName(who.role)) + " may not do that; ask an admin"));
+    return who;
+}
+
+core::Result<Who> admitTo(const School& school, const Session& session, Operation operation, PersonId owner)
+{
+    auto who = admit(school, session, operation);
+    if (!who || who->reach == Reach::All || owner == session.person())
+        return who;
+    if (who->reach == Reach::Own)
+        return tl::unexpected(notAllowed("that belongs to somebody else"));
+    const qlonglong me = session.person().value;
+    const qlonglong other = owner.value;
+    if (auto fit = within(school,
+                          "SELECT 1 FROM enrolments mine JOIN enrolments theirs ON mine.class_id = theirs.class_id "
+                          "WHERE mine.person_id = ? AND theirs.person_id = ? LIMIT 1",
+                          {me, other});
+        !fit)
+        return tl::unexpected(fit.error());
+    return who;
+}
+
+core::Result<Who> admitToClass(const School& school, const Session& session, Operation operation, ClassId ofClass)
+{
+    auto who = admit(school, session, operation);
+    if (!who || who->reach == Reach::All)
+        return who;
+    const qlonglong me = session.person().value;
+    const qlonglong there = ofClass.value;
+    if (auto fit = within(school, "SELECT 1 FROM enrolments WHERE person_id = ? AND class_id = ?", {me, there}); !fit)
+        return tl::unexpected(fit.error());
+    return who;
+}
+
+}  // namespace database::sql

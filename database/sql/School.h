@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QDateTime>
+#include <QSqlDatabase>
+
+#include "core/base/Result.h"
+#include "database/Session.h"
+#include "database/StationKey.h"
+
+namespace database::sql {
+
+/// What every operation on a school's data works with. Belongs to the thread of its connection.
+struct School
+{
+    QSqlDatabase db;  ///< of a Database, which outlives it
+    StationKey key;
+    std::function<QDateTime()> nowUtc = [] { return QDateTime::currentDateTimeUtc(); };
+
+    /// "2026-11-20T10:15:00Z"
+    [[nodiscard]] std::string now() const;
+};
+
+/// A person, as the rules see him.
+struct Who
+{
+    Role role = Role::Guest;
+    Reach reach = Reach::Nothing;
+};
+
+/// Whether the session's person may do this at all, by the role he has now; NotAllowed if not, or if he was disabled.
+/// Whose data it may be is for the operation to look at: the reach says how far.
+[[nodiscard]] core::Result<Who> admit(const School& school, const Session& session, Operation operation);
+
+/// As admit(), for something that belongs to one person.
+[[nodiscard]] core::Result<Who> admitTo(const School& school, const Session& session, Operation operation,
+                                        PersonId owner);
+/// As admit(), for something that belongs to one class.
+[[nodiscard]] core::Result<Who> admitToClass(const School& school, const Session& session, Operation operation,
+                                             ClassId ofClass);
+
+}  // namespace database::sql

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/base/Result.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Names and values as texts; what they mean is for who uses them.
+using SettingsMap = std::map<std::string, std::string>;
+
+/// The school's, and over them the session's own.
+[[nodiscard]] core::Result<SettingsMap> readSettings(const School& school, const Session& session);
+/// For everybody here.
+[[nodiscard]] core::Status changeSetting(const School& school, const Session& session, const std::string& name,
+                                         const std::string& value);
+/// For the session's person alone.
+[[nodiscard]] core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,
+                                            const std::string& value);
+
+/// Inside a transaction of others, who have looked whether it is allowed.
+/// @param owner  uid; empty: the school
+[[nodiscard]] core::Status putSetting(const School& school, const std::string& owner, const std::string& name,
+                                      const std::string& value);
+
+}  // namespace database::sql

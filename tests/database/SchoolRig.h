@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <QDateTime>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "database/Passwords.h"
+#include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Classes.h"
+#include "database/sql/Database.h"
+#include "database/sql/Logins.h"
+#include "database/sql/People.h"
+#include "database/sql/Settings.h"
+#include "tests/support/PostgresServer.h"
+
+namespace support {
+
+/// The engines that each test of the database runs on, as rows of its data.
+inline void addEngines()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::newRow("sqlite") << false;
+    QTest::newRow("postgresql") << true;
+}
+
+/// One server for all tests of a program, begun when the first wants it.
+inline PostgresServer& sharedServer()
+{
+    static PostgresServer server;
+    return server;
+}
+
+/// A school with people of every role. Passwords cost next to nothing; the clock is set by the test.
+class SchoolRig
+{
+public:
+    static constexpr database::PasswordCost kCheap{1, 8192};
+    static inline const std::string kPassword = "correct horse";
+
+    explicit SchoolRig(bool onServer)
+        : m_address(onServer ? sharedServer().newDatabase() : m_folder.filePath("school.sqlite"))
+    {
+        reopen();
+    }
+
+    /// As the next run of the program would find it.
+    void reopen()
+    {
+        m_school.reset();
+        m_database.reset();
+        auto opened = database::sql::Database::open(m_address, std::chrono::milliseconds(200));
+        if (!opened) {
+            qWarning("%s", opened.error().detail.c_str());
+            return;
+        }
+        m_database = std::move(*opened);
+        m_school = std::make_unique<database::sql::School>(
+            database::sql::School{m_database->handle(), m_key, [this] { return nowUtc; }});
+    }
+    [[nodiscard]] bool isOpen() const { return m_database != nullptr; }
+    [[nodiscard]] const database::sql::School& school() const { return *m_school; }
+    [[nodiscard]] database::sql::Database& database() { return *m_database; }
+    [[nodiscard]] const QString& address() const { return m_address; }
+
+    /// Enters the first admin, two classes with an instructor and a student each, and a second student in the first.
+    void populate()
+    {
+        using namespace database;
+        using namespace database::sql;
+        admin = Logins::createFirstAdmin(school(), {"admin", "Ada", "Admin", Role::Admin}, kPassword, kCheap).value();
+        first = addClass(school(), admin, "DEN101-A").value();
+        second = addClass(school(), admin, "DEN101-B").value();
+        instructor = join({"teach", "Ines", "Teach", Role::Instructor}, first);
+        student = join({"s1001", "Sam", "One", Role::Student}, first);
+        classmate = join({"s1002", "Sue", "Two", Role::Student}, first);
+        stranger = join({"s2001", "Kim", "Far", Role::Student}, second);
+        otherInstructor = join({"teach2", "Otto", "Teach", Role::Instructor}, second);
+    }
+    /// Enters a person with the common password, into a class, and logs him in.
+    database::Session join(const database::NewPerson& who, database::ClassId into)
+    {
+        using namespace database::sql;
+        const Entered entered = addPerson(school(), admin, who).value();
+        if (!enrol(school(), admin, into, entered.person.id, true))
+            qWarning("not enrolled");
+        return Logins::redeem(school(), who.username, entered.code, kPassword).value();
+    }
+
+    /// A graded attempt with all there is of one.
+    static database::AttemptRecord attempt(const std::string& lesson, int tenths,
+                                           const std::string& finished = "2026-11-20T10:15:00Z")
+    {
+        database::AttemptRecord record;
+        record.uid = database::newUid();
+        record.finishedUtc = finished;
+        record.tooth = "36";
+        record.lessonId = lesson;
+        record.lessonHash = std::string(64, 'a');
+        record.rubricHash = std::string(64, 'b');
+        record.scoreTenths = tenths;
+        record.passMarkTenths = 750;
+        record.passed = tenths >= 750;
+        record.expectedTenths = 800;
+        record.durationMs = 345'678;
+        record.criteria = {{"depth", 100, 300}, {"outline", 50, 200}};
+        record.scoreSheetJson = "{\"format\":2}";
+        record.stateHash = "0123456789abcdef";
+        record.device = "pointer";
+        record.method = "clearance";
+        record.grid = 150;
+        record.viewMode = "flat";
+        record.seed = "18446744073709551615";
+        record.preset = "natural v1";
+        record.presetHash = std::string(64, 'c');
+        record.program = "0.1.0";
+        record.meanForceMn = 850;
+        record.peakForceMn = 2400;
+        return record;
+    }
+
+    QDateTime nowUtc = QDateTime(QDate(2026, 11, 20), QTime(10, 15), Qt::UTC);
+    database::Session admin, instructor, student, classmate, stranger, otherInstructor, guest;
+    database::ClassId first, second;
+
+private:
+    QTemporaryDir m_folder;
+    QString m_address;
+    database::StationKey m_key = database::StationKey::make();
+    std::unique_ptr<database::sql::Database> m_database;
+    std::unique_ptr<database::sql::School> m_school;
+};
+
+}  // namespace support
+
+/// Goes on with a rig of the row's engine, or skips where there is no server.
+#define SCHOOL_RIG(name)                                                                                               \
+    QFETCH(bool, onServer);                                                                                            \
+    if (onServer && !support::sharedServer().fault().isEmpty())                                                        \
+        QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
+    support::SchoolRig name(onServer);                                                                                 \
+    QVERIFY(name.isOpen())
+
+/// That a result is there; else its sentence.
+#define VERIFY_DONE(expression)                                                                                        \
+    do {                                                                                                               \
+        const auto& verifiedResult = (expression);                                                                     \
+        QVERIFY2(verifiedResult.has_value(), verifiedResult ? "" : verifiedResult.error().detail.c_str());             \
+    } while (false)
+
+/// That it is an error of this code.
+#define VERIFY_REFUSED(expression, expected)                                                                           \
+    do {                                                                                                               \
+        const auto& refusedResult = (expression);                                                                      \
+        QVERIFY2(!refusedResult.has_value(), "was not refused");                                                       \
+        QVERIFY2(refusedResult.error().code == (expected), refusedResult.error().detail.c_str());                      \
+        QVERIFY(!refusedResult.error().detail.empty());                                                                \
+    } while (false)

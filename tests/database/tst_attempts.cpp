@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QSqlQuery>
+#include <QTest>
+
+#include "database/sql/Recordings.h"
+#include "tests/database/SchoolRig.h"
+
+using namespace database;
+using namespace database::sql;
+using core::ErrorCode;
+using support::SchoolRig;
+
+class TestAttempts : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyFieldComesBack_data() { support::addEngines(); }
+    void everyFieldComesBack();
+    void theSameAttemptIsKeptOnce_data() { support::addEngines(); }
+    void theSameAttemptIsKeptOnce();
+    void historyIsNewestFirstAndOfOnePerson_data() { support::addEngines(); }
+    void historyIsNewestFirstAndOfOnePerson();
+    void standingsFollowTheAttempts_data() { support::addEngines(); }
+    void standingsFollowTheAttempts();
+    void anOverrideCountsAndTheMachinesScoreStays_data() { support::addEngines(); }
+    void anOverrideCountsAndTheMachinesScoreStays();
+    void valuesAreBoundNotPasted_data() { support::addEngines(); }
+    void valuesAreBoundNotPasted();
+    void refusesWhatTheSchemaForbids_data();
+    void refusesWhatTheSchemaForbids();
+    void aRecordingThatWasChangedIsNotPlayed_data() { support::addEngines(); }
+    void aRecordingThatWasChangedIsNotPlayed();
+    void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
+    void classmatesAreComparedWithoutNames();
+    void saysThatTheDiskIsFullAndGoesOnAfterwards();
+    void saysThatAnotherProgramWrites();
+};
+
+void TestAttempts::everyFieldComesBack()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    AttemptRecord attempt = SchoolRig::attempt("class1-36", 823);
+    const QByteArray recording = QByteArray("a recording\0with a zero in it", 29).repeated(1000);
+    const auto id = addAttempt(rig.school(), rig.student, attempt, recording);
+    VERIFY_DONE(id);
+    rig.reopen();
+    const auto kept = openAttempt(rig.school(), rig.student, *id);
+    VERIFY_DONE(kept);
+    attempt.id = id->value;
+    attempt.person = rig.student.person();
+    attempt.personUid = rig.student.uid();
+    attempt.recordingHash = digestOf({recording.constData(), static_cast<std::size_t>(recording.size())});
+    QVERIFY(*kept == attempt);
+    QCOMPARE(openRecording(rig.school(), rig.student, *id).value(), recording);
+    // Nobody expected anything, and nothing was recorded.
+    AttemptRecord bare = SchoolRig::attempt("", 100);
+    bare.expectedTenths.reset();
+    bare.criteria.clear();
+    const AttemptId other = addAttempt(rig.school(), rig.student, bare, {}).value();
+    QVERIFY(!openAttempt(rig.school(), rig.student, other)->expectedTenths.has_value());
+    QVERIFY(openAttempt(rig.school(), rig.student, other)->criteria.empty());
+    VERIFY_REFUSED(openRecording(rig.school(), rig.student, other), ErrorCode::FileMissing);
+    VERIFY_REFUSED(openAttempt(rig.school(), rig.student, {999}), ErrorCode::UnknownName);
+}
+
+void TestAttempts::theSameAttemptIsKeptOnce()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    AttemptRecord attempt = SchoolRig::attempt("class1-36", 823);
+    const AttemptId id = addAttempt(rig.school(), rig.student, attempt, {}).value();
+    attempt.personUid = rig.student.uid();
+    for (int k = 0; k < 3; ++k)
+        QCOMPARE(deliverAttempt(rig.school(), attempt, {}).value(), id);
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {})->size(), std::size_t{1});
+    QCOMPARE(standingsOf(rig.school(), rig.student, rig.student.person())->front().attempts, 1);
+    // Nobody takes it over, and none is kept without a number or an owner.
+    VERIFY_REFUSED(addAttempt(rig.school(), rig.classmate, attempt, {}), ErrorCode::OutOfRange);
+    attempt.uid.clear();
+    VERIFY_REFUSED(addAttempt(rig.school(), rig.student, attempt, {}), ErrorCode::BadStructure);
+    attempt.uid = newUid();
+    attempt.personUid = newUid();
+    VERIFY_REFUSED(deliverAttempt(rig.school(), attempt, {}), ErrorCode::UnknownName);
+}
+
+void TestAttempts::historyIsNewestFirstAndOfOnePerson()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const char* times[]{"2026-11-20T10:15:00Z", "2026-11-22T10:15:00Z", "2026-11-21T10:15:00Z"};
+    for (const char* time : times) {
+        VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 800, time), {}));
+        VERIFY_DONE(addAttempt(rig.school(), rig.classmate, SchoolRig::attempt("class1-36", 500, time), {}));
+    }
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("decay-21", 700, times[0]), {}));
+    const auto times36 = [&](int limit) {
+        std::vector<std::string> found;
+        const auto listed = history(rig.school(), rig.student, rig.student.person(), {"class1-36", "", limit});
+        for (const AttemptRecord& record : *listed)
+            found.push_back(record.finishedUtc);
+        return found;
+    };
+    QCOMPARE(times36(0), (std::vector<std::string>{times[1], times[2], times[0]}));
+    QCOMPARE(times36(2), (std::vector<std::string>{times[1], times[2]}));
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {})->size(), std::size_t{4});
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"", "36", 0})->size(), std::size_t{4});
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"", "11", 0})->size(), std::size_t{0});
+}
+
+void TestAttempts::standingsFollowTheAttempts()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    for (const int tenths : {500, 823, 760})
+        VERIFY_DONE(addAttempt(
+            rig.school(), rig.student,
+            SchoolRig::attempt("class1-36", tenths, tenths == 823 ? "2026-11-22T10:15:00Z" : "2026-11-20T10:15:00Z"),
+            {}));
+    const auto standings = standingsOf(rig.school(), rig.student, rig.student.person());
+    VERIFY_DONE(standings);
+    QCOMPARE(standings->size(), std::size_t{1});
+    QVERIFY((standings->front() == LessonStanding{"class1-36", 3, 823, true, "2026-11-22T10:15:00Z"}));
+}
+
+void TestAttempts::anOverrideCountsAndTheMachinesScoreStays()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    const AttemptId id = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 600), {}).value();
+    VERIFY_REFUSED(overrideScore(rig.school(), rig.instructor, id, 760, "  "), ErrorCode::OutOfRange);
+    VERIFY_REFUSED(overrideScore(rig.school(), rig.instructor, id, 1001, "far too much"), ErrorCode::OutOfRange);
+    VERIFY_DONE(overrideScore(rig.school(), rig.instructor, id, 760, "The isthmus is sound; the scan misled."));
+    AttemptRecord given = openAttempt(rig.school(), rig.student, id).value();
+    QCOMPARE(given.scoreTenths, 600);
+    QCOMPARE(given.countingTenths(), 760);
+    QVERIFY(given.countsAsPassed() && !given.passed);
+    LessonStanding standing = standingsOf(rig.school(), rig.student, rig.student.person())->front();
+    QCOMPARE(standing.bestTenths, 760);
+    QVERIFY(standing.passed);
+    // It can be taken back; what was said stays in the list of overrides.
+    VERIFY_DONE(overrideScore(rig.school(), rig.instructor, id, {}, "I was wrong."));
+    given = openAttempt(rig.school(), rig.student, id).value();
+    QCOMPARE(given.countingTenths(), 600);
+    standing = standingsOf(rig.school(), rig.student, rig.student.person())->front();
+    QCOMPARE(standing.bestTenths, 600);
+    QVERIFY(!standing.passed);
+    QSqlQuery query(rig.school().db);
+    QVERIFY(query.exec("SELECT count(*) FROM overrides") && query.next());
+    QCOMPARE(query.value(0).toInt(), 2);
+    QVERIFY(!query.exec("UPDATE overrides SET reason = 'x'"));
+    QVERIFY(!query.exec("DELETE FROM overrides"));
+}
+
+void TestAttempts::valuesAreBoundNotPasted()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const char* nasty = "36'); DROP TABLE attempts; --";
+    AttemptRecord attempt = SchoolRig::attempt(nasty, 500);
+    attempt.tooth = nasty;
+    attempt.device = "Gerät \"ü\" \\ 歯";
+    const AttemptId id = addAttempt(rig.school(), rig.student, attempt, {}).value();
+    QCOMPARE(openAttempt(rig.school(), rig.student, id)->tooth, attempt.tooth);
+    QCOMPARE(openAttempt(rig.school(), rig.student, id)->device, attempt.device);
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"' OR 1 = 1 --", "", 0})->size(),
+             std::size_t{0});
+    const auto comment = addComment(rig.school(), rig.instructor, id, {nasty, {{1.0, -2.5, 0.125}}, 61'500});
+    VERIFY_DONE(comment);
+}
+
+void TestAttempts::refusesWhatTheSchemaForbids_data()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::addColumn<int>("which");
+    for (const bool onServer : {false, true})
+        for (int which = 0; which < 6; ++which)
+            QTest::addRow("%s %d", onServer ? "postgresql" : "sqlite", which) << onServer << which;
+}
+
+void TestAttempts::refusesWhatTheSchemaForbids()
+{
+    QFETCH(int, which);
+    SCHOOL_RIG(rig);
+    rig.populate();
+    AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+    switch (which) {
+    case 0:
+        attempt.scoreTenths = 1001;
+        break;
+    case 1:
+        attempt.scoreTenths = -1;
+        break;
+    case 2:
+        attempt.durationMs = -1;
+        break;
+    case 3:
+        attempt.finishedUtc = "2026-11-20 10:15:00";
+        break;
+    case 4:
+        attempt.tooth.clear();
+        break;
+    default:
+        attempt.stateHash = "abc";
+        break;
+    }
+    const auto refused = addAttempt(rig.school(), rig.student, attempt, {});
+    VERIFY_REFUSED(refused, ErrorCode::OutOfRange);
+    QVERIFY2(refused.error().detail.find("a value is not allowed") != std::string::npos,
+             refused.error().detail.c_str());
+    QVERIFY(history(rig.school(), rig.student, rig.student.person(), {})->empty());
+    QVERIFY(standingsOf(rig.school(), rig.student, rig.student.person())->empty());
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+}
+
+void TestAttempts::aRecordingThatWasChangedIsNotPlayed()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const AttemptId id =
+        addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), QByteArray(5000, 'r')).value();
+    if (onServer) {
+        QSqlQuery query(rig.school().db);
+        QVERIFY(query.exec("UPDATE recordings SET content = 'abc'"));
+    } else {
+        const QDir folder(QFileInfo(rig.address()).absolutePath() + "/recordings");
+        const QString inner = folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).value(0);
+        QFile file(folder.filePath(inner + '/' + QDir(folder.filePath(inner)).entryList(QDir::Files).value(0)));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        file.write("x");
+    }
+    VERIFY_REFUSED(openRecording(rig.school(), rig.student, id), ErrorCode::BadStructure);
+}
+
+void TestAttempts::classmatesAreComparedWithoutNames()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const std::string rubric(64, 'b');
+    for (const auto& [who, tenths] :
+         {std::pair(rig.student, 500), std::pair(rig.student, 700), std::pair(rig.classmate, 900),
+          std::pair(rig.stranger, 100), std::pair(rig.instructor, 1000)})
+        VERIFY_DONE(addAttempt(rig.school(), who, SchoolRig::attempt("class1-36", tenths), {}));
+    AttemptRecord other = SchoolRig::attempt("class1-36", 1000);
+    other.rubricHash = std::string(64, 'z');
+    VERIFY_DONE(addAttempt(rig.school(), rig.classmate, other, {}));
+    QCOMPARE(bestOfClassmates(rig.school(), rig.student, "class1-36", rubric).value(), (std::vector{700, 900}));
+    QCOMPARE(bestOfClassmates(rig.school(), rig.stranger, "class1-36", rubric).value(), (std::vector{100}));
+    // A teacher practises among his students, and is not one of them.
+    QCOMPARE(bestOfClassmates(rig.school(), rig.instructor, "class1-36", rubric).value(),
+             (std::vector{700, 900, 1000}));
+}
+
+void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    QSqlQuery query(rig.school().db);
+    QVERIFY(query.exec("PRAGMA page_count") && query.next());
+    const int pages = query.value(0).toInt();
+    QVERIFY(query.exec(QStringLiteral("PRAGMA max_page_count = %1").arg(pages)));
+    query.clear();
+    AttemptRecord large = SchoolRig::attempt("class1-36", 500);
+    large.scoreSheetJson.assign(100'000, 'x');
+    const auto refused = addAttempt(rig.school(), rig.student, large, {});
+    VERIFY_REFUSED(refused, ErrorCode::FileUnwritable);
+    QVERIFY2(refused.error().detail.find("the disk is full") != std::string::npos, refused.error().detail.c_str());
+    QVERIFY(history(rig.school(), rig.student, rig.student.person(), {})->empty());
+    QVERIFY(query.exec("PRAGMA max_page_count = 100000"));
+    query.clear();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, large, {}));
+}
+
+void TestAttempts::saysThatAnotherProgramWrites()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    auto other = Database::open(rig.address(), std::chrono::milliseconds(10));
+    VERIFY_DONE(other);
+    QSqlQuery hold((*other)->handle());
+    QVERIFY(hold.exec("BEGIN IMMEDIATE"));
+    VERIFY_REFUSED(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}), ErrorCode::Busy);
+    VERIFY_DONE(history(rig.school(), rig.student, rig.student.person(), {}));  // readers are not kept waiting
+    QVERIFY(hold.exec("ROLLBACK"));
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+}
+
+QTEST_GUILESS_MAIN(TestAttempts)
+#include "tst_attempts.moc"

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QTest>
+
+#include "database/sql/Dialect.h"
+#include "tests/database/SchoolRig.h"
+
+using namespace database;
+using namespace database::sql;
+using core::ErrorCode;
+using support::SchoolRig;
+
+class TestAudit : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aSoundChainHasNoFindings_data() { support::addEngines(); }
+    void aSoundChainHasNoFindings();
+    void theDatabaseItselfRefusesChanges_data() { support::addEngines(); }
+    void theDatabaseItselfRefusesChanges();
+    void namesTheRow_data();
+    void namesTheRow();
+    void namesOfPeopleAreNotInIt();
+
+private:
+    /// Lets the test do what only somebody with the file in his hands can.
+    static void unlock(const School& school)
+    {
+        QSqlQuery query(school.db);
+        for (const char* sql :
+             dialect::isPostgres(school.db)
+                 ? std::vector{"DROP TRIGGER audit_no_change ON audit", "ALTER TABLE audit DROP CONSTRAINT audit_pkey"}
+                 : std::vector{"DROP TRIGGER audit_no_update", "DROP TRIGGER audit_no_delete"})
+            QVERIFY2(query.exec(QLatin1String(sql)), qPrintable(query.lastError().text()));
+    }
+};
+
+void TestAudit::aSoundChainHasNoFindings()
+{
+    SCHOOL_RIG(rig);
+    QVERIFY(checkAudit(rig.school().db, {})->empty());
+    QCOMPARE(auditHead(rig.school())->code(), std::string("0"));
+    rig.populate();
+    std::vector<std::string> witnesses;
+    for (int k = 0; k < 20; ++k) {
+        VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+        witnesses.push_back(auditHead(rig.school())->code());
+    }
+    const auto findings = checkAudit(rig.school().db, witnesses);
+    VERIFY_DONE(findings);
+    QVERIFY2(findings->empty(), findings->empty() ? "" : findings->front().c_str());
+    const auto newest = readAudit(rig.school(), rig.admin, 5);
+    VERIFY_DONE(newest);
+    QCOMPARE(newest->size(), std::size_t{5});
+    QCOMPARE(newest->front().action, std::string("attempt.add"));
+    QCOMPARE(newest->front().actor, rig.student.uid());
+    QCOMPARE(readAudit(rig.school(), rig.admin, 5, newest->back().seq)->front().seq, newest->back().seq - 1);
+    // A report of another school's.
+    QVERIFY(!checkAudit(rig.school().db, {"3-000000000000"})->empty());
+    QVERIFY(!checkAudit(rig.school().db, {"nonsense"})->empty());
+}
+
+void TestAudit::theDatabaseItselfRefusesChanges()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    QSqlQuery query(rig.school().db);
+    for (const char* sql : {"UPDATE audit SET actor = ''", "DELETE FROM audit WHERE seq = 2", "DELETE FROM presets",
+                            "UPDATE overrides SET reason = ''"})
+        if (query.exec(QLatin1String(sql)))
+            QVERIFY2(query.numRowsAffected() == 0, sql);
+    QVERIFY(checkAudit(rig.school().db, {})->empty());
+}
+
+void TestAudit::namesTheRow_data()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::addColumn<QStringList>("deeds");
+    QTest::addColumn<QString>("finding");
+    QTest::addColumn<int>("findings");
+    for (const bool onServer : {false, true}) {
+        const auto row = [onServer](const char* name) -> QTestData& {
+            return QTest::addRow("%s %s", name, onServer ? "postgresql" : "sqlite") << onServer;
+        };
+        row("changed") << QStringList{"UPDATE audit SET action = 'login' WHERE seq = 9"} << "row 9 (" << 1;
+        row("changed first") << QStringList{"UPDATE audit SET actor = 'x' WHERE seq = 1"} << "row 1 (" << 1;
+        row("changed last") << QStringList{"UPDATE audit SET detail = '{}' WHERE seq = (SELECT max(seq) FROM audit)"}
+                            << "row 30 (" << 1;
+        row("two changed") << QStringList{"UPDATE audit SET at_utc = '2020-01-01T00:00:00Z' WHERE seq IN (7, 12)"}
+                           << "row 12 (" << 2;
+        row("removed") << QStringList{"DELETE FROM audit WHERE seq = 9"} << "row 9 was removed" << 1;
+        row("some removed") << QStringList{"DELETE FROM audit WHERE seq BETWEEN 9 AND 11"}
+                            << "rows 9 to 11 were removed" << 1;
+        row("end cut off") << QStringList{"DELETE FROM audit WHERE seq > 27"} << "rows 28 to 30 were removed" << 1;
+        row("removed, renumbered") << QStringList{"DELETE FROM audit WHERE seq = 9",
+                                                  "UPDATE audit SET seq = seq + 999 WHERE seq > 9",
+                                                  "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
+                                   << "was removed, and those behind it were renumbered" << 2;
+        row("inserted") << QStringList{"UPDATE audit SET seq = seq + 1001 WHERE seq > 9",
+                                       "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000",
+                                       "INSERT INTO audit SELECT 10, at_utc, actor, 'login', object, detail, hash FROM "
+                                       "audit WHERE seq = 3"}
+                        << "row 10 (" << 2;
+        row("appended") << QStringList{"INSERT INTO audit SELECT 31, at_utc, actor, action, object, detail, hash FROM "
+                                       "audit WHERE seq = 3"}
+                        << "row 31 (" << 2;
+        row("neighbours exchanged") << QStringList{"UPDATE audit SET seq = 1019 - seq WHERE seq IN (9, 10)",
+                                                   "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
+                                    << "row 9 (" << 1;
+        row("exchanged") << QStringList{"UPDATE audit SET seq = 1021 - seq WHERE seq IN (7, 14)",
+                                        "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
+                         << "it was written as row 14" << 2;
+        row("seal gone") << QStringList{"DELETE FROM audit_seal"} << "signed head of the audit was removed" << 1;
+        row("seal of another") << QStringList{"UPDATE audit_seal SET signature = '" + QString(128, '0') + "'"}
+                               << "signature" << 1;
+    }
+}
+
+void TestAudit::namesTheRow()
+{
+    QFETCH(QStringList, deeds);
+    QFETCH(QString, finding);
+    QFETCH(int, findings);
+    SCHOOL_RIG(rig);
+    rig.populate();
+    std::int64_t last = auditHead(rig.school())->seq;
+    for (; last < 30; ++last)
+        VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    unlock(rig.school());
+    QCOMPARE(auditHead(rig.school())->seq, 30);
+    QSqlQuery query(rig.school().db);
+    for (const QString& deed : deeds)
+        QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    QStringList sentences;
+    for (const std::string& sentence : *found)
+        sentences += QString::fromStdString(sentence);
+    QVERIFY2(sentences.join('\n').contains(finding), qPrintable(sentences.join('\n')));
+    QVERIFY2(sentences.size() == findings, qPrintable(sentences.join('\n')));
+}
+
+void TestAudit::namesOfPeopleAreNotInIt()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    Person sam = findPerson(rig.school(), rig.admin, "s1001").value();
+    sam.familyName = "Renamed";
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
+    static_cast<void>(Logins::login(rig.school(), "s1001", "wrong"));
+    const auto rows = readAudit(rig.school(), rig.admin, 1000);
+    VERIFY_DONE(rows);
+    for (const AuditRow& row : *rows)
+        for (const char* name : {"Sam", "One", "Renamed", "s1001", "Ines", "wrong"})
+            QVERIFY2((row.actor + row.object + row.detail).find(name) == std::string::npos, row.detail.c_str());
+}
+
+QTEST_GUILESS_MAIN(TestAudit)
+#include "tst_audit.moc"

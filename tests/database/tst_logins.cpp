@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSqlQuery>
+#include <QTest>
+
+#include "tests/database/SchoolRig.h"
+
+using namespace database;
+using namespace database::sql;
+using core::ErrorCode;
+using support::SchoolRig;
+
+class TestLogins : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theFirstPersonIsAnAdminAndEnteredOnce_data() { support::addEngines(); }
+    void theFirstPersonIsAnAdminAndEnteredOnce();
+    void unknownWrongAndDisabledGetTheSameAnswer_data() { support::addEngines(); }
+    void unknownWrongAndDisabledGetTheSameAnswer();
+    void failuresDoubleTheWaitAcrossRuns_data() { support::addEngines(); }
+    void failuresDoubleTheWaitAcrossRuns();
+    void aClockThatGoesBackLocksNobodyOutForLong_data() { support::addEngines(); }
+    void aClockThatGoesBackLocksNobodyOutForLong();
+    void aCodeIsGoodOnceAndForThreeDays_data() { support::addEngines(); }
+    void aCodeIsGoodOnceAndForThreeDays();
+    void aHashIsRaisedOnLogin_data() { support::addEngines(); }
+    void aHashIsRaisedOnLogin();
+    void passwordsThatEverybodyGuessesAreRefused_data();
+    void passwordsThatEverybodyGuessesAreRefused();
+    void ownPasswordIsChangedWithTheOldOne_data() { support::addEngines(); }
+    void ownPasswordIsChangedWithTheOldOne();
+    void whoIsDisabledIsStoppedAtOnce_data() { support::addEngines(); }
+    void whoIsDisabledIsStoppedAtOnce();
+    void namesAreComparedAsPeopleTypeThem();
+    void theDearestCostIsNotUnderTheMinimum();
+};
+
+void TestLogins::theFirstPersonIsAnAdminAndEnteredOnce()
+{
+    SCHOOL_RIG(rig);
+    QCOMPARE(Logins::isNew(rig.school()).value(), true);
+    // Nobody is there to log in as, and no password that is shipped.
+    for (const char* guess : {"", "admin", "password", "cusp"}) {
+        VERIFY_REFUSED(Logins::login(rig.school(), "admin", guess), ErrorCode::WrongLogin);
+        rig.nowUtc = rig.nowUtc.addSecs(3600);
+    }
+    const auto session = Logins::createFirstAdmin(rig.school(), {" Admin ", "Ada", "Admin", Role::Student},
+                                                  SchoolRig::kPassword, SchoolRig::kCheap);
+    VERIFY_DONE(session);
+    QCOMPARE(session->role(), Role::Admin);
+    QCOMPARE(session->username(), std::string("admin"));
+    QCOMPARE(session->fullName(), std::string("Ada Admin"));
+    QCOMPARE(Logins::isNew(rig.school()).value(), false);
+    VERIFY_REFUSED(Logins::createFirstAdmin(rig.school(), {"second", "", "", Role::Admin}, SchoolRig::kPassword,
+                                            SchoolRig::kCheap),
+                   ErrorCode::NotAllowed);
+    rig.reopen();
+    VERIFY_DONE(Logins::login(rig.school(), "ADMIN", SchoolRig::kPassword));
+}
+
+void TestLogins::unknownWrongAndDisabledGetTheSameAnswer()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    Person disabled = findPerson(rig.school(), rig.admin, "s1002").value();
+    disabled.disabled = true;
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, disabled));
+    std::set<std::string> answers;
+    for (const auto& [name, password] :
+         {std::pair("nobody", "correct horse"), std::pair("s1001", "wrong horse"), std::pair("s1002", "correct horse"),
+          std::pair("no such name!", "x"), std::pair("", ""), std::pair("s1001", "AAAA-BBBB-CCCC")}) {
+        const auto refused = Logins::login(rig.school(), name, password);
+        VERIFY_REFUSED(refused, ErrorCode::WrongLogin);
+        answers.insert(refused.error().detail);
+    }
+    QCOMPARE(answers.size(), std::size_t{1});
+}
+
+void TestLogins::failuresDoubleTheWaitAcrossRuns()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    // Also of a name that nobody has.
+    for (const char* name : {"s1001", "nobody"}) {
+        for (int k = 0; k < Logins::kFreeFailures; ++k)
+            VERIFY_REFUSED(Logins::login(rig.school(), name, "wrong"), ErrorCode::WrongLogin);
+        for (int wait = 1; wait <= 8; wait *= 2) {
+            rig.reopen();
+            const auto refused = Logins::login(rig.school(), name, SchoolRig::kPassword);
+            VERIFY_REFUSED(refused, ErrorCode::TooSoon);
+            QVERIFY2(refused.error().detail.find("wait " + std::to_string(wait) + " second") != std::string::npos,
+                     refused.error().detail.c_str());
+            rig.nowUtc = rig.nowUtc.addMSecs(wait * 1000 - 1);
+            VERIFY_REFUSED(Logins::login(rig.school(), name, SchoolRig::kPassword), ErrorCode::TooSoon);
+            rig.nowUtc = rig.nowUtc.addMSecs(1);
+            VERIFY_REFUSED(Logins::login(rig.school(), name, "wrong"), ErrorCode::WrongLogin);
+        }
+        rig.nowUtc = rig.nowUtc.addSecs(16);
+    }
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+    // Forgiven: the next failure costs nothing.
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", "wrong"), ErrorCode::WrongLogin);
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+    // However often one tries, the wait ends.
+    for (int k = 0; k < 40; ++k) {
+        static_cast<void>(Logins::login(rig.school(), "s1002", "wrong"));
+        rig.nowUtc = rig.nowUtc.addSecs(std::chrono::seconds(Logins::kLongestWait).count());
+    }
+    VERIFY_DONE(Logins::login(rig.school(), "s1002", SchoolRig::kPassword));
+}
+
+void TestLogins::aClockThatGoesBackLocksNobodyOutForLong()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    for (int k = 0; k < Logins::kFreeFailures + 2; ++k) {
+        static_cast<void>(Logins::login(rig.school(), "s1001", "wrong"));
+        rig.nowUtc = rig.nowUtc.addSecs(10);
+    }
+    rig.nowUtc = rig.nowUtc.addYears(-1);
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::TooSoon);
+    rig.nowUtc = rig.nowUtc.addYears(1).addSecs(10);
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+}
+
+void TestLogins::aCodeIsGoodOnceAndForThreeDays()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const PersonId sam = rig.student.person();
+    const std::string code = resetPassword(rig.school(), rig.admin, sam).value();
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::WrongLogin);
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", code), ErrorCode::NewPassword);
+    VERIFY_REFUSED(Logins::redeem(rig.school(), "s1002", code, "another horse"), ErrorCode::WrongLogin);
+    VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "short"), ErrorCode::OutOfRange);
+    VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "WXYZ-WXYZ-2345"), ErrorCode::OutOfRange);
+    // As somebody copies it from paper.
+    const std::string typed = ' ' + QString::fromStdString(code).toLower().toStdString();
+    VERIFY_DONE(Logins::redeem(rig.school(), "s1001", typed, "another horse"));
+    VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "third horse!"), ErrorCode::WrongLogin);
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", "another horse"));
+
+    const std::string late = resetPassword(rig.school(), rig.admin, sam).value();
+    rig.nowUtc = rig.nowUtc.addSecs(std::chrono::seconds(Logins::kCodeLife).count() + 1);
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", late), ErrorCode::WrongLogin);
+    // Neither code nor password stand in the database.
+    QSqlQuery row(rig.school().db);
+    QVERIFY(row.exec("SELECT password_hash, reset_hash FROM people WHERE username = 's1001'") && row.next());
+    QCOMPARE(row.value(0).toString(), QString());
+    QVERIFY(!row.value(1).toString().contains(QString::fromStdString(late)));
+}
+
+void TestLogins::aHashIsRaisedOnLogin()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const auto hash = [&] {
+        QSqlQuery row(rig.school().db);
+        return row.exec("SELECT password_hash FROM people WHERE username = 's1001'") && row.next()
+                   ? row.value(0).toString()
+                   : QString();
+    };
+    const QString before = hash();
+    QVERIFY2(before.startsWith("$argon2id$v=19$m=8,t=1,p=1$"), qPrintable(before));
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+    QCOMPARE(hash(), before);
+    VERIFY_DONE(putSetting(rig.school(), "", "password.passes", "3"));
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+    QVERIFY2(hash().startsWith("$argon2id$v=19$m=8,t=3,p=1$"), qPrintable(hash()));
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+    // What passwords cost is nobody's to change or to read as a setting.
+    VERIFY_REFUSED(changeSetting(rig.school(), rig.admin, "password.passes", "1"), ErrorCode::NotAllowed);
+    const auto settings = readSettings(rig.school(), rig.admin);
+    VERIFY_DONE(settings);
+    for (const auto& [name, value] : *settings)
+        QVERIFY(name.rfind("password.", 0) != 0);
+}
+
+void TestLogins::passwordsThatEverybodyGuessesAreRefused_data()
+{
+    QTest::addColumn<QString>("password");
+    QTest::newRow("empty") << "";
+    QTest::newRow("seven") << "1234567";
+    QTest::newRow("the name") << "S1001-abc";
+    QTest::newRow("a novel") << QString(10'000, 'x');
+}
+
+void TestLogins::passwordsThatEverybodyGuessesAreRefused()
+{
+    QFETCH(QString, password);
+    VERIFY_REFUSED(checkPassword(password.toStdString(), "s1001-ABC"), ErrorCode::OutOfRange);
+    VERIFY_DONE(checkPassword("eight it", "s1001-ABC"));
+    VERIFY_DONE(checkPassword("歯歯歯歯歯歯歯歯", "s1001-ABC"));
+}
+
+void TestLogins::ownPasswordIsChangedWithTheOldOne()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    VERIFY_REFUSED(Logins::changePassword(rig.school(), rig.student, "wrong", "another horse"), ErrorCode::WrongLogin);
+    VERIFY_REFUSED(Logins::changePassword(rig.school(), rig.guest, SchoolRig::kPassword, "another horse"),
+                   ErrorCode::NotAllowed);
+    VERIFY_DONE(Logins::changePassword(rig.school(), rig.student, SchoolRig::kPassword, "another horse"));
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::WrongLogin);
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", "another horse"));
+    VERIFY_DONE(Logins::login(rig.school(), "s1002", SchoolRig::kPassword));
+}
+
+void TestLogins::whoIsDisabledIsStoppedAtOnce()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    VERIFY_DONE(standingsOf(rig.school(), rig.student, rig.student.person()));
+    Person sam = findPerson(rig.school(), rig.admin, "s1001").value();
+    sam.disabled = true;
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
+    VERIFY_REFUSED(standingsOf(rig.school(), rig.student, rig.student.person()), ErrorCode::NotAllowed);
+    // And who is no instructor any more loses what they may.
+    Person ines = findPerson(rig.school(), rig.admin, "teach").value();
+    ines.role = Role::Student;
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, ines));
+    VERIFY_REFUSED(listPeople(rig.school(), rig.instructor), ErrorCode::NotAllowed);
+    // Somebody must stay who can let others in.
+    Person ada = findPerson(rig.school(), rig.admin, "admin").value();
+    ada.disabled = true;
+    VERIFY_REFUSED(changePerson(rig.school(), rig.admin, ada), ErrorCode::NotAllowed);
+    ada.disabled = false;
+    ada.role = Role::Instructor;
+    VERIFY_REFUSED(changePerson(rig.school(), rig.admin, ada), ErrorCode::NotAllowed);
+    VERIFY_REFUSED(resetPassword(rig.school(), rig.admin, ada.id), ErrorCode::NotAllowed);
+}
+
+void TestLogins::namesAreComparedAsPeopleTypeThem()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"Jürgen.Groß", "Jürgen", "Groß", Role::Student}));
+    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"JÜRGEN.GROß", "", "", Role::Student}), ErrorCode::OutOfRange);
+    for (const char* name : {"", "   ", "two words", "semi;colon", "new\nline", "<b>", "../x"})
+        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {name, "", "", Role::Student}), ErrorCode::OutOfRange);
+    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {std::string(65, 'x'), "", "", Role::Student}),
+                   ErrorCode::OutOfRange);
+    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"hidden", "A\u202Eb", "", Role::Student}),
+                   ErrorCode::OutOfRange);
+    const char* nasty = "Robert'); DROP TABLE people; --";
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"bobby", nasty, "Tables", Role::Student}));
+    QCOMPARE(findPerson(rig.school(), rig.admin, "bobby").value().givenName, std::string(nasty));
+}
+
+void TestLogins::theDearestCostIsNotUnderTheMinimum()
+{
+    const PasswordCost quick = timedCost(0.0);
+    QCOMPARE(quick.passes, 2ULL);
+    QCOMPARE(quick.memoryBytes, std::size_t{64} << 20U);
+    QVERIFY(timedCost(200.0).passes >= quick.passes);
+}
+
+QTEST_GUILESS_MAIN(TestLogins)
+#include "tst_logins.moc"

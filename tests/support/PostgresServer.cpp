@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/PostgresServer.h"
+
+#include <csignal>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QThread>
+#include <QUrl>
+#include <unistd.h>
+
+namespace support {
+namespace {
+
+constexpr int kLongMs = 60'000;
+
+/// The newest of Debian's versions.
+QString binaries()
+{
+    const QDir versions(QStringLiteral("/usr/lib/postgresql"));
+    for (const QString& version : versions.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name | QDir::Reversed))
+        if (QFile::exists(versions.filePath(version + "/bin/postgres")))
+            return versions.filePath(version + "/bin/");
+    return {};
+}
+
+}  // namespace
+
+PostgresServer::PostgresServer()
+{
+    if (binaries().isEmpty()) {
+        m_fault = QStringLiteral("PostgreSQL is not installed");
+        return;
+    }
+    // The socket's path must be short, and whoever runs the server must reach its folder.
+    QFile::setPermissions(m_folder.path(), QFile::Permissions(0x7777));
+    if (!run(binaries() + "initdb", {"-D", m_folder.filePath("data"), "-U", "school", "-A", "trust", "-E", "UTF8",
+                                     "--locale=C.UTF-8", "--no-sync"}) ||
+        !start())
+        m_fault = "the server does not start: " + m_fault;
+    else
+        m_fault.clear();  // of the looks for it while it started
+}
+
+PostgresServer::~PostgresServer()
+{
+    kill();
+    if (geteuid() == 0)  // what "nobody" made, root removes
+        QDir(m_folder.path()).removeRecursively();
+}
+
+QStringList PostgresServer::asUser(const QString& program) const
+{
+    if (geteuid() != 0)
+        return {program};
+    return {"setpriv", "--reuid=nobody", "--regid=nogroup", "--clear-groups", "--pdeathsig=QUIT", program};
+}
+
+bool PostgresServer::run(const QString& program, const QStringList& arguments)
+{
+    QProcess process;
+    process.setWorkingDirectory(m_folder.path());
+    const QStringList words = asUser(program) + arguments;
+    process.start(words.first(), words.mid(1));
+    if (process.waitForFinished(kLongMs) && process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0)
+        return true;
+    m_fault = program + ": " + QString::fromUtf8(process.readAllStandardError());
+    return false;
+}
+
+bool PostgresServer::start()
+{
+    const QStringList words =
+        asUser(binaries() + "postgres") +
+        QStringList{"-D", m_folder.filePath("data"), "-k", m_folder.path(),         "-h", "", "-c", "fsync=off",
+                    "-c", "max_connections=200",     "-c", "log_min_messages=panic"};
+    m_server.setWorkingDirectory(m_folder.path());
+    m_server.setStandardErrorFile(QProcess::nullDevice());
+    m_server.start(words.first(), words.mid(1));
+    QElapsedTimer since;
+    since.start();
+    while (since.elapsed() < kLongMs && m_server.state() != QProcess::NotRunning) {
+        m_server.waitForReadyRead(1);
+        if (run(binaries() + "psql", {"-h", m_folder.path(), "-U", "school", "-d", "postgres", "-c", "SELECT 1"}))
+            return true;
+        QThread::msleep(50);
+    }
+    return false;
+}
+
+void PostgresServer::kill()
+{
+    if (m_server.state() == QProcess::NotRunning)
+        return;
+    ::kill(static_cast<pid_t>(m_server.processId()), SIGQUIT);
+    m_server.waitForFinished(kLongMs);
+}
+
+QString PostgresServer::newDatabase()
+{
+    const QString name = QStringLiteral("school%1").arg(++m_databases);
+    if (!run(binaries() + "createdb", {"-h", m_folder.path(), "-U", "school", name}))
+        return {};
+    return QStringLiteral("postgresql://school@%1/%2")
+        .arg(QString::fromLatin1(QUrl::toPercentEncoding(m_folder.path())), name);
+}
+
+}  // namespace support

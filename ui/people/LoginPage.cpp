@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/LoginPage.h"
+
+#include <utility>
+
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::people {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kCardPx = 400;
+constexpr int kLongestInput = 300;
+
+}  // namespace
+
+LoginPage::LoginPage(QWidget* parent)
+    : QWidget(parent), m_card(new QFrame(this)), m_column(new QVBoxLayout(m_card)), m_title(new QLabel(m_card)),
+      m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
+      m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
+      m_password(field("password", true)), m_again(field("passwordAgain", true)), m_fault(study::faultLabel(m_card)),
+      m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)), m_guest(new QPushButton(m_card)),
+      m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card))
+{
+    setAutoFillBackground(true);
+    m_card->setProperty("kind", "card");
+    m_card->setFixedWidth(kCardPx);
+    m_title->setFont(typeface(kFigure, QFont::DemiBold));
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setWordWrap(true);
+    m_column->setContentsMargins(kSpace6 + kSpace2, kSpace6, kSpace6 + kSpace2, kSpace6);
+    m_column->setSpacing(kSpace2);
+    m_column->addWidget(m_title);
+    m_column->addWidget(m_words);
+    m_column->addSpacing(kSpace2);
+    for (QLineEdit* input : {m_name, m_given, m_family, m_password, m_again})
+        m_column->addWidget(input);
+    m_column->addWidget(m_fault);
+    m_column->addSpacing(kSpace2);
+    m_go->setProperty("kind", "filled");
+    m_go->setObjectName(QStringLiteral("logIn"));
+    m_go->setAutoDefault(true);
+    m_other->setProperty("kind", "quiet");
+    m_other->setObjectName(QStringLiteral("otherLogin"));
+    m_guest->setProperty("kind", "quiet");
+    m_guest->setObjectName(QStringLiteral("practiseAsGuest"));
+    for (QPushButton* button : {m_go, m_other, m_guest})
+        m_column->addWidget(button);
+    m_column->addWidget(m_unreachable);
+    m_unreachable->hide();
+
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(m_card);
+    row->addStretch(1);
+    auto* whole = new QVBoxLayout(this);
+    whole->addStretch(2);
+    whole->addLayout(row);
+    whole->addStretch(3);
+
+    connect(m_go, &QPushButton::clicked, this, &LoginPage::submit);
+    for (QLineEdit* input : {m_name, m_given, m_family, m_password, m_again})
+        connect(input, &QLineEdit::returnPressed, this, [this, input] {
+            // From one empty place to the next; from the last, in.
+            for (QLineEdit* next : {m_name, m_given, m_family, m_password, m_again})
+                if (next != input && next->isVisible() && next->text().isEmpty()) {
+                    next->setFocus();
+                    return;
+                }
+            submit();
+        });
+    connect(m_other, &QPushButton::clicked, this, [this] {
+        if (m_door == Door::Locked)
+            emit otherWanted();
+        else
+            ask(Door::Login);
+    });
+    connect(m_guest, &QPushButton::clicked, this, &LoginPage::guestWanted);
+    text::inEveryLanguage(this, [this] { speak(); });
+    ask(Door::Login);
+}
+
+QLineEdit* LoginPage::field(const char* name, bool isPassword)
+{
+    auto* input = new QLineEdit(m_card);
+    input->setObjectName(QLatin1String(name));
+    input->setFont(typeface(kBody));
+    input->setMaxLength(kLongestInput);
+    if (isPassword) {
+        input->setEchoMode(QLineEdit::Password);
+        input->setInputMethodHints(Qt::ImhHiddenText | Qt::ImhSensitiveData | Qt::ImhNoPredictiveText);
+    }
+    return input;
+}
+
+void LoginPage::ask(Door door)
+{
+    m_door = door;
+    if (door == Door::NewPassword)
+        m_code = m_password->text();
+    else
+        m_code.clear();
+    if (door != Door::NewPassword)
+        m_name->clear();
+    for (QLineEdit* input : {m_given, m_family, m_password, m_again})
+        input->clear();
+    study::showFault(m_fault, {});
+    setBusy(false);
+    arrange();
+    speak();
+    if (isVisible())
+        (door == Door::Login || door == Door::NewSchool ? m_name : m_password)->setFocus();
+}
+
+void LoginPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    (m_door == Door::Login || m_door == Door::NewSchool ? m_name : m_password)->setFocus();
+}
+
+void LoginPage::arrange()
+{
+    const bool isNew = m_door == Door::NewSchool;
+    m_name->setVisible(m_door == Door::Login || isNew);
+    m_given->setVisible(isNew);
+    m_family->setVisible(isNew);
+    m_again->setVisible(isNew || m_door == Door::NewPassword);
+    m_other->setVisible(m_door == Door::NewPassword || m_door == Door::Locked);
+    m_guest->setVisible(m_door == Door::Login || isNew);
+}
+
+void LoginPage::setLockedBy(const QString& username)
+{
+    m_lockedBy = username;
+    speak();
+}
+
+void LoginPage::speak()
+{
+    switch (m_door) {
+    case Door::Login:
+        m_title->setText(tr("Cusp"));
+        m_words->setText(tr("Log in, so that your attempts are kept."));
+        m_go->setText(tr("Log in"));
+        break;
+    case Door::NewPassword:
+        m_title->setText(tr("Choose a password"));
+        m_words->setText(tr("The one-time code is right. From now on you log in with a password of your own: eight "
+                            "characters or more."));
+        m_go->setText(tr("Set the password"));
+        break;
+    case Door::NewSchool:
+        m_title->setText(tr("Welcome to Cusp"));
+        m_words->setText(tr("Nobody has been entered here yet. Create the school: you become its admin, who enters "
+                            "teachers and students. Or practise now; nothing is kept then."));
+        m_go->setText(tr("Create the school"));
+        break;
+    case Door::Locked:
+        //: %1: the name a user logs in with
+        m_title->setText(tr("Locked by %1").arg(m_lockedBy));
+        m_words->setText(tr("The work on the table is as it was left."));
+        m_go->setText(tr("Go on"));
+        break;
+    }
+    m_other->setText(tr("Somebody else logs in"));
+    m_guest->setText(m_door == Door::NewSchool ? tr("Practise now") : tr("Practise without login"));
+    const auto name = [](QLineEdit* input, const QString& words) {
+        input->setPlaceholderText(words);
+        input->setAccessibleName(words);
+    };
+    name(m_name, tr("Name to log in with"));
+    name(m_given, tr("Given name"));
+    name(m_family, tr("Family name"));
+    name(m_password, m_door == Door::Login ? tr("Password or one-time code") : tr("Password"));
+    name(m_again, tr("The password again"));
+    for (QPushButton* button : {m_go, m_other, m_guest})
+        button->setAccessibleName(button->text());
+    m_guest->setToolTip(brokenIntoLines(tr("Drill and be graded; nothing is kept")));
+}
+
+void LoginPage::setUnreachable(const QString& sentence)
+{
+    m_unreachable->setText(sentence);
+    m_unreachable->setVisible(!sentence.isEmpty());
+    setBusy(m_isBusy);
+}
+
+void LoginPage::setBusy(bool busy)
+{
+    m_isBusy = busy;
+    for (QWidget* input : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_given),
+                           static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_password),
+                           static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other)})
+        input->setEnabled(!busy);
+}
+
+void LoginPage::refuse(const QString& sentence)
+{
+    setBusy(false);
+    study::showFault(m_fault, sentence);
+    QLineEdit* const again = m_again->isVisible() ? m_again : m_password;
+    again->setFocus();
+    again->selectAll();
+}
+
+void LoginPage::submit()
+{
+    if (m_isBusy)
+        return;
+    study::showFault(m_fault, {});
+    const QString password = m_password->text();
+    if (m_again->isVisibleTo(m_card) && m_again->text() != password) {
+        refuse(tr("The two passwords differ. Type the second one again."));
+        return;
+    }
+    switch (m_door) {
+    case Door::Login:
+        if (m_name->text().trimmed().isEmpty() || password.isEmpty()) {
+            (password.isEmpty() && !m_name->text().isEmpty() ? m_password : m_name)->setFocus();
+            return;
+        }
+        setBusy(true);
+        emit loginWanted(m_name->text(), password);
+        break;
+    case Door::Locked:
+        setBusy(true);
+        emit loginWanted(m_lockedBy, password);
+        break;
+    case Door::NewPassword:
+        setBusy(true);
+        emit codeWanted(m_name->text(), m_code, password);
+        break;
+    case Door::NewSchool:
+        setBusy(true);
+        emit schoolWanted({m_name->text().toStdString(), m_given->text().trimmed().toStdString(),
+                           m_family->text().trimmed().toStdString(), database::Role::Admin},
+                          password);
+        break;
+    }
+}
+
+}  // namespace ui::people

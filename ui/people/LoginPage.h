@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include "database/people.h"
+#include "ui/people/Door.h"
+
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ui::people {
+
+/// The door: name and password, or a school that is to be created, or practice without a login.
+class LoginPage final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LoginPage(QWidget* parent);
+
+    /// Empties what was typed, but for the name where it goes on being asked of the same person.
+    void ask(Door door);
+    [[nodiscard]] Door door() const { return m_door; }
+    /// Who has left his place, for Door::Locked.
+    void setLockedBy(const QString& username);
+    /// The database cannot be reached: why. Practice without a login still works. Empty: it can.
+    void setUnreachable(const QString& sentence);
+    /// What was typed is being looked at: nothing can be typed meanwhile.
+    void setBusy(bool busy);
+    /// Says what was wrong, beside where it was typed.
+    void refuse(const QString& sentence);
+
+signals:
+    void loginWanted(const QString& username, const QString& password);
+    void codeWanted(const QString& username, const QString& code, const QString& newPassword);
+    void schoolWanted(const database::NewPerson& admin, const QString& password);
+    void guestWanted();
+    /// Not who has locked the place.
+    void otherWanted();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QLineEdit* field(const char* name, bool isPassword);
+    void arrange();
+    void speak();
+    void submit();
+
+    Door m_door = Door::Login;
+    bool m_isBusy = false;
+    QString m_lockedBy;
+    QFrame* m_card;
+    QVBoxLayout* m_column;
+    QLabel* m_title;
+    QLabel* m_words;
+    QLineEdit* m_name;
+    QLineEdit* m_given;
+    QLineEdit* m_family;
+    QLineEdit* m_password;
+    QLineEdit* m_again;
+    QLabel* m_fault;
+    QPushButton* m_go;
+    QPushButton* m_other;
+    QPushButton* m_guest;
+    QLabel* m_unreachable;
+    QString m_code;  ///< that was typed as the password
+};
+
+}  // namespace ui::people
