@@ -235,6 +235,28 @@ void ChartPanel::open()
         emit chosen(m_stops[*m_stop].id);
 }
 
+bool ChartPanel::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && !m_stops.isEmpty()) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Right:
+        case Qt::Key_Left:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+        case Qt::Key_Home:
+        case Qt::Key_End:
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+        case Qt::Key_Space:
+            event->accept();
+            return true;
+        default:
+            break;
+        }
+    }
+    return QWidget::event(event);
+}
+
 void ChartPanel::keyPressEvent(QKeyEvent* event)
 {
     const qsizetype last = m_stops.size() - 1;

@@ -166,15 +166,17 @@ void draw(const Curve& curve, Board& board)
         edge.setAlphaF(0.6F);
         QAreaSeries* half = board.area(high, low, board.ink.band, QPen(edge, 0.8), curve.band.name);
         for (QLegendMarker* marker : board.chart.legend()->markers(half)) {
-            marker->setBrush(board.ink.band);
+            marker->setShape(QLegend::MarkerShapeRectangle);
             marker->setPen(QPen(edge, 0.8));
+            marker->setBrush(board.ink.band);
         }
         board.line(middle, QPen(board.ink.quiet, 1.8, Qt::DashLine), curve.band.middleName);
     }
     addLimits(board, curve.limits, frame);
     qsizetype strokes = 0;
     for (const Line& line : curve.lines) {
-        const QColor& colour = strokes == 0 || line.mark == Mark::Circle ? board.ink.first : board.ink.second;
+        const bool isFirst = line.mark == Mark::Circle || line.mark == Mark::None;
+        const QColor& colour = isFirst ? board.ink.first : board.ink.second;
         if (line.isJoined && line.dots.size() > 1) {
             QList<QPointF> points;
             for (const Dot& dot : line.dots)
