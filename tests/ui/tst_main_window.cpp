@@ -1220,7 +1220,7 @@ void TestMainWindow::helpListsEveryAction()
     for (const QLabel* label : help->findChildren<QLabel*>())
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
-        QVERIFY2(words.contains(group.title), qPrintable(group.title));
+        QVERIFY2(words.contains(group.title()), qPrintable(group.title()));
         QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
