@@ -45,7 +45,7 @@ void addOptions(QCommandLineParser& parser)
     option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
     option("db", "The school's data: a file, or postgresql://user@host/name.", "FILE|URL");
     option("theme", "light or dark; the desktop's own if not given.", "THEME");
-    option("language", "en or de; the system's own if not given.", "CODE");
+    option("language", "en, de or es; the system's own if not given.", "CODE");
     cli::addDeviceOption(parser);
     cli::addToothOptions(parser);
 }
@@ -53,7 +53,8 @@ void addOptions(QCommandLineParser& parser)
 /// The languages of translations/; one for a country, such as de_AT, is understood too.
 bool isSpoken(const QLocale& locale)
 {
-    return locale.language() == QLocale::English || locale.language() == QLocale::German;
+    return locale.language() == QLocale::English || locale.language() == QLocale::German ||
+           locale.language() == QLocale::Spanish;
 }
 
 /// Understands what the window was asked for, or explains what is wrong with it and gives the exit code.
@@ -81,7 +82,7 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     if (parser.isSet(QStringLiteral("theme")) && theme != u"light" && theme != u"dark")
         return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
     if (parser.isSet(QStringLiteral("language")) && !isSpoken(QLocale(parser.value(QStringLiteral("language")))))
-        return cli::wrongUsage(QStringLiteral("--language wants en or de"));
+        return cli::wrongUsage(QStringLiteral("--language wants en, de or es"));
     options.build = *build;
     options.recording = parser.value(QStringLiteral("recording"));
     options.picture = parser.value(QStringLiteral("picture"));
@@ -112,7 +113,7 @@ void installLanguage(QApplication& application, const QString& language)
          {std::pair(QStringLiteral("cusp"), QStringLiteral(":/i18n")),
           std::pair(QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath))}) {
         auto* const translator = new QTranslator(&application);
-        // Who speaks neither language reads English, plurals and all.
+        // Who speaks none of the languages reads English, plurals and all.
         if (translator->load(locale, name, QStringLiteral("_"), folder) ||
             (name == u"cusp" && translator->load(QStringLiteral(":/i18n/cusp_en.qm"))))
             QApplication::installTranslator(translator);
