@@ -1305,6 +1305,68 @@
     </message>
 </context>
 <context>
+    <name>ui::charts::ChartPanel</name>
+    <message>
+        <source>Save as picture (PNG) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as drawing (SVG) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as table (CSV) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the chart &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::Table</name>
+    <message>
+        <source>series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class, lower quartile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class, upper quartile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::console::Console</name>
     <message>
         <source>Console</source>
@@ -1623,6 +1685,312 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::people::HistoryCharts</name>
+    <message>
+        <source>Attempt %1, %2</source>
+        <extracomment>%1: a count; %2: date and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The newest %1 of %2 attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 points, passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(machine: %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: which attempt; %2: what it came to</extracomment>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation type="unfinished">Mittlere Hälfte</translation>
+    </message>
+    <message>
+        <source>Class median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt %1: median %3, middle half %4 to %5, %2 people</source>
+        <extracomment>Of a class; %1: a count of attempts, %2: of people, %3 to %5: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished">Punkte</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished">Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation type="unfinished">Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt its score is here, and then how it goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 % of its points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What costs points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Average of the last %n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here which criterion costs most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <extracomment>%1: &quot;12:07&quot;</extracomment>
+        <translation type="unfinished">%1 min</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how long it took.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1 N, highest %2 N while cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newtons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force while cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how hard the bur was pressed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class median, time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class median, points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good and quick is at the top left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here time against points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryModel</name>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean and highest force while cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, given by an instructor; the machine&apos;s score: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <extracomment>Column of a table of attempts</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <extracomment>Newtons</extracomment>
+        <translation type="unfinished">Kraft, N</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryPage</name>
+    <message>
+        <source>Criteria</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">Kraft</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: a lesson; %2: how many attempts</extracomment>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of this attempt no recording was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See again how it was done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation type="unfinished">Ihre Versuche</translation>
+    </message>
+    <message>
+        <source>Attempts of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the attempts at this lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished">Wiedergabe</translation>
+    </message>
+    <message>
+        <source>No attempts yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no attempts yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As soon as an attempt has been graded it is here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::people::LoginPage</name>
     <message>
         <source>Cusp</source>
@@ -1715,6 +2083,21 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>The two passwords differ. Type the second one again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::Words</name>
+    <message>
+        <source>Free practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yesterday</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
