@@ -606,7 +606,7 @@
     </message>
     <message>
         <source>Low-speed</source>
-        <translation>Baja velocidad</translation>
+        <translation>Lenta</translation>
     </message>
 </context>
 <context>
@@ -1340,7 +1340,7 @@
     </message>
     <message>
         <source>Depth below the old surface</source>
-        <translation>Profundidad bajo la superficie anterior</translation>
+        <translation>Bajo la superficie anterior</translation>
     </message>
     <message>
         <source>How far the tip stands below the surface as it was, straight up.</source>
@@ -1348,7 +1348,7 @@
     </message>
     <message>
         <source>Dentin left over the pulp</source>
-        <translation>Dentina que queda sobre la pulpa</translation>
+        <translation>Dentina sobre la pulpa</translation>
     </message>
     <message>
         <source>Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there.</source>
@@ -1368,11 +1368,11 @@
     </message>
     <message>
         <source>Tip straight down to the pulp</source>
-        <translation>De la punta a la pulpa, en vertical</translation>
+        <translation>Punta a pulpa, en vertical</translation>
     </message>
     <message>
         <source>Tip to the nearest pulp</source>
-        <translation>De la punta a la pulpa más cercana</translation>
+        <translation>Punta a la pulpa más cercana</translation>
     </message>
 </context>
 <context>
@@ -1431,7 +1431,7 @@
     </message>
     <message>
         <source>Save the picture …</source>
-        <translation>Guardar la imagen …</translation>
+        <translation>Guardar imagen …</translation>
     </message>
     <message>
         <source>Save both films side by side as a PNG file</source>
@@ -2745,7 +2745,7 @@
     </message>
     <message>
         <source>right or middle drag</source>
-        <translation>arrastrar con derecho o central</translation>
+        <translation>arrastre derecho/medio</translation>
     </message>
     <message>
         <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
