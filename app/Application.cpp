@@ -414,12 +414,16 @@ void Application::connectPresets()
     connect(m_window.get(), &MainWindow::presetImportWanted, this, &Application::importPreset);
     connect(m_window.get(), &MainWindow::presetExportWanted, this, &Application::exportPreset);
     connect(m_window.get(), &MainWindow::presetFelt, this, &Application::feel);
+    connect(m_window.get(), &MainWindow::feelWanted, this, &Application::feelByHand);
+    m_window->setShelf([this](core::settings::FeelPreset preset) { return m_shelf->save(std::move(preset)); },
+                       [this](const QString& name) { return lessons::findPreset(*m_shelf, name); });
     connect(m_window.get(), &MainWindow::presetTrialWanted, this, [this](const core::settings::FeelPreset& preset) {
         openTooth(core::teeth::parseSource(core::teeth::blockName(core::teeth::BlockShape::Layers)), {}, preset);
     });
     if (const QString named = ui::shell::memory().value(kPresetInUse).toString(); !named.isEmpty())
         if (const auto found = lessons::findPreset(*m_shelf, named))
             m_preset = *found;
+    m_window->showFeel(m_preset, m_preset);
 }
 
 void Application::tellPresets()
@@ -431,6 +435,7 @@ void Application::tellPresets()
 void Application::usePreset(const core::settings::FeelPreset& preset)
 {
     m_preset = preset;
+    m_byHand.reset();
     ui::shell::memory().setValue(kPresetInUse,
                                  QStringLiteral("%1 v%2").arg(QString::fromStdString(preset.name)).arg(preset.version));
     tellPresets();
@@ -479,6 +484,15 @@ void Application::feel(const core::settings::FeelPreset& preset)
     m_numbers =
         core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_options.simulatedDevice), preset));
     tellNumbers();
+}
+
+/// What was turned in the console or the settings holds until it is turned back, for other teeth as well.
+void Application::feelByHand(const core::settings::FeelPreset& preset)
+{
+    core::settings::FeelPreset asKept = preset;
+    asKept.hash = m_preset.hash;
+    m_byHand = asKept == m_preset ? std::nullopt : std::optional(preset);
+    feel(preset);
 }
 
 /// What the servo has not been told yet; the rest later, where there is no room.
@@ -637,9 +651,11 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 
 void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
-    const core::session::ServoSettings settings =
-        lessons::servoSettings(assignment.lesson ? &*assignment.lesson : nullptr,
-                               settingsFor(m_options.simulatedDevice), m_tried.value_or(m_preset));
+    const bool isExam = assignment.lesson && assignment.lesson->exam;
+    const core::settings::FeelPreset usual = m_tried.value_or(m_preset);
+    const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_preset);
+    const core::session::ServoSettings settings = lessons::servoSettings(
+        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice), preset);
     auto servo = core::session::makeServoTick(settings);
     if (!servo) {
         refuse(servo.error(), Failed::OpeningLesson,
@@ -647,6 +663,7 @@ void Application::begin(const lessons::Assignment& assignment, const QStringList
         return;
     }
     lay(assignment, settings, notes, unitInDoubt);
+    m_window->showFeel(preset, usual);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
     if (m_links.commands.tryPush(
@@ -1164,6 +1181,11 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         return;
     }
     lay(*assignment, attempt->recording.settings(), {}, false);
+    m_tried.reset();
+    const core::settings::FeelPreset felt =
+        core::settings::feltAs(m_preset, m_settings.hardness, m_settings.force,
+                               assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
+    m_window->showFeel(felt, felt);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);

@@ -80,6 +80,7 @@ private:
     void importPreset(const QString& path);
     void exportPreset(const core::settings::FeelPreset& preset, const QString& path);
     void feel(const core::settings::FeelPreset& preset);
+    void feelByHand(const core::settings::FeelPreset& preset);
     void tellNumbers();
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
@@ -147,11 +148,12 @@ private:
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
     std::unique_ptr<lessons::PresetShelf> m_shelf;
-    core::settings::FeelPreset m_preset;                ///< what teeth feel like
-    std::optional<core::settings::FeelPreset> m_tried;  ///< in place of it, on the block that lies on the table
-    core::session::ServoNumbers m_numbers{};            ///< that the servo is to have
-    core::session::ServoNumbers m_numbersTold{};        ///< that it has, or has been sent
-    core::session::ServoSettings m_settings;            ///< of the student's own attempt
+    core::settings::FeelPreset m_preset;                 ///< what teeth feel like
+    std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
+    std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_preset, but in exams
+    core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
+    core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent
+    core::session::ServoSettings m_settings;             ///< of the student's own attempt
     lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
     std::uint64_t m_ownGeneration = 0;  ///< of that tooth
     std::uint64_t m_generation = 0;     ///< of the newest tooth shown

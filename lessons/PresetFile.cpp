@@ -196,13 +196,13 @@ const std::vector<FeelPreset>& shippedPresets()
 
 PresetUsed presetUsed(const std::string& label, bool isChanged)
 {
-    static const QRegularExpression kLabel(QStringLiteral("^(.*) v([0-9]{1,7})(?: #([0-9a-f]{8}))?$"),
+    static const QRegularExpression kLabel(QStringLiteral("^(.*) v([0-9]{1,7})(?: #([0-9a-f]{8}))?(, changed)?$"),
                                            QRegularExpression::DotMatchesEverythingOption);
     const QString text = QString::fromStdString(label);
     const auto parts = kLabel.match(text);
     if (!parts.hasMatch())
         return {text, 0, {}, isChanged};
-    return {parts.captured(1), parts.captured(2).toInt(), parts.captured(3), isChanged};
+    return {parts.captured(1), parts.captured(2).toInt(), parts.captured(3), isChanged || !parts.captured(4).isEmpty()};
 }
 
 PresetUsed presetUsed(const core::recording::Recording& recording)

@@ -62,9 +62,7 @@ MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance)
 std::string labelOf(const FeelPreset& preset)
 {
     std::string label = preset.name + " v" + std::to_string(preset.version);
-    if (!preset.hash.empty())
-        label += " #" + preset.hash.substr(0, kShownHash);
-    return label;
+    return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, kShownHash));
 }
 
 HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)
@@ -88,6 +86,31 @@ void putForces(const FeelPreset& preset, contact::ForceSettings& force)
     force.fastDampingNSPerM = preset.fastDampingNSPerM;
     force.friction = preset.friction;
     force.clampN = preset.clampN;
+}
+
+FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact::ForceSettings& force,
+                  const ToothKind& tooth)
+{
+    const auto put = [&](Substance substance, terrain::Material material) {
+        const MaterialHardness& yields = hardness.material[static_cast<std::size_t>(material)];
+        base.*rateField(substance).value = yields.rateMm3PerNs;
+        base.*thresholdField(substance).value = yields.thresholdN;
+    };
+    if (tooth.isPlastic) {
+        put(Substance::Plastic, terrain::Material::Enamel);
+    } else {
+        put(tooth.hasFirmCaries ? Substance::FirmCaries : Substance::SoftCaries, terrain::Material::Caries);
+        put(Substance::Enamel, terrain::Material::Enamel);
+        put(Substance::Dentin, terrain::Material::Dentin);
+        put(Substance::Pulp, terrain::Material::Pulp);
+    }
+    base.axialShare = hardness.axialShare;
+    base.stiffnessNPerMm = force.stiffnessNPerMm;
+    base.dampingNSPerM = force.dampingNSPerM;
+    base.fastDampingNSPerM = force.fastDampingNSPerM;
+    base.friction = force.friction;
+    base.clampN = force.clampN;
+    return base;
 }
 
 Status check(const FeelPreset& preset)

@@ -68,13 +68,18 @@ struct ToothKind
     bool operator==(const ToothKind&) const = default;
 };
 
-/// "natural v3 #1a2b3c4d": what recordings and score sheets call a preset.
+/// "natural v3 #1a2b3c4d", "natural v3, changed": what recordings and score sheets call a preset. One without a hash is
+/// not what its version says.
 [[nodiscard]] std::string labelOf(const FeelPreset& preset);
 
 /// The rows of a preset that such a tooth is cut by, with the preset's label for a name.
 [[nodiscard]] HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth);
 /// Puts the forces of a preset into a force law and leaves what is the device's.
 void putForces(const FeelPreset& preset, contact::ForceSettings& force);
+
+/// What a servo is set to, as far as a preset knows it; the rest as in `base`. The reverse of the two above.
+[[nodiscard]] FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact::ForceSettings& force,
+                                const ToothKind& tooth);
 
 /// OutOfRange or BadNumber naming the first number outside its range.
 [[nodiscard]] Status check(const FeelPreset& preset);

@@ -9,6 +9,7 @@
 
 #include "core/settings/StabilityBound.h"
 #include "lessons/Assignment.h"
+#include "lessons/LessonReader.h"
 #include "lessons/PresetShelf.h"
 
 using core::settings::FeelPreset;
@@ -301,6 +302,7 @@ void TestPresets::labelsAreReadBack()
     QVERIFY(used.isChanged);
     QVERIFY(lessons::presetUsed("natural", false) == (lessons::PresetUsed{"natural", 0, {}, false}));
     FeelPreset odd;
+    odd.hash = std::string(64, 'a');
     odd.name = "like natural v2 #12345678";
     odd.version = 3;
     QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).name, QString("like natural v2 #12345678"));
@@ -329,6 +331,21 @@ void TestPresets::lessonSaysWhichRowsCut()
         QCOMPARE(rate(settingsOf(&lesson), material), preset.plasticRate);
     lesson.hardness = core::settings::findHardnessPreset("typodont").value();
     QCOMPARE(settingsOf(&lesson).hardness.name, std::string("typodont"));
+    // Back again, as for an attempt that is taken up.
+    for (const core::settings::ToothKind kind : {core::settings::ToothKind{}, {true, false}, {false, true}}) {
+        lesson = {};
+        lesson.kind = kind;
+        const core::session::ServoSettings set = settingsOf(&lesson);
+        const FeelPreset felt = core::settings::feltAs(FeelPreset{}, set.hardness, set.force, kind);
+        QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.material == set.hardness.material);
+        QCOMPARE(felt.stiffnessNPerMm, preset.stiffnessNPerMm);
+    }
+    const lessons::ReadLesson read = lessons::readDraft(
+        QJsonObject{
+            {"format", 1}, {"based_on", "decay-36-2-moderate.lesson.json"}, {"id", "firm-36"}, {"caries", "firm"}},
+        QDir::temp().filePath("firm.lesson.json"));
+    QVERIFY(read.lesson && read.lesson->kind.hasFirmCaries && !read.lesson->hardness);
+    lesson.hardness = core::settings::findHardnessPreset("typodont").value();
     // As before: plastic as shipped is the typodont, and the shipped preset is what a tooth was.
     const FeelPreset shipped = lessons::shippedPresets().front();
     QVERIFY(core::settings::hardnessFor(shipped, {true, false}).material == lesson.hardness->material);

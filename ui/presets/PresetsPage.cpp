@@ -275,6 +275,7 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     m_other->setMinimumWidth(200);
     words->setBuddy(m_other);
     m_trials = new QSpinBox(whole);
+    m_trials->setObjectName(QStringLiteral("presetTrials"));
     m_trials->setRange(1, kMostTrials);
     m_trials->setValue(kUsualTrials);
     study::bindToForm(m_trials);
@@ -382,7 +383,6 @@ void PresetsPage::take(const FeelPreset& preset)
     next.name = m_draft.name;
     next.version = m_draft.version;
     next.notes = m_draft.notes;
-    next.hash = m_draft.hash;
     m_draft = next;
     tell();
 }
@@ -401,6 +401,7 @@ bool PresetsPage::isNewest() const
 
 void PresetsPage::tell()
 {
+    m_draft.hash = isChanged() ? std::string() : m_base.hash;
     const bool held = isHeld(m_draft);
     m_bound->setText((held ? QString() : QStringLiteral("⚠ ")) + boundWords(m_draft));
     QPalette colours = palette();

@@ -153,6 +153,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     panel = add("panel", tr("Side panel"), tr("Show the figures, or put them away"), {Qt::Key_F9});
     panel->setCheckable(true);
     panel->setChecked(true);
+    console = add("console", tr("Console"), tr("Look at parameters and turn them while you drill, or put it away"),
+                  {Qt::Key_F10, Qt::Key_QuoteLeft});
+    settings = add("settings", tr("Settings"), tr("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
     account = add("account", {}, tr("Log in, or lock this place and let somebody else log in"), {Qt::CTRL | Qt::Key_L});
     showAccount({});
     fullScreen = add("fullscreen", tr("Full screen"), tr("Fill the whole screen"), {Qt::Key_F11});

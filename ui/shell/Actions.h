@@ -89,7 +89,9 @@ public:
     QAction* reducedMotion = nullptr;
     QAction* stereoPage = nullptr;
     QAction* savePicture = nullptr;
-    QAction* panel = nullptr;    ///< checkable: the side panel is there
+    QAction* panel = nullptr;  ///< checkable: the side panel is there
+    QAction* console = nullptr;
+    QAction* settings = nullptr;
     QAction* account = nullptr;  ///< who is logged in; locks the place, or leads to the login
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;

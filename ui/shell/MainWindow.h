@@ -19,9 +19,11 @@
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
+#include "core/settings/Parameters.h"
 #include "database/people.h"
 #include "database/records.h"
 #include "lessons/Assignment.h"
+#include "ui/console/Registration.h"
 #include "ui/people/Door.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/replay/Course.h"
@@ -45,6 +47,15 @@ class ToothView;
 
 namespace ui::inside {
 class XrayPage;
+}
+
+namespace ui::console {
+class Console;
+class WatchPanel;
+}  // namespace ui::console
+
+namespace ui::settings {
+class SettingsPage;
 }
 
 namespace ui::presets {
@@ -92,6 +103,9 @@ public:
 
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
+    /// How the console keeps a preset and finds one.
+    void setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
+                  std::function<core::Result<core::settings::FeelPreset>(const QString&)> find);
 
 public slots:
     /// The tooth that is now on the table.
@@ -143,6 +157,8 @@ public slots:
     void showPresetFault(const QString& sentence);
     /// The block that presetTrialWanted() asked for is on the table.
     void beginTrial();
+    /// What the tooth on the table feels like, and what it would if nobody had turned anything.
+    void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
     /// What was measured of attempts at the lesson that is edited, as it is.
@@ -217,6 +233,8 @@ signals:
     void presetTrialWanted(const core::settings::FeelPreset& preset);
     /// What is on the table is to feel like this from now on, in the middle of whatever is done.
     void presetFelt(const core::settings::FeelPreset& preset);
+    /// The same by hand, in the console or the settings: this tooth and those after it, but exams.
+    void feelWanted(const core::settings::FeelPreset& preset);
     /// A lesson of a pack is to be edited: the pack is to be unpacked into the teacher's folder, and the lesson of that
     /// name there given to editLesson().
     void unpackWanted(const QString& pack, const QString& name);
@@ -330,6 +348,8 @@ private:
     void setDrillFor(lessons::Task task);
     void showXray();
     void connectPresets();
+    void registerParameters();
+    [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& next);
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
@@ -354,6 +374,14 @@ private:
     study::Forecast* m_forecast;
     presets::PresetsPage* m_presets;
     presets::TrialCard* m_trialCard;
+    core::settings::Parameters m_parameters;
+    console::PeriodMeter m_periods;
+    console::WatchPanel* m_watch;
+    console::Console* m_console;
+    settings::SettingsPage* m_settingsPage = nullptr;
+    core::settings::FeelPreset m_feel;       ///< of what lies on the table
+    core::settings::FeelPreset m_usualFeel;  ///< of it, if nobody had turned anything
+    core::session::ServoState m_servo;       ///< of the last frame
     inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;
