@@ -41,10 +41,13 @@
 #include "lessons/Rubric.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
+#include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/presets/PresetsPage.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/replay/TimeLine.h"
+#include "ui/settings/SettingsPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/BusyCard.h"
@@ -125,6 +128,8 @@ private slots:
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void spaceOnAFocusedButtonPressesIt();
+    void theConsoleTakesKeysAndLeavesTheView();
+    void presetsAndSettingsHavePages();
 
     void figuresComeFromTheLoops();
     void dentinOverThePulpIsTold();
@@ -1261,6 +1266,44 @@ void TestMainWindow::spaceOnAFocusedButtonPressesIt()
     press(Qt::Key_Space);
     QCOMPARE(asked.size(), 1);
     QVERIFY2(sent().isEmpty(), "the drill did not start");
+}
+
+void TestMainWindow::theConsoleTakesKeysAndLeavesTheView()
+{
+    auto* console = child<ui::console::Console>();
+    QVERIFY(!console->isVisible());
+    press(Qt::Key_F10);
+    QTRY_VERIFY(console->isVisible());
+    QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("consoleLine"));
+    static_cast<void>(sent());
+    QTest::keyClicks(QApplication::focusWidget(), "d1r ");  // which would drill, take a bur and begin again
+    QVERIFY(sent().isEmpty());
+    QCOMPARE(child<QLineEdit>("consoleLine")->text(), QString("d1r "));
+    // The mouse drills beneath it.
+    auto& view = m_window->view();
+    const QPoint below(view.width() / 2, view.height() * 3 / 4);
+    QVERIFY(!console->geometry().contains(view.mapTo(console->parentWidget(), below)));
+    press(Qt::Key_QuoteLeft);
+    QTRY_VERIFY(!console->isVisible());
+    QCOMPARE(child<QLineEdit>("consoleLine")->text(), QString("d1r "));
+    press(Qt::Key_QuoteLeft);
+    QTRY_VERIFY(console->isVisible());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(!console->isVisible());
+}
+
+void TestMainWindow::presetsAndSettingsHavePages()
+{
+    QSignalSpy asked(m_window.get(), &MainWindow::presetsWanted);
+    press(Qt::Key_F7);
+    QTRY_VERIFY(child<ui::presets::PresetsPage>()->isVisible());
+    QCOMPARE(asked.size(), 1);
+    QVERIFY(!actions().console->isEnabled());
+    press(Qt::Key_Escape);
+    press(Qt::Key_Comma, Qt::ControlModifier);
+    QTRY_VERIFY(child<ui::settings::SettingsPage>()->isVisible());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(child<PracticeRoom>()->isVisible());
 }
 
 void TestMainWindow::figuresComeFromTheLoops()

@@ -74,6 +74,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     editLesson =
         add("edit", QT_TR_NOOP("Edit the lesson …"),
             QT_TR_NOOP("Change the ideal and the marking of the lesson that is chosen in the list"), {Qt::Key_F4});
+    presets = add("dials", QT_TR_NOOP("Hardness presets"), QT_TR_NOOP("Choose, try and change how drilling feels"),
+                  {Qt::Key_F7});
     chooseTooth = add("tooth", QT_TR_NOOP("Choose a tooth"), QT_TR_NOOP("Show the arches and choose one of 16 teeth"),
                       {Qt::Key_T});
     mouth = add("mouth", QT_TR_NOOP("Whole mouth"),
@@ -171,6 +173,11 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     panel = add("panel", QT_TR_NOOP("Side panel"), QT_TR_NOOP("Show the figures, or put them away"), {Qt::Key_F9});
     panel->setCheckable(true);
     panel->setChecked(true);
+    console = add("console", QT_TR_NOOP("Console"),
+                  QT_TR_NOOP("Look at parameters and turn them while you drill, or put it away"),
+                  {Qt::Key_F10, Qt::Key_QuoteLeft});
+    settings =
+        add("settings", QT_TR_NOOP("Settings"), QT_TR_NOOP("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
     account = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : m_username; },
                   QT_TR_NOOP("Log in, or lock this place and let somebody else log in"), {Qt::CTRL | Qt::Key_L});
     fullScreen = add("fullscreen", QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen"), {Qt::Key_F11});

@@ -52,6 +52,7 @@ public:
     QAction* grade = nullptr;
     QAction* lessons = nullptr;
     QAction* editLesson = nullptr;  ///< on the page of lessons
+    QAction* presets = nullptr;
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;
@@ -92,7 +93,9 @@ public:
     QAction* reducedMotion = nullptr;
     QAction* stereoPage = nullptr;
     QAction* savePicture = nullptr;
-    QAction* panel = nullptr;    ///< checkable: the side panel is there
+    QAction* panel = nullptr;  ///< checkable: the side panel is there
+    QAction* console = nullptr;
+    QAction* settings = nullptr;
     QAction* account = nullptr;  ///< who is logged in; locks the place, or leads to the login
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;

@@ -124,7 +124,7 @@ void HelpOverlay::makeGroups(const Actions& actions)
     const auto place = [this](const QString& words, const QList<QWidget*>& rows) {
         auto* group = new QWidget(m_content);
         auto* lines = new QVBoxLayout(group);
-        lines->setContentsMargins(0, 0, 0, kSpace4);
+        lines->setContentsMargins(0, 0, 0, kSpace2);
         lines->setSpacing(kSpace1);
         lines->addWidget(heading(words, group));
         for (QWidget* row : rows)

@@ -54,6 +54,10 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
     for (QAction* action : {actions.savePicture, actions.reducedMotion})
         m_menu->addAction(action);
     m_menu->addSeparator();
+    for (QAction* action : {actions.presets, actions.settings, actions.console}) {
+        m_menu->addAction(action);
+        action->setIconVisibleInMenu(false);
+    }
     m_menu->addMenu(new LanguageMenu(m_menu));
     // Beside a drawing a check mark would shrink to a faint box around it.
     for (QAction* action : this->actions())
@@ -70,7 +74,10 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
 QList<QAction*> ViewMenu::actions() const
 {
     QList<QAction*> all = m_menu->actions();
-    all.removeIf([](const QAction* action) { return action->isSeparator(); });
+    all.removeIf([this](const QAction* action) {
+        return action->isSeparator() || action == m_actions.presets || action == m_actions.settings ||
+               action == m_actions.console;
+    });
     return all;
 }
 

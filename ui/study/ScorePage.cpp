@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/presets/PresetWords.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
 #include "ui/shell/LineIcon.h"
@@ -173,7 +174,7 @@ QString rubricWords(const ::lessons::ScoreSheet& sheet)
 
 }  // namespace
 
-ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, parent)
+ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, {}, parent)
 {
     auto* block = new QWidget(this);
     block->setMaximumWidth(kWidestPx);
@@ -448,7 +449,11 @@ void ScorePage::speak()
         m_expected->setText((expectation(m_expectation->tenths, m_sheet.totalTenths) + u' ' +
                              expectedWorst(m_expectation->worst, m_sheet))
                                 .trimmed());
-    m_rubric->setText(rubricWords(m_sheet));
+    QString how = rubricWords(m_sheet);
+    if (m_scored && m_scored->preset)
+        //: %1 is a hardness preset with its version
+        how += u' ' + tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
+    m_rubric->setText(how);
     const Tones tone = tones(palette());
     m_total->setText(text::points(m_sheet.totalTenths), tr("of 100"));
     const bool passed = m_sheet.passed();

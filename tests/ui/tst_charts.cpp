@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts tell their values in words, and give them away as pictures and tables.
+#include <QApplication>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include <memory>
+
+#include "ui/charts/ChartPanel.h"
+#include "ui/charts/Drawing.h"
+#include "ui/charts/Table.h"
+#include "ui/shell/Theme.h"
+
+using namespace ui::charts;
+
+namespace {
+
+Chart curve()
+{
+    Curve made;
+    made.x = {"Attempt", 0.5, 6.5, false, true};
+    made.y = {"Points", 0.0, 100.0, false, false};
+    Line score{"Score", {}, Mark::None, true};
+    Line passed{"Passed", {}, Mark::Circle, false};
+    Line failed{"Not passed", {}, Mark::HollowDiamond, false};
+    for (int k = 1; k <= 6; ++k) {
+        const Dot dot{double(k), 40.0 + 8.5 * k, QString("Attempt %1: %2 points").arg(k).arg(40.0 + 8.5 * k), 100 + k};
+        score.dots << dot;
+        (k > 4 ? passed : failed).dots << dot;
+        made.band.slices << Slice{double(k), 40.0 + 4 * k, 52.0 + 5 * k, 66.0 + 4 * k, QString("class %1").arg(k)};
+    }
+    made.band.name = "Middle half of the class";
+    made.band.middleName = "Median";
+    made.lines = {score, passed, failed};
+    made.limits = {{75.0, false, "Pass mark"}};
+    return {"Score over attempts", "23 people", "Nothing yet", made};
+}
+
+Chart bars()
+{
+    Bars made;
+    made.value = {"Points lost", 0.0, 30.0, false, false};
+    made.nameTitle = "Criterion";
+    made.bars = {{"Depth of the pulpal floor against the ideal", 24.0, "Depth: 24.0 points lost"},
+                 {"Walls", 6.0, "Walls: 6.0 points lost"},
+                 {"=cmd|' /C calc'!A0", 1.5, "Odd: 1.5"}};
+    return {"What cost points", {}, "Nothing yet", made};
+}
+
+Chart histogram()
+{
+    Histogram made;
+    made.x = {"Points", 0.0, 100.0, false, false};
+    made.count = {"Students", 0.0, 10.0, false, true};
+    for (int k = 0; k < 10; ++k)
+        made.bins << Histogram::Bin{10.0 * k, 10.0 * (k + 1), k, QString("%1 students").arg(k)};
+    made.limits = {{75.0, true, "Pass mark"}};
+    return {"Best scores", "45 people", "Nothing yet", made};
+}
+
+}  // namespace
+
+class TestCharts : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void arrowsWalkFromValueToValue();
+    void thePointerFindsValues();
+    void barsAndColumnsAreMetAnywhere();
+    void enterOpensWhatAValueStandsFor();
+    void withoutValuesItSaysWhatWillBeHere();
+    void aBandWithoutLinesIsWalkedItself();
+    void tablesAreSafeForSpreadsheets_data();
+    void tablesAreSafeForSpreadsheets();
+    void numbersOfTablesKnowNoLanguage();
+    void aChartIsATable();
+    void filesAreWritten();
+    void whatCannotBeWrittenIsSaid();
+    void picturesShowSomethingInBothThemes_data();
+    void picturesShowSomethingInBothThemes();
+    void axesEndAtRoundNumbers();
+
+private:
+    std::unique_ptr<ChartPanel> m_panel;
+};
+
+void TestCharts::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+}
+
+void TestCharts::init()
+{
+    m_panel = std::make_unique<ChartPanel>(nullptr);
+    m_panel->setAutoFillBackground(true);
+    m_panel->resize(560, 360);
+    m_panel->setChart(curve());
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    m_panel->activateWindow();
+    m_panel->setFocus();
+}
+
+void TestCharts::arrowsWalkFromValueToValue()
+{
+    QVERIFY(!m_panel->stop());
+    QTest::keyClick(m_panel.get(), Qt::Key_Right);
+    QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
+    QCOMPARE(m_panel->accessibleDescription(), m_panel->said());
+    QTest::keyClick(m_panel.get(), Qt::Key_Right);
+    QCOMPARE(m_panel->said(), QString("Attempt 2: 57 points"));
+    QTest::keyClick(m_panel.get(), Qt::Key_End);
+    QTest::keyClick(m_panel.get(), Qt::Key_Right);
+    QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
+    QTest::keyClick(m_panel.get(), Qt::Key_Home);
+    QTest::keyClick(m_panel.get(), Qt::Key_Left);
+    QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
+    auto* callout = m_panel->findChild<QLabel*>("chartCallout");
+    QVERIFY(callout->isVisible());
+    QVERIFY(m_panel->rect().contains(callout->geometry()));
+}
+
+void TestCharts::thePointerFindsValues()
+{
+    auto* viewport = m_panel->findChild<QAbstractScrollArea*>()->viewport();
+    QSet<QString> told;
+    for (int y = 0; y < viewport->height(); y += 6)
+        for (int x = 0; x < viewport->width(); x += 6) {
+            QMouseEvent move(QEvent::MouseMove, QPointF(x, y), viewport->mapToGlobal(QPointF(x, y)), Qt::NoButton,
+                             Qt::NoButton, Qt::NoModifier);
+            QApplication::sendEvent(viewport, &move);
+            if (m_panel->stop())
+                told << m_panel->said();
+        }
+    QCOMPARE(told.size(), 6);
+}
+
+void TestCharts::barsAndColumnsAreMetAnywhere()
+{
+    for (const Chart& chart : {bars(), histogram()}) {
+        m_panel->setChart(chart);
+        QTest::qWait(1);
+        auto* viewport = m_panel->findChild<QAbstractScrollArea*>()->viewport();
+        QSet<QString> told;
+        for (int y = 4; y < viewport->height(); y += 8)
+            for (int x = 4; x < viewport->width(); x += 8) {
+                QMouseEvent move(QEvent::MouseMove, QPointF(x, y), viewport->mapToGlobal(QPointF(x, y)), Qt::NoButton,
+                                 Qt::NoButton, Qt::NoModifier);
+                QApplication::sendEvent(viewport, &move);
+                told << m_panel->said();
+            }
+        told.remove({});
+        QCOMPARE(told.size(), stopsOf(chart).size());
+    }
+}
+
+void TestCharts::enterOpensWhatAValueStandsFor()
+{
+    QSignalSpy chosen(m_panel.get(), &ChartPanel::chosen);
+    QTest::keyClick(m_panel.get(), Qt::Key_Return);
+    QCOMPARE(chosen.count(), 0);
+    QTest::keyClick(m_panel.get(), Qt::Key_Home);
+    QTest::keyClick(m_panel.get(), Qt::Key_Return);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen.front().front().toLongLong(), 101);
+}
+
+void TestCharts::withoutValuesItSaysWhatWillBeHere()
+{
+    m_panel->setChart({"Score", {}, "After your first attempt there is a point here.", Curve{}});
+    QCOMPARE(m_panel->findChild<QLabel*>("chartEmpty")->text(),
+             QString("After your first attempt there is a point here."));
+    QVERIFY(m_panel->findChild<QLabel*>("chartEmpty")->isVisible());
+    QVERIFY(!m_panel->findChild<QWidget*>("saveChart")->isVisible());
+    QTest::keyClick(m_panel.get(), Qt::Key_Right);
+    QVERIFY(!m_panel->stop());
+    QVERIFY(png(m_panel->chart()).isEmpty());
+}
+
+void TestCharts::aBandWithoutLinesIsWalkedItself()
+{
+    Chart chart = curve();
+    std::get<Curve>(chart.content).lines.clear();
+    m_panel->setChart(chart);
+    QTest::keyClick(m_panel.get(), Qt::Key_Home);
+    QCOMPARE(m_panel->said(), QString("class 1"));
+}
+
+void TestCharts::tablesAreSafeForSpreadsheets_data()
+{
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QByteArray>("written");
+    QTest::newRow("plain") << "Depth" << QByteArray("Depth");
+    QTest::newRow("comma") << "a,b" << QByteArray("\"a,b\"");
+    QTest::newRow("quote") << "a\"b" << QByteArray("\"a\"\"b\"");
+    QTest::newRow("two lines") << "a\nb" << QByteArray("\"a\nb\"");
+    QTest::newRow("umlaut") << QString::fromUtf8("Höhe") << QByteArray("Höhe");
+    QTest::newRow("formula") << "=1+1" << QByteArray("'=1+1");
+    QTest::newRow("sum") << "+1" << QByteArray("'+1");
+    QTest::newRow("minus") << "-1" << QByteArray("'-1");
+    QTest::newRow("at") << "@SUM(A1)" << QByteArray("'@SUM(A1)");
+    QTest::newRow("tab") << "\t=1" << QByteArray("'\t=1");
+    QTest::newRow("space and formula") << " =1" << QByteArray("' =1");
+    QTest::newRow("link") << "=HYPERLINK(\"http://x\",\"y\")"
+                          << QByteArray("\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
+    QTest::newRow("wide equals sign") << QString::fromUtf8("＝1") << QByteArray("'＝1");
+}
+
+void TestCharts::tablesAreSafeForSpreadsheets()
+{
+    QFETCH(QString, words);
+    QFETCH(QByteArray, written);
+    QCOMPARE(csv({{"head"}, {{words}}}), "head\r\n" + written + "\r\n");
+}
+
+void TestCharts::numbersOfTablesKnowNoLanguage()
+{
+    QLocale::setDefault(QLocale("de_DE"));
+    const QByteArray text = csv({{"a", "b", "c"}, {{-1234.5, std::int64_t{-1234567}, qQNaN()}}});
+    QLocale::setDefault(QLocale("en_GB"));
+    QCOMPARE(text, QByteArray("a,b,c\r\n-1234.5,-1234567,\r\n"));
+}
+
+void TestCharts::aChartIsATable()
+{
+    const Table table = tableOf(curve());
+    QCOMPARE(table.heads, QStringList({"series", "Attempt", "Points"}));
+    QCOMPARE(table.rows.size(), 6 + 3 * 6 + 1);
+    const Table lost = tableOf(bars());
+    QCOMPARE(lost.rows.size(), 3);
+    QVERIFY(csv(lost).contains("'=cmd"));
+    Chart timed = curve();
+    std::get<Curve>(timed.content).x.isTime = true;
+    std::get<Curve>(timed.content).lines[1].dots[0].x = 1'763'633'700'000.0;
+    QVERIFY(csv(tableOf(timed)).contains("2025-11-20T10:15:00Z"));
+}
+
+void TestCharts::filesAreWritten()
+{
+    const QTemporaryDir folder;
+    for (const char* name : {"chart.png", "chart.svg", "chart.csv"}) {
+        const QString path = folder.filePath(name);
+        QVERIFY2(m_panel->save(path), name);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        if (path.endsWith("png")) {
+            QCOMPARE(QImage::fromData(bytes).size(), QSize(1920, 1200));
+        } else if (path.endsWith("svg")) {
+            QXmlStreamReader reader(bytes);
+            while (!reader.atEnd())
+                reader.readNext();
+            QVERIFY(!reader.hasError());
+            QVERIFY(bytes.contains("Score over attempts"));
+        } else {
+            QCOMPARE(bytes, csv(tableOf(curve())));
+        }
+    }
+    QCOMPARE(m_panel->findChild<QLabel*>("chartSaved")->text(), QString("Saved: chart.csv"));
+}
+
+void TestCharts::whatCannotBeWrittenIsSaid()
+{
+    QVERIFY(!m_panel->save("/nowhere/at/all/chart.png"));
+    QVERIFY(m_panel->findChild<QLabel*>("chartSaved")->text().startsWith("chart.png could not be written"));
+}
+
+void TestCharts::picturesShowSomethingInBothThemes_data()
+{
+    QTest::addColumn<bool>("dark");
+    QTest::addColumn<int>("which");
+    for (const bool dark : {false, true})
+        for (int which = 0; which < 3; ++which)
+            QTest::addRow("%s %d", dark ? "dark" : "light", which) << dark << which;
+}
+
+void TestCharts::picturesShowSomethingInBothThemes()
+{
+    QFETCH(bool, dark);
+    QFETCH(int, which);
+    ui::shell::applyTheme(*qApp, dark ? ui::shell::ThemeChoice::Dark : ui::shell::ThemeChoice::Light);
+    m_panel->setChart(which == 0 ? curve() : which == 1 ? bars() : histogram());
+    QTest::qWait(20);
+    m_panel->setStop(1);
+    const QImage picture = m_panel->grab().toImage();
+    // The marks of the first line are there, in the theme's colour.
+    const QColor accent = ui::shell::tones(m_panel->palette()).accent;
+    int seen = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            seen += picture.pixelColor(x, y) == accent ? 1 : 0;
+
+    QVERIFY2(seen > 40, qPrintable(QString::number(seen)));
+}
+
+void TestCharts::axesEndAtRoundNumbers()
+{
+    QCOMPARE(roundEnd(0.0), 1.0);
+    QCOMPARE(roundEnd(1.0), 1.0);
+    QCOMPARE(roundEnd(1.2), 2.0);
+    QCOMPARE(roundEnd(22.0), 25.0);
+    QCOMPARE(roundEnd(0.3), 0.5);
+    QCOMPARE(roundEnd(6100.0), 10000.0);
+}
+
+QTEST_MAIN(TestCharts)
+#include "tst_charts.moc"

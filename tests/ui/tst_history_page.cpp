@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include <memory>
+
+#include "ui/charts/ChartPanel.h"
+#include "ui/charts/Table.h"
+#include "ui/people/HistoryPage.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/Theme.h"
+
+using database::AttemptRecord;
+using ui::charts::ChartPanel;
+using ui::people::HistoryPage;
+
+namespace {
+
+/// So many attempts at three lessons in turn, newest first, better and quicker each time.
+QList<AttemptRecord> attempts(int count)
+{
+    QList<AttemptRecord> made;
+    const QDateTime first(QDate(2026, 9, 1), QTime(9, 0), Qt::UTC);
+    for (int k = count; k-- > 0;) {
+        AttemptRecord one;
+        one.id = k + 1;
+        one.finishedUtc = first.addSecs(86400LL * k).toString(Qt::ISODate).toStdString();
+        one.lessonId = std::array{"c1-36", "decay-26", "pad-cross"}.at(static_cast<std::size_t>(k % 3));
+        one.scoreTenths = std::min(980, 400 + 37 * (k / 3) + 90 * (k % 3) % 120);
+        one.passMarkTenths = 750;
+        one.passed = one.scoreTenths >= 750;
+        one.durationMs = 900'000 - 11'000 * std::min(k, 60);
+        one.meanForceMn = 900 - 6 * std::min(k, 60);
+        one.peakForceMn = 2600 - 20 * std::min(k, 60);
+        one.criteria = {{"depth", 100, 300}, {"outline", 40, 400}, {"walls", 20 + k % 3, 300}};
+        one.scoreSheetJson = R"({"criteria":[{"id":"depth","title":{"en":"Pulpal floor"},"measure":"m"},)"
+                             R"({"id":"outline","title":{"en":"Outline"},"measure":"o"}]})";
+        one.recordingHash = k == 0 ? "" : "abc";
+        made << one;
+    }
+    return made;
+}
+
+std::vector<database::BandPoint> band(int people)
+{
+    std::vector<database::BandPoint> made;
+    for (int k = 1; k <= 8; ++k)
+        made.push_back({k, people, 300 + 40 * k, 420 + 45 * k, 560 + 40 * k});
+    return made;
+}
+
+}  // namespace
+
+class TestHistoryPage : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void anEmptyPageSaysWhatWillBeHere();
+    void theNewestIsFirstAndChosen();
+    void columnsSortByValue_data();
+    void columnsSortByValue();
+    void aLessonFiltersListAndCharts();
+    void theBandNeedsFivePeople();
+    void anAttemptOpens();
+    void withoutRecordingThereIsNoReplay();
+    void whatIsChosenStays();
+    void anInstructorsScoreCounts();
+    void criteriaHaveTheirNames();
+    void thousandsOfRows();
+    void everyControlHasAName();
+
+private:
+    QTableView* table() { return m_page->findChild<QTableView*>("attempts"); }
+    QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
+
+    std::unique_ptr<QWidget> m_window;
+    ui::shell::Actions* m_actions = nullptr;
+    HistoryPage* m_page = nullptr;
+};
+
+void TestHistoryPage::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+}
+
+void TestHistoryPage::init()
+{
+    m_window = std::make_unique<QWidget>();
+    m_actions = new ui::shell::Actions(m_window.get());
+    m_page = new HistoryPage(*m_actions, m_window.get());
+    m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
+    m_window->resize(1280, 800);
+    m_page->resize(1280, 800);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+}
+
+void TestHistoryPage::anEmptyPageSaysWhatWillBeHere()
+{
+    auto* words = m_page->findChild<QLabel*>("emptyWords");
+    m_page->setHistory({});
+    QVERIFY(words->isVisible());
+    QVERIFY(words->text().contains("graded"));
+    m_page->setPerson("Ada Lovelace");
+    QVERIFY(words->isVisible());
+    QVERIFY(!words->text().contains("you"));
+    m_page->setHistory(attempts(3));
+    QVERIFY(!words->isVisible());
+}
+
+void TestHistoryPage::theNewestIsFirstAndChosen()
+{
+    m_page->setHistory(attempts(30));
+    QCOMPARE(table()->model()->rowCount(), 30);
+    QCOMPARE(m_page->chosen(), 30);
+    QCOMPARE(cell(0, 1), QString("Pad: cross"));
+    QCOMPARE(m_page->findChild<QLabel*>("historyCount")->text(), QString("30 attempt(s)"));
+}
+
+void TestHistoryPage::columnsSortByValue_data()
+{
+    QTest::addColumn<int>("column");
+    QTest::newRow("score") << 2;
+    QTest::newRow("time") << 4;
+    QTest::newRow("force") << 5;
+}
+
+void TestHistoryPage::columnsSortByValue()
+{
+    QFETCH(int, column);
+    QList<AttemptRecord> some = attempts(30);
+    some[3].durationMs = 3'700'000;  // "1:01:40" is more than "9:59"
+    some[4].scoreTenths = 1000;      // and "100.0" more than "99.0"
+    some[5].meanForceMn = 10'500;
+    m_page->setHistory(some);
+    table()->sortByColumn(column, Qt::DescendingOrder);
+    const auto expected = column == 2 ? some[4] : column == 4 ? some[3] : some[5];
+    table()->selectRow(0);
+    QCOMPARE(m_page->chosen(), expected.id);
+}
+
+void TestHistoryPage::aLessonFiltersListAndCharts()
+{
+    m_page->setHistory(attempts(30));
+    QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
+    auto* combo = m_page->findChild<QComboBox*>("lessonFilter");
+    QCOMPARE(combo->count(), 4);
+    QCOMPARE(combo->itemText(1), QString("Class I on 36 (10)"));
+    combo->setCurrentIndex(1);
+    QCOMPARE(lesson.count(), 1);
+    QCOMPARE(lesson.front().front().toString(), QString("c1-36"));
+    QCOMPARE(table()->model()->rowCount(), 10);
+    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+    QCOMPARE(ui::charts::stopsOf(score->chart()).size(), 10);
+    QCOMPARE(ui::charts::stopsOf(score->chart()).front().x, 1.0);
+    m_page->setLesson({});
+    QCOMPARE(table()->model()->rowCount(), 30);
+}
+
+void TestHistoryPage::theBandNeedsFivePeople()
+{
+    m_page->setHistory(attempts(30));
+    m_page->setLesson("c1-36");
+    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+    const auto slices = [&] { return std::get<ui::charts::Curve>(score->chart().content).band.slices.size(); };
+    m_page->setBand(band(4));
+    QCOMPARE(slices(), 0);
+    m_page->setBand(band(5));
+    QCOMPARE(slices(), 8);
+    m_page->setLesson("decay-26");  // it was of the other lesson
+    QCOMPARE(slices(), 0);
+    m_page->setClassMedians(ui::people::ClassMedians{4, 700, 600'000});
+    m_page->findChild<QPushButton*>()->setFocus();
+    for (QPushButton* button : m_page->findChildren<QPushButton*>())
+        if (button->text() == "Speed and accuracy")
+            button->click();
+    auto* other = m_page->findChild<ChartPanel*>("otherChart");
+    QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 0);
+    m_page->setClassMedians(ui::people::ClassMedians{5, 700, 600'000});
+    QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 2);
+}
+
+void TestHistoryPage::anAttemptOpens()
+{
+    m_page->setHistory(attempts(30));
+    QSignalSpy opened(m_page, &HistoryPage::attemptOpenWanted);
+    QSignalSpy replayed(m_page, &HistoryPage::replayWanted);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_Down);
+    QCOMPARE(m_page->chosen(), 29);
+    QTest::keyClick(table(), Qt::Key_Return);
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
+    m_page->findChild<QPushButton*>("openAttempt")->click();
+    QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
+    m_page->findChild<QPushButton*>("replayAttempt")->click();
+    QCOMPARE(replayed.front().front().toLongLong(), 29);
+    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+    score->setFocus();
+    QTest::keyClick(score, Qt::Key_Home);
+    QTest::keyClick(score, Qt::Key_Return);
+    QCOMPARE(opened.takeFirst().front().toLongLong(), 1);
+}
+
+void TestHistoryPage::withoutRecordingThereIsNoReplay()
+{
+    m_page->setHistory(attempts(3));
+    auto* replay = m_page->findChild<QPushButton*>("replayAttempt");
+    QVERIFY(replay->isEnabled());
+    table()->selectRow(2);
+    QVERIFY(!replay->isEnabled());
+    QVERIFY(!replay->toolTip().isEmpty());
+}
+
+void TestHistoryPage::whatIsChosenStays()
+{
+    m_page->setHistory(attempts(30));
+    table()->selectRow(7);
+    const auto kept = m_page->chosen();
+    m_page->setHistory(attempts(31));
+    QCOMPARE(m_page->chosen(), kept);
+}
+
+void TestHistoryPage::anInstructorsScoreCounts()
+{
+    QList<AttemptRecord> some = attempts(3);
+    some[0].givenTenths = 885;
+    m_page->setHistory(some);
+    QCOMPARE(cell(0, 2), QString("88.5"));
+    QCOMPARE(cell(0, 3), QString("passed"));
+    QVERIFY(table()->model()->index(0, 2).data(Qt::ToolTipRole).toString().contains("46.0"));
+    QVERIFY(ui::charts::stopsOf(m_page->findChild<ChartPanel*>("scoreChart")->chart())
+                .back()
+                .words.endsWith("88.5 points, passed (machine: 46.0)"));
+}
+
+void TestHistoryPage::criteriaHaveTheirNames()
+{
+    m_page->setHistory(attempts(12));
+    const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content).bars;
+    QCOMPARE(bars.size(), 3);
+    QCOMPARE(bars[0].name, QString("Pulpal floor"));
+    QCOMPARE(bars[0].words, QString("Pulpal floor: 33 % of its points lost"));
+    QCOMPARE(bars[2].name, QString("Walls"));  // of which no sheet speaks
+}
+
+void TestHistoryPage::thousandsOfRows()
+{
+    m_page->setHistory(attempts(6000));
+    QCOMPARE(table()->model()->rowCount(), 6000);
+    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+    QCOMPARE(ui::charts::stopsOf(score->chart()).size(), ui::people::kMostCharted);
+    QCOMPARE(score->chart().note, QString("The newest 300 of 6,000 attempts"));
+    m_page->setLesson("c1-36");
+    QCOMPARE(table()->model()->rowCount(), 2000);
+    QCOMPARE(ui::charts::stopsOf(score->chart()).back().x, 2000.0);
+}
+
+void TestHistoryPage::everyControlHasAName()
+{
+    m_page->setHistory(attempts(5));
+    for (QWidget* widget : m_page->findChildren<QWidget*>())
+        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && !widget->inherits("QAbstractScrollArea") &&
+            widget->parentWidget() != nullptr && !widget->parentWidget()->inherits("QAbstractItemView"))
+            QVERIFY2(!widget->accessibleName().isEmpty(),
+                     qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+}
+
+QTEST_MAIN(TestHistoryPage)
+#include "tst_history_page.moc"

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include <QList>
+#include <QString>
+
+/// What a chart shows, as plain values: drawn on the screen and on paper (Drawing.h), written as a table (Table.h).
+namespace ui::charts {
+
+/// A value at which one can stop, with the pointer or the arrow keys.
+struct Dot
+{
+    double x = 0.0;  ///< on a time axis: milliseconds since 1970, UTC
+    double y = 0.0;
+    QString words;        ///< the value as a sentence
+    std::int64_t id = 0;  ///< what opens when it is chosen; 0: nothing
+    bool operator==(const Dot&) const = default;
+};
+
+/// How dots look. Each kind has a shape of its own: colour only says it again.
+enum class Mark : std::uint8_t {
+    None,  ///< nobody stops there
+    Circle,
+    HollowDiamond,
+    Square
+};
+
+struct Line
+{
+    QString name;
+    QList<Dot> dots;
+    Mark mark = Mark::Circle;
+    bool isJoined = true;
+    bool operator==(const Line&) const = default;
+};
+
+/// The middle half of many people at one place.
+struct Slice
+{
+    double x = 0.0;
+    double low = 0.0;
+    double middle = 0.0;
+    double high = 0.0;
+    QString words;
+    bool operator==(const Slice&) const = default;
+};
+
+struct Band
+{
+    QString name;        ///< of the middle half
+    QString middleName;  ///< of the line in it
+    QList<Slice> slices;
+    bool operator==(const Band&) const = default;
+};
+
+/// A straight line across: a pass mark, a median.
+struct Limit
+{
+    double at = 0.0;
+    bool isUpright = false;
+    QString name;
+    bool operator==(const Limit&) const = default;
+};
+
+struct Axis
+{
+    QString title;
+    double low = 0.0;
+    double high = 1.0;
+    bool isTime = false;   ///< low and high as Dot::x
+    bool isWhole = false;  ///< counts: no ticks between whole numbers
+    bool operator==(const Axis&) const = default;
+};
+
+/// Lines and clouds of dots before a band.
+struct Curve
+{
+    Axis x;
+    Axis y;
+    QList<Line> lines;
+    Band band;
+    QList<Limit> limits;
+    bool operator==(const Curve&) const = default;
+};
+
+/// Lying bars with a name each, the first on top.
+struct Bars
+{
+    struct Bar
+    {
+        QString name;
+        double value = 0.0;
+        QString words;
+        bool operator==(const Bar&) const = default;
+    };
+    Axis value;
+    QString nameTitle;  ///< what the names are, for the table
+    QList<Bar> bars;
+    bool operator==(const Bars&) const = default;
+};
+
+/// How many lie between one value and the next.
+struct Histogram
+{
+    struct Bin
+    {
+        double from = 0.0;
+        double to = 0.0;
+        int count = 0;
+        QString words;
+        bool operator==(const Bin&) const = default;
+    };
+    Axis x;
+    Axis count;
+    QList<Bin> bins;
+    QList<Limit> limits;
+    bool operator==(const Histogram&) const = default;
+};
+
+struct Chart
+{
+    QString title;
+    QString note;        ///< what has to be known to read it: of how many, of when
+    QString emptyWords;  ///< instead of a chart without values: what will be here, and how to get it
+    std::variant<Curve, Bars, Histogram> content;
+    bool operator==(const Chart&) const = default;
+};
+
+/// Everything at which one can stop, from left to right, of bars from top to bottom; in the chart's own coordinates.
+/// Bar k lies at height -k.
+[[nodiscard]] QList<Dot> stopsOf(const Chart& chart);
+
+/// The part of the plane that is shown.
+struct Frame
+{
+    double xLow = 0.0;
+    double xHigh = 1.0;
+    double yLow = 0.0;
+    double yHigh = 1.0;
+};
+[[nodiscard]] Frame frameOf(const Chart& chart);
+
+/// The end of an axis from 0: the next of 1, 2, 2.5, 5, 10, 20 ... that is not below the value.
+[[nodiscard]] double roundEnd(double value);
+
+}  // namespace ui::charts

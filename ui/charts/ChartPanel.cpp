@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/ChartPanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QChart>
+#include <QChartView>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGraphicsEllipseItem>
+#include <QGraphicsScene>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSaveFile>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/charts/Drawing.h"
+#include "ui/charts/Table.h"
+#include "ui/shell/Announce.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::charts {
+namespace {
+
+using namespace ui::shell;
+
+constexpr double kRingPx = 8.0;
+constexpr double kReachPx = 40.0;  ///< from the pointer to a value
+constexpr int kCalloutPx = 300;
+
+QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
+{
+    auto* made = new QLabel(parent);
+    made->setTextFormat(Qt::PlainText);
+    made->setFont(typeface(size, weight));
+    made->setForegroundRole(role);
+    made->setWordWrap(true);
+    return made;
+}
+
+}  // namespace
+
+ChartPanel::ChartPanel(QWidget* parent)
+    : QWidget(parent), m_title(label(kBody, QFont::DemiBold, QPalette::WindowText, this)),
+      m_note(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this)), m_save(new QToolButton(this)),
+      m_view(new QChartView(this)), m_empty(label(kBody, QFont::Normal, QPalette::PlaceholderText, this)),
+      m_callout(label(kSmall, QFont::Normal, QPalette::WindowText, this)),
+      m_saved(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_title->setObjectName(QStringLiteral("chartTitle"));
+    m_empty->setObjectName(QStringLiteral("chartEmpty"));
+    m_callout->setObjectName(QStringLiteral("chartCallout"));
+    m_saved->setObjectName(QStringLiteral("chartSaved"));
+
+    m_view->setRenderHint(QPainter::Antialiasing);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setFocusPolicy(Qt::NoFocus);
+    m_view->setBackgroundBrush(Qt::NoBrush);
+    m_view->setStyleSheet(QStringLiteral("background: transparent"));
+    m_view->setMinimumSize(1, 1);
+    m_view->viewport()->setMouseTracking(true);
+    m_view->viewport()->installEventFilter(this);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_callout->setProperty("kind", "card");
+    m_callout->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_callout->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
+    m_callout->hide();
+    m_saved->hide();
+
+    auto* menu = new QMenu(this);
+    const auto offer = [&](const char* ending, const auto& say) {
+        QAction* action = menu->addAction(QString());
+        action->setObjectName(QStringLiteral("save") + QLatin1String(ending).toString().toUpper());
+        text::inEveryLanguage(this, [action, say] { action->setText(say()); });
+        connect(action, &QAction::triggered, this, [this, kind = QString::fromLatin1(ending)] {
+            askForFile(kind, QStringLiteral("%1 (*.%2)").arg(kind.toUpper(), kind));
+        });
+    };
+    offer("png", [] { return tr("Save as picture (PNG) …"); });
+    offer("svg", [] { return tr("Save as drawing (SVG) …"); });
+    offer("csv", [] { return tr("Save as table (CSV) …"); });
+    m_save->setMenu(menu);
+    m_save->setPopupMode(QToolButton::InstantPopup);
+    m_save->setObjectName(QStringLiteral("saveChart"));
+    m_save->setIconSize({18, 18});
+    text::inEveryLanguage(m_save, [this] {
+        m_save->setToolTip(tr("Save this chart"));
+        m_save->setAccessibleName(tr("Save the chart \"%1\"").arg(m_chart.title));
+    });
+
+    auto* head = new QHBoxLayout;
+    head->setSpacing(kSpace2);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    words->addWidget(m_title);
+    words->addWidget(m_note);
+    head->addLayout(words, 1);
+    head->addWidget(m_save, 0, Qt::AlignTop);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace2, kSpace2, kSpace2, kSpace2);
+    column->setSpacing(kSpace1);
+    column->addLayout(head);
+    column->addWidget(m_view, 1);
+    column->addWidget(m_empty, 1);
+    column->addWidget(m_saved);
+    setChart({});
+}
+
+void ChartPanel::setChart(const Chart& chart)
+{
+    m_chart = chart;
+    m_stops = stopsOf(chart);
+    m_stop.reset();
+    m_title->setText(chart.title);
+    m_note->setText(chart.note);
+    m_note->setVisible(!chart.note.isEmpty());
+    m_empty->setText(chart.emptyWords);
+    m_empty->setVisible(m_stops.isEmpty());
+    m_view->setVisible(!m_stops.isEmpty());
+    m_save->setVisible(!m_stops.isEmpty());
+    m_save->setAccessibleName(tr("Save the chart \"%1\"").arg(chart.title));
+    m_saved->hide();
+    setAccessibleName(chart.title);
+    m_view->setAccessibleName(chart.title);
+    m_view->viewport()->setAccessibleName(chart.title);
+    redraw();
+}
+
+void ChartPanel::redraw()
+{
+    m_save->setIcon(lineIcon(QStringLiteral("save"), palette()));
+    QChart* const old = m_view->chart();
+    m_drawn = new QChart;
+    m_drawn->setAnimationOptions(QChart::NoAnimation);
+    if (!m_stops.isEmpty())
+        draw(m_chart, inkOf(palette()), *m_drawn);
+    m_view->setChart(m_drawn);
+    delete old;
+    m_ring = new QGraphicsEllipseItem(m_drawn);
+    m_ring->setPen(QPen(palette().color(QPalette::WindowText), 2.0));
+    m_ring->setBrush(Qt::NoBrush);
+    m_ring->setZValue(100.0);
+    connect(m_drawn, &QChart::plotAreaChanged, this, &ChartPanel::tell);
+    tell();
+}
+
+QPointF ChartPanel::placeOf(const Dot& dot) const
+{
+    const Frame frame = frameOf(m_chart);
+    const QRectF plot = m_drawn->plotArea();
+    return {plot.left() + plot.width() * (dot.x - frame.xLow) / (frame.xHigh - frame.xLow),
+            plot.bottom() - plot.height() * (dot.y - frame.yLow) / (frame.yHigh - frame.yLow)};
+}
+
+std::optional<qsizetype> ChartPanel::nearest(const QPointF& at) const
+{
+    const QPointF here = m_view->mapToScene(at.toPoint());
+    if (!m_drawn->plotArea().adjusted(-kReachPx, -kReachPx, kReachPx, kReachPx).contains(here))
+        return std::nullopt;
+    const bool isBars = std::holds_alternative<Bars>(m_chart.content);
+    const bool isColumns = std::holds_alternative<Histogram>(m_chart.content);
+    std::optional<qsizetype> best;
+    double bestPx = isBars || isColumns ? 1.0e9 : kReachPx;
+    for (qsizetype k = 0; k < m_stops.size(); ++k) {
+        const QPointF there = placeOf(m_stops[k]);
+        // A bar is met at any length, a column at any height.
+        const double away = isBars      ? std::abs(there.y() - here.y())
+                            : isColumns ? std::abs(there.x() - here.x())
+                                        : std::hypot(there.x() - here.x(), there.y() - here.y());
+        if (away < bestPx) {
+            bestPx = away;
+            best = k;
+        }
+    }
+    return best;
+}
+
+void ChartPanel::setStop(std::optional<qsizetype> stop)
+{
+    if (stop && (*stop < 0 || *stop >= m_stops.size()))
+        stop.reset();
+    if (stop == m_stop)
+        return;
+    m_stop = stop;
+    tell();
+    if (hasFocus())
+        announce(*this);
+}
+
+QString ChartPanel::said() const
+{
+    return m_stop ? m_stops[*m_stop].words : QString();
+}
+
+/// The ring around the value, and its words beside it.
+void ChartPanel::tell()
+{
+    m_ring->setVisible(m_stop.has_value());
+    m_callout->setVisible(m_stop.has_value());
+    setAccessibleDescription(m_stop ? said() : m_chart.note);
+    if (!m_stop)
+        return;
+    const QPointF at = placeOf(m_stops[*m_stop]);
+    m_ring->setRect(at.x() - kRingPx, at.y() - kRingPx, 2.0 * kRingPx, 2.0 * kRingPx);
+    m_callout->setText(said());
+    m_callout->setWordWrap(false);
+    QSize size = m_callout->sizeHint();
+    const int widest = std::min(kCalloutPx, width() - 2 * kSpace2);
+    if (size.width() > widest) {
+        m_callout->setWordWrap(true);
+        size = {widest, m_callout->heightForWidth(widest)};
+    }
+    const QPoint corner = m_view->pos() + m_view->mapFromScene(at);
+    QRect box({corner.x() - size.width() / 2, corner.y() - size.height() - static_cast<int>(kRingPx) - kSpace2}, size);
+    if (box.top() < 0)
+        box.moveTop(corner.y() + static_cast<int>(kRingPx) + kSpace2);
+    box.moveLeft(std::clamp(box.left(), 0, std::max(0, width() - box.width())));
+    m_callout->setGeometry(box);
+    m_callout->raise();
+}
+
+void ChartPanel::open()
+{
+    if (m_stop && m_stops[*m_stop].id != 0)
+        emit chosen(m_stops[*m_stop].id);
+}
+
+bool ChartPanel::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && !m_stops.isEmpty()) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Right:
+        case Qt::Key_Left:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+        case Qt::Key_Home:
+        case Qt::Key_End:
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+        case Qt::Key_Space:
+            event->accept();
+            return true;
+        default:
+            break;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void ChartPanel::keyPressEvent(QKeyEvent* event)
+{
+    const qsizetype last = m_stops.size() - 1;
+    if (last < 0)
+        return QWidget::keyPressEvent(event);
+    switch (event->key()) {
+    case Qt::Key_Right:
+    case Qt::Key_Down:
+        return setStop(m_stop ? std::min(*m_stop + 1, last) : 0);
+    case Qt::Key_Left:
+    case Qt::Key_Up:
+        return setStop(m_stop ? std::max(*m_stop - 1, qsizetype{0}) : last);
+    case Qt::Key_Home:
+        return setStop(0);
+    case Qt::Key_End:
+        return setStop(last);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Space:
+        return open();
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool ChartPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::MouseMove) {
+        setStop(nearest(static_cast<QMouseEvent*>(event)->position()));
+    } else if (event->type() == QEvent::MouseButtonPress) {
+        setFocus(Qt::MouseFocusReason);
+        if (const auto at = nearest(static_cast<QMouseEvent*>(event)->position())) {
+            setStop(at);
+            open();
+        }
+        return true;
+    } else if (event->type() == QEvent::Leave && !hasFocus()) {
+        setStop({});
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ChartPanel::paintEvent(QPaintEvent*)
+{
+    if (!hasFocus())
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), kRadius, kRadius);
+}
+
+void ChartPanel::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void ChartPanel::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    setStop({});
+    update();
+}
+
+void ChartPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        redraw();
+}
+
+void ChartPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    tell();
+}
+
+void ChartPanel::askForFile(const QString& ending, const QString& filter)
+{
+    auto* dialog = new QFileDialog(this, tr("Save the chart"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(filter);
+    dialog->setDefaultSuffix(ending);
+    connect(dialog, &QFileDialog::fileSelected, this, &ChartPanel::save);
+    dialog->open();
+}
+
+bool ChartPanel::save(const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    const QByteArray bytes = ending == QLatin1String("csv")   ? csv(tableOf(m_chart))
+                             : ending == QLatin1String("svg") ? svg(m_chart)
+                                                              : png(m_chart);
+    QSaveFile file(path);
+    const bool isWritten =
+        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.commit();
+    const QString name = QFileInfo(path).fileName();
+    m_saved->setText(isWritten ? tr("Saved: %1").arg(name)
+                               //: %2: the system's own words
+                               : tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString()));
+    m_saved->show();
+    announce(*m_saved);
+    return isWritten;
+}
+
+}  // namespace ui::charts

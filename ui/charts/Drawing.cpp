@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/Drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include <QAreaSeries>
+#include <QBuffer>
+#include <QCategoryAxis>
+#include <QChart>
+#include <QDateTime>
+#include <QDateTimeAxis>
+#include <QGraphicsLayout>
+#include <QGraphicsScene>
+#include <QImage>
+#include <QLegendMarker>
+#include <QLineSeries>
+#include <QLocale>
+#include <QPainter>
+#include <QScatterSeries>
+#include <QSvgGenerator>
+#include <QTextDocument>
+#include <QTextOption>
+#include <QValueAxis>
+
+#include "ui/shell/Theme.h"
+
+namespace ui::charts {
+namespace {
+
+using namespace ui::shell;
+
+constexpr double kLinePx = 2.0;
+constexpr double kMarkPx = 9.0;
+constexpr double kBarShare = 0.62;  ///< of the height of its row
+constexpr int kMostLetters = 30;    ///< of a bar's name
+constexpr QSize kPicturePx{960, 600};
+constexpr double kPictureDensity = 2.0;
+constexpr std::array kStrokes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
+constexpr qint64 kDayMs = 86'400'000;
+
+/// Whoever draws: the chart that is filled, its axes, and the colours.
+struct Board
+{
+    QChart& chart;
+    const Ink& ink;
+    QAbstractAxis* x = nullptr;
+    QAbstractAxis* y = nullptr;
+
+    template <typename Series>
+    Series* add(Series* series, const QString& legend)
+    {
+        series->setName(legend);
+        chart.addSeries(series);
+        series->attachAxis(x);
+        series->attachAxis(y);
+        if (legend.isEmpty())
+            for (QLegendMarker* marker : chart.legend()->markers(series))
+                marker->setVisible(false);
+        return series;
+    }
+    QLineSeries* line(const QList<QPointF>& points, const QPen& pen, const QString& legend)
+    {
+        auto* made = new QLineSeries;
+        made->append(points);
+        made->setPen(pen);
+        return add(made, legend);
+    }
+    /// What lies between two lines with the same x.
+    QAreaSeries* area(const QList<QPointF>& upper, const QList<QPointF>& lower, const QBrush& brush, const QPen& pen,
+                      const QString& legend)
+    {
+        auto* top = new QLineSeries;
+        auto* foot = new QLineSeries;
+        top->append(upper);
+        foot->append(lower);
+        auto* made = new QAreaSeries(top, foot);
+        top->setParent(made);
+        foot->setParent(made);
+        made->setBrush(brush);
+        made->setPen(pen);
+        return add(made, legend);
+    }
+};
+
+void dressAxis(QAbstractAxis& axis, const QString& title, const Ink& ink)
+{
+    axis.setTitleText(title);
+    axis.setLabelsFont(typeface(kSmall));
+    axis.setTitleFont(typeface(kSmall));
+    axis.setLabelsColor(ink.quiet);
+    axis.setTitleBrush(ink.quiet);
+    axis.setLinePenColor(ink.grid);
+    axis.setGridLineColor(ink.grid);
+}
+
+QAbstractAxis* axisOf(const Axis& axis, const Ink& ink)
+{
+    if (axis.isTime) {
+        auto* time = new QDateTimeAxis;
+        time->setRange(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(axis.low)),
+                       QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(axis.high)));
+        const double days = (axis.high - axis.low) / static_cast<double>(kDayMs);
+        time->setFormat(days < 2.0     ? QLocale().timeFormat(QLocale::ShortFormat)
+                        : days < 330.0 ? QStringLiteral("d MMM")
+                                       : QStringLiteral("MMM yyyy"));
+        time->setTickCount(5);
+        dressAxis(*time, axis.title, ink);
+        return time;
+    }
+    auto* made = new QValueAxis;
+    made->setRange(axis.low, axis.high);
+    const double span = axis.high - axis.low;
+    double step = roundEnd(span / 6.0);
+    if (axis.isWhole)
+        step = std::max(1.0, std::ceil(step));
+    made->setTickType(QValueAxis::TicksDynamic);
+    made->setTickAnchor(axis.isWhole ? std::ceil(axis.low) : 0.0);
+    made->setTickInterval(step);
+    made->setLabelFormat(step >= 1.0 && step == std::floor(step) ? QStringLiteral("%.0f")
+                         : step >= 0.1 && step != 0.25           ? QStringLiteral("%.1f")
+                                                                 : QStringLiteral("%.2f"));
+    dressAxis(*made, axis.title, ink);
+    return made;
+}
+
+void addLimits(Board& board, const QList<Limit>& limits, const Frame& frame)
+{
+    for (const Limit& limit : limits) {
+        const QPen pen(board.ink.quiet, 1.4, limit.isUpright ? Qt::DashDotLine : Qt::DotLine);
+        if (limit.isUpright)
+            board.line({{limit.at, frame.yLow}, {limit.at, frame.yHigh}}, pen, limit.name);
+        else
+            board.line({{frame.xLow, limit.at}, {frame.xHigh, limit.at}}, pen, limit.name);
+    }
+}
+
+void addMarks(Board& board, const Line& line, const QColor& colour, const QString& legend)
+{
+    auto* marks = new QScatterSeries;
+    for (const Dot& dot : line.dots)
+        marks->append(dot.x, dot.y);
+    const bool isHollow = line.mark == Mark::HollowDiamond;
+    marks->setMarkerShape(isHollow                    ? QScatterSeries::MarkerShapeRotatedRectangle
+                          : line.mark == Mark::Square ? QScatterSeries::MarkerShapeRectangle
+                                                      : QScatterSeries::MarkerShapeCircle);
+    marks->setMarkerSize(isHollow ? kMarkPx + 2.0 : kMarkPx);
+    marks->setColor(isHollow ? board.ink.ground : colour);
+    marks->setBorderColor(isHollow ? colour : board.ink.ground);
+    board.add(marks, legend);
+}
+
+void draw(const Curve& curve, Board& board)
+{
+    const Frame frame{curve.x.low, curve.x.high, curve.y.low, curve.y.high};
+    if (!curve.band.slices.isEmpty()) {
+        QList<QPointF> low, middle, high;
+        for (const Slice& slice : curve.band.slices) {
+            low << QPointF(slice.x, slice.low);
+            middle << QPointF(slice.x, slice.middle);
+            high << QPointF(slice.x, slice.high);
+        }
+        QColor edge = board.ink.quiet;
+        edge.setAlphaF(0.6F);
+        QAreaSeries* half = board.area(high, low, board.ink.band, QPen(edge, 0.8), curve.band.name);
+        for (QLegendMarker* marker : board.chart.legend()->markers(half)) {
+            marker->setShape(QLegend::MarkerShapeRectangle);
+            marker->setPen(QPen(edge, 0.8));
+            marker->setBrush(board.ink.band);
+        }
+        board.line(middle, QPen(board.ink.quiet, 1.8, Qt::DashLine), curve.band.middleName);
+    }
+    addLimits(board, curve.limits, frame);
+    qsizetype strokes = 0;
+    for (const Line& line : curve.lines) {
+        const bool isFirst = line.mark == Mark::Circle || line.mark == Mark::None;
+        const QColor& colour = isFirst ? board.ink.first : board.ink.second;
+        if (line.isJoined && line.dots.size() > 1) {
+            QList<QPointF> points;
+            for (const Dot& dot : line.dots)
+                points << QPointF(dot.x, dot.y);
+            const Qt::PenStyle stroke = kStrokes.at(static_cast<std::size_t>(strokes) % kStrokes.size());
+            board.line(points, QPen(colour, kLinePx, stroke), line.mark == Mark::None ? line.name : QString());
+        }
+        if (line.isJoined)
+            ++strokes;
+        if (line.mark != Mark::None)
+            addMarks(board, line, colour, line.name);
+    }
+}
+
+void draw(const Bars& bars, Board& board)
+{
+    for (qsizetype k = 0; k < bars.bars.size(); ++k) {
+        const double y = -static_cast<double>(k);
+        const double value = bars.bars[k].value;
+        board.area({{0.0, y + 0.5 * kBarShare}, {value, y + 0.5 * kBarShare}},
+                   {{0.0, y - 0.5 * kBarShare}, {value, y - 0.5 * kBarShare}}, board.ink.first, Qt::NoPen, {});
+    }
+}
+
+void draw(const Histogram& histogram, Board& board)
+{
+    for (const Histogram::Bin& bin : histogram.bins) {
+        const double gap = 0.04 * (bin.to - bin.from);
+        const double count = bin.count;
+        board.area({{bin.from + gap, count}, {bin.to - gap, count}}, {{bin.from + gap, 0.0}, {bin.to - gap, 0.0}},
+                   board.ink.first, Qt::NoPen, {});
+    }
+    addLimits(board, histogram.limits, {histogram.x.low, histogram.x.high, histogram.count.low, histogram.count.high});
+}
+
+void makeAxes(const Curve& curve, Board& board)
+{
+    board.x = axisOf(curve.x, board.ink);
+    board.y = axisOf(curve.y, board.ink);
+}
+
+void makeAxes(const Histogram& histogram, Board& board)
+{
+    board.x = axisOf(histogram.x, board.ink);
+    board.y = axisOf(histogram.count, board.ink);
+    board.x->setGridLineVisible(false);
+}
+
+void makeAxes(const Bars& bars, Board& board)
+{
+    board.x = axisOf(bars.value, board.ink);
+    auto* names = new QCategoryAxis;
+    names->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    const Frame frame = frameOf({{}, {}, {}, bars});
+    names->setStartValue(frame.yLow);
+    for (qsizetype k = bars.bars.size() - 1; k >= 0; --k) {
+        QString name = bars.bars[k].name;
+        if (name.size() > kMostLetters)
+            name = name.left(kMostLetters - 1) + u'…';
+        while (names->categoriesLabels().contains(name))
+            name += QChar(0x200B);  // two of one name are two categories all the same
+        names->append(name, -static_cast<double>(k));
+    }
+    names->setRange(frame.yLow, frame.yHigh);
+    dressAxis(*names, {}, board.ink);
+    names->setLabelsColor(board.ink.words);
+    names->setGridLineVisible(false);
+    board.y = names;
+}
+
+/// Words in a column, as high as they come out.
+double paintWords(QPainter& painter, const QRectF& area, const QString& words, const QFont& font, const QColor& colour)
+{
+    if (words.isEmpty())
+        return 0.0;
+    painter.setFont(font);
+    painter.setPen(colour);
+    QRectF used;
+    painter.drawText(area, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
+    return used.height() + 2.0;
+}
+
+void paintPicture(QPainter& painter, const Chart& chart)
+{
+    const Ink ink = inkOf(pagePalette(false));
+    const QRectF sheet(QPointF(0.0, 0.0), kPicturePx);
+    painter.fillRect(sheet, Qt::white);
+    paint(painter, sheet.adjusted(kSpace6, kSpace4, -kSpace6, -kSpace4), chart, ink);
+}
+
+}  // namespace
+
+Ink inkOf(const QPalette& palette)
+{
+    const Tones tone = tones(palette);
+    QColor band = tone.accent;
+    band.setAlphaF(isDark(palette) ? 0.26F : 0.18F);
+    return {palette.color(QPalette::WindowText),
+            palette.color(QPalette::PlaceholderText),
+            palette.color(QPalette::Mid),
+            palette.color(QPalette::Base),
+            tone.accent,
+            tone.attention,
+            band};
+}
+
+Ink paperInk()
+{
+    return {Qt::black,
+            QColor(0x40, 0x40, 0x40),
+            QColor(0xC8, 0xC8, 0xC8),
+            Qt::white,
+            QColor(0x1A, 0x1A, 0x1A),
+            QColor(0x60, 0x60, 0x60),
+            QColor(0xE2, 0xE2, 0xE2)};
+}
+
+void draw(const Chart& content, const Ink& ink, QChart& into)
+{
+    into.setBackgroundVisible(false);
+    into.setMargins({0, 0, 0, 0});
+    into.layout()->setContentsMargins(0, 0, 0, 0);
+    into.setLocalizeNumbers(true);
+    into.setLocale(QLocale());
+    into.legend()->setAlignment(Qt::AlignBottom);
+    into.legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
+    into.legend()->setLabelColor(ink.words);
+    into.legend()->setFont(typeface(kSmall));
+    Board board{into, ink};
+    std::visit([&](const auto& what) { makeAxes(what, board); }, content.content);
+    into.addAxis(board.x, Qt::AlignBottom);
+    into.addAxis(board.y, Qt::AlignLeft);
+    std::visit([&](const auto& what) { draw(what, board); }, content.content);
+    const auto series = into.series();
+    into.legend()->setVisible(
+        std::any_of(series.begin(), series.end(), [](const QAbstractSeries* one) { return !one->name().isEmpty(); }));
+}
+
+void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink)
+{
+    painter.save();
+    double top = area.top();
+    top += paintWords(painter, QRectF(area.left(), top, area.width(), area.height()), chart.title,
+                      typeface(kBody, QFont::DemiBold), ink.words);
+    top += paintWords(painter, QRectF(area.left(), top, area.width(), area.height()), chart.note, typeface(kSmall),
+                      ink.quiet);
+    const QRectF plot(area.left(), top, area.width(), area.bottom() - top);
+    if (stopsOf(chart).isEmpty()) {
+        paintWords(painter, plot, chart.emptyWords, typeface(kBody), ink.quiet);
+    } else {
+        QGraphicsScene scene;
+        auto* drawn = new QChart;
+        drawn->setAnimationOptions(QChart::NoAnimation);
+        scene.addItem(drawn);
+        draw(chart, ink, *drawn);
+        drawn->resize(plot.size());
+        scene.setSceneRect(QRectF(QPointF(0.0, 0.0), plot.size()));
+        drawn->layout()->activate();
+        painter.setRenderHint(QPainter::Antialiasing);
+        scene.render(&painter, plot, scene.sceneRect());
+    }
+    painter.restore();
+}
+
+QByteArray png(const Chart& chart)
+{
+    if (stopsOf(chart).isEmpty())
+        return {};
+    QImage image(kPicturePx * kPictureDensity, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kPictureDensity);
+    QPainter painter(&image);
+    paintPicture(painter, chart);
+    painter.end();
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray svg(const Chart& chart)
+{
+    if (stopsOf(chart).isEmpty())
+        return {};
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(kPicturePx);
+    generator.setViewBox(QRect(QPoint(0, 0), kPicturePx));
+    generator.setTitle(chart.title);
+    QPainter painter(&generator);
+    paintPicture(painter, chart);
+    painter.end();
+    return bytes;
+}
+
+}  // namespace ui::charts

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QColor>
+#include <QPalette>
+#include <QRectF>
+#include <QSizeF>
+
+#include "ui/charts/Chart.h"
+
+class QChart;
+class QPainter;
+
+namespace ui::charts {
+
+/// The colours a chart is drawn in. Lines and areas differ by stroke, shape and hatching besides.
+struct Ink
+{
+    QColor words;
+    QColor quiet;  ///< of axes and the pass mark
+    QColor grid;
+    QColor ground;  ///< inside hollow marks
+    QColor first;   ///< of the first line, of bars
+    QColor second;
+    QColor band;
+};
+
+[[nodiscard]] Ink inkOf(const QPalette& palette);
+/// Black and greys on white.
+[[nodiscard]] Ink paperInk();
+
+/// Fills an empty chart with axes and series. Everything lies linearly between the ends of frameOf(chart).
+void draw(const Chart& content, const Ink& ink, QChart& into);
+
+/// Title, chart and note. Needs a QApplication, and no window. Letters have the size they have on the screen when one
+/// unit of the painter is a pixel of it.
+void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink);
+
+/// A picture file in light colours on white. Empty for a chart without values.
+[[nodiscard]] QByteArray png(const Chart& chart);
+[[nodiscard]] QByteArray svg(const Chart& chart);
+
+}  // namespace ui::charts

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/Table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+namespace ui::charts {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::charts::Table)
+};
+
+QByteArray written(const QString& words)
+{
+    QString safe = words;
+    // Spaces before it do not save anybody: some programs take them away first.
+    const QString bare = words.trimmed();
+    const bool isFormula = !bare.isEmpty() && QStringLiteral("=+-@\uFF1D\uFF0B\uFF0D\uFF20").contains(bare.front());
+    const bool beginsOddly = !words.isEmpty() && words.front() < u' ';
+    if (isFormula || beginsOddly)
+        safe.prepend(u'\'');
+    const bool needsQuotes = std::any_of(safe.begin(), safe.end(),
+                                         [](QChar c) { return c == u',' || c == u'"' || c == u'\n' || c == u'\r'; }) ||
+                             safe.startsWith(u' ') || safe.endsWith(u' ');
+    if (needsQuotes)
+        safe = u'"' + safe.replace(u'"', QStringLiteral("\"\"")) + u'"';
+    return safe.toUtf8();
+}
+
+QByteArray written(double value)
+{
+    return std::isfinite(value) ? QByteArray::number(value, 'g', QLocale::FloatingPointShortest) : QByteArray();
+}
+
+QByteArray written(std::int64_t value)
+{
+    return QByteArray::number(static_cast<qlonglong>(value));
+}
+
+Cell place(const Axis& axis, double x)
+{
+    if (!axis.isTime)
+        return x;
+    return QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(x), Qt::UTC).toString(Qt::ISODate);
+}
+
+Table table(const Curve& curve)
+{
+    Table made{{Words::tr("series"), curve.x.title, curve.y.title}, {}};
+    for (const Line& line : curve.lines)
+        if (line.mark != Mark::None)
+            for (const Dot& dot : line.dots)
+                made.rows << QList<Cell>{line.name, place(curve.x, dot.x), dot.y};
+    for (const Slice& slice : curve.band.slices) {
+        made.rows << QList<Cell>{Words::tr("class, lower quartile"), place(curve.x, slice.x), slice.low};
+        made.rows << QList<Cell>{Words::tr("class, median"), place(curve.x, slice.x), slice.middle};
+        made.rows << QList<Cell>{Words::tr("class, upper quartile"), place(curve.x, slice.x), slice.high};
+    }
+    for (const Limit& limit : curve.limits)
+        made.rows << (limit.isUpright ? QList<Cell>{limit.name, place(curve.x, limit.at), QString()}
+                                      : QList<Cell>{limit.name, QString(), limit.at});
+    return made;
+}
+
+Table table(const Bars& bars)
+{
+    Table made{{bars.nameTitle, bars.value.title}, {}};
+    for (const Bars::Bar& bar : bars.bars)
+        made.rows << QList<Cell>{bar.name, bar.value};
+    return made;
+}
+
+Table table(const Histogram& histogram)
+{
+    Table made{{Words::tr("from"), Words::tr("to"), histogram.count.title}, {}};
+    for (const Histogram::Bin& bin : histogram.bins)
+        made.rows << QList<Cell>{bin.from, bin.to, static_cast<std::int64_t>(bin.count)};
+    return made;
+}
+
+}  // namespace
+
+QByteArray csv(const Table& table)
+{
+    QByteArray text;
+    for (qsizetype k = 0; k < table.heads.size(); ++k)
+        text += (k > 0 ? "," : "") + written(table.heads[k]);
+    text += "\r\n";
+    for (const QList<Cell>& row : table.rows) {
+        for (qsizetype k = 0; k < row.size(); ++k)
+            text += (k > 0 ? "," : "") + std::visit([](const auto& cell) { return written(cell); }, row[k]);
+        text += "\r\n";
+    }
+    return text;
+}
+
+Table tableOf(const Chart& chart)
+{
+    return std::visit([](const auto& content) { return table(content); }, chart.content);
+}
+
+}  // namespace ui::charts

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/HistoryCharts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "lessons/ClassStanding.h"
+#include "ui/text/Texts.h"
+
+namespace ui::people {
+namespace {
+
+using database::AttemptRecord;
+using namespace ui::charts;
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::people::HistoryCharts)
+};
+
+constexpr qsizetype kCriteriaOver = 10;  ///< attempts
+constexpr double kMsPerMinute = 60'000.0;
+constexpr double kFullPoints = 100.0;
+constexpr double kPointsEnd = 103.0;  ///< so that a mark at 100 is whole
+constexpr double kDayMs = 86'400'000.0;
+
+double points(int tenths)
+{
+    return 0.1 * tenths;
+}
+
+/// Where the attempt lies on the x axis: the how-manieth it is, or when it was.
+double placeOf(const ChartedAttempts& attempts, qsizetype k)
+{
+    if (attempts.isOneLesson)
+        return static_cast<double>(attempts.newestFirst.size() - k);
+    return static_cast<double>(momentOf(attempts.newestFirst[k].finishedUtc).toMSecsSinceEpoch());
+}
+
+/// Calls with each attempt that is charted, oldest first, its place and its beginning of a sentence:
+/// "Attempt 3, 20/11/2026 10:15".
+template <typename Take>
+void each(const ChartedAttempts& attempts, const Take& take)
+{
+    for (qsizetype k = std::min(kMostCharted, attempts.newestFirst.size()); k-- > 0;) {
+        const AttemptRecord& record = attempts.newestFirst[k];
+        const double place = placeOf(attempts, k);
+        //: %1: a count; %2: date and time
+        const QString which =
+            attempts.isOneLesson
+                ? Words::tr("Attempt %1, %2").arg(place, 0, 'f', 0).arg(when(record.finishedUtc))
+                : QStringLiteral("%1, %2").arg(lessonTitle(attempts.titles, record.lessonId), when(record.finishedUtc));
+        take(record, place, which);
+    }
+}
+
+Axis xAxis(const ChartedAttempts& attempts)
+{
+    const qsizetype shown = std::min(kMostCharted, attempts.newestFirst.size());
+    if (shown == 0)
+        return {};
+    const double first = placeOf(attempts, shown - 1);
+    const double last = placeOf(attempts, 0);
+    if (attempts.isOneLesson)
+        return {Words::tr("Attempt"), first - 0.5, std::max(last + 0.5, first + 4.5), false, true};
+    const double air = std::max(0.5 * kDayMs, 0.03 * (last - first));
+    return {Words::tr("Date"), first - air, last + air, true, false};
+}
+
+QString noteOf(const ChartedAttempts& attempts)
+{
+    const qsizetype all = attempts.newestFirst.size();
+    if (all > kMostCharted)
+        return Words::tr("The newest %1 of %2 attempts").arg(kMostCharted).arg(QLocale().toString(all));
+    return Words::tr("%n attempt(s)", nullptr, static_cast<int>(all));
+}
+
+/// "82.4 points, passed"; with what the machine had given, where an instructor decided otherwise.
+QString scoreWords(const AttemptRecord& record)
+{
+    const QString given = text::points(record.countingTenths());
+    QString words = record.countsAsPassed() ? Words::tr("%1 points, passed").arg(given)
+                                            : Words::tr("%1 points, not passed").arg(given);
+    if (record.givenTenths)
+        words += u' ' + Words::tr("(machine: %1)").arg(text::points(record.scoreTenths));
+    return words;
+}
+
+QString joined(const QString& which, const QString& value)
+{
+    //: %1: which attempt; %2: what it came to
+    return Words::tr("%1: %2").arg(which, value);
+}
+
+double end(const QList<Line>& lines)
+{
+    double high = 0.0;
+    for (const Line& line : lines)
+        for (const Dot& dot : line.dots)
+            high = std::max(high, dot.y);
+    return roundEnd(high * 1.02);
+}
+
+}  // namespace
+
+Band bandOf(const std::vector<database::BandPoint>& bandPoints)
+{
+    Band band{Words::tr("Middle half"), Words::tr("Class median"), {}};
+    for (const database::BandPoint& point : bandPoints) {
+        if (point.people < ::lessons::kFewestPeople)
+            continue;
+        band.slices << Slice{static_cast<double>(point.attempt), points(point.lowerQuartileTenths),
+                             points(point.medianTenths), points(point.upperQuartileTenths),
+                             //: Of a class; %1: a count of attempts, %2: of people, %3 to %5: points
+                             Words::tr("Attempt %1: median %3, middle half %4 to %5, %2 people")
+                                 .arg(point.attempt)
+                                 .arg(point.people)
+                                 .arg(text::points(point.medianTenths), text::points(point.lowerQuartileTenths),
+                                      text::points(point.upperQuartileTenths))};
+    }
+    return band;
+}
+
+Chart scoreChart(const ChartedAttempts& attempts)
+{
+    Curve curve;
+    curve.x = xAxis(attempts);
+    curve.y = {Words::tr("Points"), 0.0, kPointsEnd, false, false};
+    Line way{Words::tr("Score"), {}, Mark::None, true};
+    Line passed{Words::tr("Passed"), {}, Mark::Circle, false};
+    Line failed{Words::tr("Not passed"), {}, Mark::HollowDiamond, false};
+    each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
+        const Dot dot{place, points(record.countingTenths()), joined(which, scoreWords(record)), record.id};
+        way.dots << dot;
+        (record.countsAsPassed() ? passed : failed).dots << dot;
+    });
+    if (attempts.isOneLesson) {
+        curve.lines << way;
+        curve.band = bandOf(attempts.band);
+        // The class may have gone on further than this student: not further than there is room for.
+        const auto beyond = [&](const Slice& slice) { return slice.x < curve.x.low || slice.x > curve.x.high; };
+        curve.band.slices.removeIf(beyond);
+        if (!attempts.newestFirst.isEmpty())
+            curve.limits << Limit{points(attempts.newestFirst.front().passMarkTenths), false, Words::tr("Pass mark")};
+    }
+    for (const Line& line : {passed, failed})
+        if (!line.dots.isEmpty())
+            curve.lines << line;
+    return {Words::tr("Score"), noteOf(attempts),
+            Words::tr("After the first graded attempt its score is here, and then how it goes on."), curve};
+}
+
+Chart criteriaChart(const ChartedAttempts& attempts)
+{
+    struct Sum
+    {
+        int lost = 0;
+        int weight = 0;
+    };
+    std::map<std::string, Sum> sums;
+    const qsizetype over = std::min(kCriteriaOver, attempts.newestFirst.size());
+    for (qsizetype k = 0; k < over; ++k)
+        for (const database::CriterionLoss& loss : attempts.newestFirst[k].criteria) {
+            sums[loss.id].lost += loss.lostTenths;
+            sums[loss.id].weight += loss.weightTenths;
+        }
+    Bars bars;
+    bars.value = {Words::tr("Lost, % of what it counts"), 0.0, kFullPoints, false, false};
+    bars.nameTitle = Words::tr("Criterion");
+    for (const auto& [id, sum] : sums) {
+        if (sum.weight == 0)
+            continue;
+        const double share = kFullPoints * sum.lost / sum.weight;
+        const QString name = criterionName(attempts.criteria, id);
+        //: %1: a criterion; %2: a number
+        bars.bars << Bars::Bar{name, share, Words::tr("%1: %2 % of its points lost").arg(name, text::number(share, 0))};
+    }
+    std::stable_sort(bars.bars.begin(), bars.bars.end(),
+                     [](const Bars::Bar& a, const Bars::Bar& b) { return a.value > b.value; });
+    return {Words::tr("What costs points"),
+            Words::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over)),
+            Words::tr("After the first graded attempt you see here which criterion costs most."), bars};
+}
+
+Chart timeChart(const ChartedAttempts& attempts)
+{
+    Curve curve;
+    curve.x = xAxis(attempts);
+    Line minutes{Words::tr("Minutes"), {}, Mark::Circle, attempts.isOneLesson};
+    each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
+        minutes.dots << Dot{place, static_cast<double>(record.durationMs) / kMsPerMinute,
+                            //: %1: "12:07"
+                            joined(which, Words::tr("%1 min").arg(clock(record.durationMs))), record.id};
+    });
+    curve.y = {Words::tr("Minutes"), 0.0, end({minutes}), false, false};
+    minutes.name.clear();
+    curve.lines << minutes;
+    return {Words::tr("Time"), noteOf(attempts),
+            Words::tr("After the first graded attempt you see here how long it took."), curve};
+}
+
+Chart forceChart(const ChartedAttempts& attempts)
+{
+    Curve curve;
+    curve.x = xAxis(attempts);
+    Line mean{Words::tr("Mean"), {}, Mark::Circle, attempts.isOneLesson};
+    Line peak{Words::tr("Highest"), {}, Mark::Square, attempts.isOneLesson};
+    each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
+        const double meanN = 0.001 * record.meanForceMn;
+        const double peakN = 0.001 * record.peakForceMn;
+        const QString words = joined(
+            which,
+            Words::tr("mean %1 N, highest %2 N while cutting").arg(text::number(meanN, 2), text::number(peakN, 2)));
+        mean.dots << Dot{place, meanN, words, record.id};
+        peak.dots << Dot{place, peakN, words, record.id};
+    });
+    curve.y = {Words::tr("Newtons"), 0.0, end({mean, peak}), false, false};
+    curve.lines << mean << peak;
+    return {Words::tr("Force while cutting"), noteOf(attempts),
+            Words::tr("After the first graded attempt you see here how hard the bur was pressed."), curve};
+}
+
+Chart speedChart(const ChartedAttempts& attempts)
+{
+    Curve curve;
+    Line passed{Words::tr("Passed"), {}, Mark::Circle, false};
+    Line failed{Words::tr("Not passed"), {}, Mark::HollowDiamond, false};
+    double longest = 0.0;
+    each(attempts, [&](const AttemptRecord& record, double, const QString& which) {
+        const double minutes = static_cast<double>(record.durationMs) / kMsPerMinute;
+        longest = std::max(longest, minutes);
+        (record.countsAsPassed() ? passed : failed).dots << Dot{
+            minutes, points(record.countingTenths()),
+            joined(which, Words::tr("%1 in %2 min").arg(scoreWords(record), clock(record.durationMs))), record.id};
+    });
+    if (attempts.medians && attempts.medians->people >= ::lessons::kFewestPeople) {
+        const double minutes = static_cast<double>(attempts.medians->durationMs) / kMsPerMinute;
+        longest = std::max(longest, minutes);
+        curve.limits << Limit{minutes, true, Words::tr("Class median, time")}
+                     << Limit{points(attempts.medians->tenths), false, Words::tr("Class median, points")};
+    }
+    curve.x = {Words::tr("Minutes"), 0.0, roundEnd(1.02 * longest), false, false};
+    curve.y = {Words::tr("Points"), 0.0, kPointsEnd, false, false};
+    for (const Line& line : {passed, failed})
+        if (!line.dots.isEmpty())
+            curve.lines << line;
+    return {Words::tr("Speed and accuracy"), Words::tr("Good and quick is at the top left"),
+            Words::tr("After the first graded attempt you see here time against points."), curve};
+}
+
+}  // namespace ui::people

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QAbstractTableModel>
+#include <QList>
+#include <QSortFilterProxyModel>
+
+#include "database/records.h"
+#include "ui/people/PeopleWords.h"
+
+namespace ui::people {
+
+/// Attempts as rows, in the order in which they came.
+class HistoryModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { When, Lesson, Score, Result, Time, Force, Columns };
+
+    explicit HistoryModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+    void setAttempts(const QList<database::AttemptRecord>& attempts);
+    void setTitles(const LessonTitles& titles);
+    /// Says everything again, in another language.
+    void retell();
+    [[nodiscard]] const database::AttemptRecord& at(int row) const { return m_attempts[row]; }
+    [[nodiscard]] const LessonTitles& titles() const { return m_titles; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    [[nodiscard]] QString words(const database::AttemptRecord& attempt, int column) const;
+
+    QList<database::AttemptRecord> m_attempts;
+    LessonTitles m_titles;
+};
+
+/// The attempts of one lesson, or all; sorted by what they are, not by their words.
+class HistoryFilter final : public QSortFilterProxyModel
+{
+    Q_OBJECT
+public:
+    explicit HistoryFilter(HistoryModel* source);
+
+    /// @param lessonId  nothing: all
+    void setLesson(const std::optional<std::string>& lessonId);
+
+protected:
+    [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+private:
+    HistoryModel* m_source;
+    std::optional<std::string> m_lesson;
+};
+
+}  // namespace ui::people

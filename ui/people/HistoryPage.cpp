@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/HistoryPage.h"
+
+#include <algorithm>
+#include <map>
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "ui/charts/ChartPanel.h"
+#include "ui/people/HistoryModel.h"
+#include "ui/people/ListTable.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::people {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kArrowPx = 14;  ///< that tells the sorting
+constexpr int kEmptyPx = 460;
+
+enum Which { Criteria, Time, Force, Speed };
+
+}  // namespace
+
+HistoryPage::HistoryPage(const Actions& actions, QWidget* parent)
+    : Page(actions, {}, parent), m_model(new HistoryModel(this)), m_filter(new HistoryFilter(m_model)),
+      m_stack(new QStackedWidget(this))
+{
+    auto* full = new QWidget(m_stack);
+    auto* row = new QHBoxLayout(full);
+    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    row->setSpacing(kSpace4);
+    row->addWidget(makeList(), 6);
+    row->addWidget(makeCharts(), 5);
+    m_stack->addWidget(full);
+    m_stack->addWidget(makeEmpty(actions));
+    body()->addWidget(m_stack, 1);
+    retell();
+}
+
+QWidget* HistoryPage::makeList()
+{
+    auto* part = new QWidget(m_stack);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(kSpace4);
+    m_lessons = new QComboBox(part);
+    m_lessons->setObjectName(QStringLiteral("lessonFilter"));
+    m_lessons->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_lessons->setMinimumContentsLength(26);
+    m_lessons->setMinimumHeight(32);
+    connect(m_lessons, &QComboBox::currentIndexChanged, this, &HistoryPage::takeLesson);
+    m_count = new QLabel(part);
+    m_count->setObjectName(QStringLiteral("historyCount"));
+    m_count->setTextFormat(Qt::PlainText);
+    m_count->setForegroundRole(QPalette::PlaceholderText);
+    head->addWidget(m_lessons);
+    head->addWidget(m_count, 1);
+    column->addLayout(head);
+
+    m_table = new ListTable(part);
+    m_table->setObjectName(QStringLiteral("attempts"));
+    m_table->setModel(m_filter);
+    m_table->sortByColumn(HistoryModel::When, Qt::DescendingOrder);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setAlternatingRowColors(true);
+    m_table->verticalHeader()->hide();
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QHeaderView* columns = m_table->horizontalHeader();
+    columns->setSectionResizeMode(QHeaderView::Interactive);
+    columns->setSectionResizeMode(HistoryModel::Lesson, QHeaderView::Stretch);
+    connect(m_table, &QTableView::activated, this, [this] {
+        if (chosen() != 0)
+            emit attemptOpenWanted(chosen());
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::tellChosen);
+    column->addWidget(m_table, 1);
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kSpace2);
+    buttons->addStretch(1);
+    m_replay = new QPushButton(part);
+    m_replay->setObjectName(QStringLiteral("replayAttempt"));
+    m_replay->setAutoDefault(true);
+    connect(m_replay, &QPushButton::clicked, this, [this] { emit replayWanted(chosen()); });
+    m_open = new QPushButton(part);
+    m_open->setObjectName(QStringLiteral("openAttempt"));
+    m_open->setProperty("kind", "filled");
+    m_open->setAutoDefault(true);
+    connect(m_open, &QPushButton::clicked, this, [this] { emit attemptOpenWanted(chosen()); });
+    buttons->addWidget(m_replay);
+    buttons->addWidget(m_open);
+    column->addLayout(buttons);
+    return part;
+}
+
+QWidget* HistoryPage::makeCharts()
+{
+    auto* part = new QWidget(m_stack);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace4);
+    const auto card = [&] {
+        auto* frame = new QFrame(part);
+        frame->setProperty("kind", "card");
+        auto* inside = new QVBoxLayout(frame);
+        inside->setContentsMargins(kSpace2, kSpace2, kSpace2, kSpace2);
+        inside->setSpacing(kSpace1);
+        column->addWidget(frame, 1);
+        return inside;
+    };
+    m_score = new charts::ChartPanel(part);
+    m_score->setObjectName(QStringLiteral("scoreChart"));
+    card()->addWidget(m_score, 1);
+
+    QVBoxLayout* second = card();
+    auto* choice = new QHBoxLayout;
+    choice->setSpacing(kSpace1);
+    choice->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_which = new QButtonGroup(this);
+    const auto offer = [&](Which which, const auto& say) {
+        auto* button = new QPushButton(part);
+        button->setProperty("kind", "segment");
+        button->setCheckable(true);
+        text::inEveryLanguage(button, [button, say] {
+            button->setText(say());
+            button->setAccessibleName(say());
+        });
+        m_which->addButton(button, which);
+        choice->addWidget(button);
+    };
+    offer(Criteria, [] { return tr("Criteria"); });
+    offer(Time, [] { return tr("Time"); });
+    offer(Force, [] { return tr("Force"); });
+    offer(Speed, [] { return tr("Speed and accuracy"); });
+    choice->addStretch(1);
+    m_which->button(Criteria)->setChecked(true);
+    connect(m_which, &QButtonGroup::idClicked, this, &HistoryPage::drawCharts);
+    second->addLayout(choice);
+    m_other = new charts::ChartPanel(part);
+    m_other->setObjectName(QStringLiteral("otherChart"));
+    second->addWidget(m_other, 1);
+    for (charts::ChartPanel* panel : {m_score, m_other})
+        connect(panel, &charts::ChartPanel::chosen, this, &HistoryPage::attemptOpenWanted);
+    return part;
+}
+
+QWidget* HistoryPage::makeEmpty(const Actions& actions)
+{
+    auto* part = new QWidget(m_stack);
+    auto* column = new QVBoxLayout(part);
+    column->setSpacing(kSpace4);
+    column->addStretch(1);
+    m_emptyTitle = new QLabel(part);
+    m_emptyTitle->setFont(typeface(kTitle, QFont::DemiBold));
+    m_emptyWords = new QLabel(part);
+    m_emptyWords->setObjectName(QStringLiteral("emptyWords"));
+    for (QLabel* words : {m_emptyTitle, m_emptyWords}) {
+        words->setTextFormat(Qt::PlainText);
+        words->setWordWrap(true);
+        words->setAlignment(Qt::AlignHCenter);
+        words->setFixedWidth(kEmptyPx);
+        column->addWidget(words, 0, Qt::AlignHCenter);
+    }
+    m_start = pageButton(actions.lessons, "filled", part);
+    column->addWidget(m_start, 0, Qt::AlignHCenter);
+    column->addStretch(2);
+    return part;
+}
+
+void HistoryPage::setPerson(const QString& fullName)
+{
+    m_person = fullName;
+    retell();
+}
+
+void HistoryPage::setHistory(const QList<database::AttemptRecord>& newestFirst)
+{
+    const std::int64_t kept = chosen();
+    m_history = newestFirst;
+    m_model->setAttempts(newestFirst);
+    m_charted.criteria = criterionNames(newestFirst);
+    fillLessons();
+    m_stack->setCurrentIndex(newestFirst.isEmpty() ? 1 : 0);
+    takeLesson();
+    for (int row = 0; row < m_filter->rowCount() && kept != 0; ++row)
+        if (m_model->at(m_filter->mapToSource(m_filter->index(row, 0)).row()).id == kept)
+            m_table->setCurrentIndex(m_filter->index(row, 0));
+}
+
+void HistoryPage::setLessonTitles(const LessonTitles& titles)
+{
+    m_charted.titles = titles;
+    m_model->setTitles(titles);
+    fillLessons();
+    drawCharts();
+}
+
+void HistoryPage::setLesson(const std::optional<std::string>& lessonId)
+{
+    int index = 0;
+    for (int k = 1; k < m_lessons->count() && lessonId; ++k)
+        if (m_lessons->itemData(k).toString() == QString::fromStdString(*lessonId))
+            index = k;
+    m_lessons->setCurrentIndex(index);
+}
+
+std::optional<std::string> HistoryPage::lesson() const
+{
+    if (m_lessons->currentIndex() <= 0)
+        return std::nullopt;
+    return m_lessons->currentData().toString().toStdString();
+}
+
+void HistoryPage::setBand(const std::vector<database::BandPoint>& band)
+{
+    m_charted.band = band;
+    drawCharts();
+}
+
+void HistoryPage::setClassMedians(const std::optional<ClassMedians>& medians)
+{
+    m_charted.medians = medians;
+    drawCharts();
+}
+
+/// The lessons that were tried, with how often, the one that is shown kept.
+void HistoryPage::fillLessons()
+{
+    const auto kept = lesson();
+    std::map<std::string, int> tried;
+    for (const database::AttemptRecord& attempt : m_history)
+        ++tried[attempt.lessonId];
+    QList<std::pair<QString, std::string>> titles;
+    for (const auto& [id, count] : tried)
+        titles << std::pair(lessonTitle(m_charted.titles, id), id);
+    std::sort(titles.begin(), titles.end(),
+              [](const auto& a, const auto& b) { return QString::localeAwareCompare(a.first, b.first) < 0; });
+    const QSignalBlocker quiet(m_lessons);
+    m_lessons->clear();
+    m_lessons->addItem(tr("All lessons"));
+    for (const auto& [title, id] : titles) {
+        //: %1: a lesson; %2: how many attempts
+        m_lessons->addItem(tr("%1 (%2)").arg(title).arg(tried[id]), QString::fromStdString(id));
+        if (kept && *kept == id)
+            m_lessons->setCurrentIndex(m_lessons->count() - 1);
+    }
+}
+
+void HistoryPage::takeLesson()
+{
+    const auto chosenLesson = lesson();
+    m_filter->setLesson(chosenLesson);
+    m_charted.isOneLesson = chosenLesson.has_value();
+    m_charted.newestFirst.clear();
+    for (const database::AttemptRecord& attempt : m_history)
+        if (!chosenLesson || attempt.lessonId == *chosenLesson)
+            m_charted.newestFirst << attempt;
+    m_charted.band.clear();
+    m_charted.medians.reset();
+    m_count->setText(tr("%n attempt(s)", nullptr, static_cast<int>(m_charted.newestFirst.size())));
+    if (m_filter->rowCount() > 0)
+        m_table->setCurrentIndex(m_filter->index(0, 0));
+    tellChosen();
+    drawCharts();
+    if (chosenLesson)
+        emit lessonChosen(QString::fromStdString(*chosenLesson));
+}
+
+std::int64_t HistoryPage::chosen() const
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    return rows.isEmpty() ? 0 : m_model->at(m_filter->mapToSource(rows.front()).row()).id;
+}
+
+void HistoryPage::tellChosen()
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    const auto* attempt = rows.isEmpty() ? nullptr : &m_model->at(m_filter->mapToSource(rows.front()).row());
+    m_open->setEnabled(attempt != nullptr);
+    m_replay->setEnabled(attempt != nullptr && !attempt->recordingHash.empty());
+    m_replay->setToolTip(attempt != nullptr && attempt->recordingHash.empty()
+                             ? tr("Of this attempt no recording was kept.")
+                             : tr("See again how it was done"));
+}
+
+void HistoryPage::drawCharts()
+{
+    m_score->setChart(scoreChart(m_charted));
+    switch (m_which->checkedId()) {
+    case Time:
+        m_other->setChart(timeChart(m_charted));
+        break;
+    case Force:
+        m_other->setChart(forceChart(m_charted));
+        break;
+    case Speed:
+        m_other->setChart(speedChart(m_charted));
+        break;
+    default:
+        m_other->setChart(criteriaChart(m_charted));
+    }
+}
+
+void HistoryPage::retell()
+{
+    setTitle(m_person.isEmpty() ? tr("Your attempts") : tr("Attempts of %1").arg(m_person));
+    m_lessons->setAccessibleName(tr("Show the attempts at this lesson"));
+    m_table->setAccessibleName(tr("Attempts"));
+    m_open->setText(tr("Open grade"));
+    m_replay->setText(tr("Replay"));
+    for (QPushButton* button : {m_open, m_replay})
+        button->setAccessibleName(button->text());
+    m_emptyTitle->setText(m_person.isEmpty() ? tr("No attempts yet") : tr("%1 has no attempts yet").arg(m_person));
+    m_emptyWords->setText(m_person.isEmpty()
+                              ? tr("Here you will find every attempt that was graded: its score, what cost points, "
+                                   "time and force, and how it goes from attempt to attempt. Do a lesson and have it "
+                                   "graded.")
+                              : tr("As soon as an attempt has been graded it is here."));
+    m_start->setVisible(m_person.isEmpty());
+    m_model->retell();
+    fitColumns();
+    fillLessons();
+    m_count->setText(tr("%n attempt(s)", nullptr, static_cast<int>(m_charted.newestFirst.size())));
+    m_charted.criteria = criterionNames(m_history);
+    tellChosen();
+    drawCharts();
+}
+
+/// As wide as their words in this language; the lesson has the rest.
+void HistoryPage::fitColumns()
+{
+    const QFontMetrics metrics(typeface(kBody));
+    const QFontMetrics heads(typeface(kBody, QFont::DemiBold));
+    const auto fit = [&](int column, const QStringList& widest) {
+        int px =
+            heads.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) + kArrowPx;
+        for (const QString& words : widest)
+            px = std::max(px, metrics.horizontalAdvance(words));
+        m_table->horizontalHeader()->resizeSection(column, px + kSpace6 + kSpace2);
+    };
+    fit(HistoryModel::When, {when("2026-12-28T22:58:00Z")});
+    fit(HistoryModel::Score, {QStringLiteral("100.0")});
+    fit(HistoryModel::Result, {HistoryModel::tr("passed"), HistoryModel::tr("not passed")});
+    fit(HistoryModel::Time, {QStringLiteral("1:12:07")});
+    fit(HistoryModel::Force, {QStringLiteral("10.85 / 12.10")});
+}
+
+void HistoryPage::changeEvent(QEvent* event)
+{
+    Page::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retell();
+}
+
+void HistoryPage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    if (m_history.isEmpty())
+        m_start->setFocus();
+    else
+        m_table->setFocus();
+}
+
+}  // namespace ui::people

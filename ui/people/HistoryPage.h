@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QList>
+
+#include "database/overview.h"
+#include "database/records.h"
+#include "ui/people/HistoryCharts.h"
+#include "ui/shell/Page.h"
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace ui::charts {
+class ChartPanel;
+}
+
+namespace ui::people {
+
+class HistoryFilter;
+class HistoryModel;
+class ListTable;
+
+/// All attempts of one person: a list that sorts and filters by lesson, and beside it how the score, the criteria, time
+/// and force went. One's own, or a student's, seen by a teacher.
+class HistoryPage final : public shell::Page
+{
+    Q_OBJECT
+public:
+    HistoryPage(const shell::Actions& actions, QWidget* parent);
+
+    /// @param fullName  empty: one's own
+    void setPerson(const QString& fullName);
+    /// @param newestFirst  of one person. What is chosen stays, where it is among them.
+    void setHistory(const QList<database::AttemptRecord>& newestFirst);
+    void setLessonTitles(const LessonTitles& titles);
+    /// Shows one lesson's attempts only; nothing: all.
+    void setLesson(const std::optional<std::string>& lessonId);
+    /// How the class did at the lesson that is shown. Empty until it is known, and of too few people.
+    void setBand(const std::vector<database::BandPoint>& band);
+    void setClassMedians(const std::optional<ClassMedians>& medians);
+
+    [[nodiscard]] std::optional<std::string> lesson() const;
+    /// The chosen attempt; 0: none.
+    [[nodiscard]] std::int64_t chosen() const;
+
+signals:
+    /// Its score card is to be seen.
+    void attemptOpenWanted(qint64 id);
+    void replayWanted(qint64 id);
+    /// A lesson was chosen: its band and medians are wanted. Of all lessons together there are none.
+    void lessonChosen(const QString& id);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* makeList();
+    QWidget* makeCharts();
+    QWidget* makeEmpty(const shell::Actions& actions);
+    void fillLessons();
+    void takeLesson();
+    void retell();
+    void fitColumns();
+    void drawCharts();
+    void tellChosen();
+
+    QString m_person;
+    QList<database::AttemptRecord> m_history;
+    ChartedAttempts m_charted;  ///< those of the lesson
+    HistoryModel* m_model;
+    HistoryFilter* m_filter;
+    QStackedWidget* m_stack;
+    QComboBox* m_lessons = nullptr;
+    QLabel* m_count = nullptr;
+    ListTable* m_table = nullptr;
+    QPushButton* m_open = nullptr;
+    QPushButton* m_replay = nullptr;
+    QButtonGroup* m_which = nullptr;
+    charts::ChartPanel* m_score = nullptr;
+    charts::ChartPanel* m_other = nullptr;
+    QLabel* m_emptyTitle = nullptr;
+    QLabel* m_emptyWords = nullptr;
+    QPushButton* m_start = nullptr;
+};
+
+}  // namespace ui::people

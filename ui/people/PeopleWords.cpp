@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/PeopleWords.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+
+#include "lessons/LocalText.h"
+#include "ui/text/Texts.h"
+
+namespace ui::people {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::people::Words)
+};
+
+/// Sheets further back than this have no criterion that the newer ones lack.
+constexpr qsizetype kSheetsRead = 30;
+constexpr qint64 kWeekDays = 7;
+
+}  // namespace
+
+QString lessonTitle(const LessonTitles& titles, const std::string& lessonId)
+{
+    if (lessonId.empty())
+        return Words::tr("Free practice");
+    const QString id = QString::fromStdString(lessonId);
+    return titles.value(id, id);
+}
+
+QDateTime momentOf(const std::string& utc)
+{
+    return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+}
+
+QString when(const std::string& utc)
+{
+    const QDateTime at = momentOf(utc);
+    return at.isValid() ? QLocale().toString(at.toLocalTime(), QLocale::ShortFormat) : QString::fromStdString(utc);
+}
+
+QString whenShort(const std::string& utc, const QDateTime& now)
+{
+    const QDateTime at = momentOf(utc);
+    if (!at.isValid())
+        return {};
+    const QDate day = at.toLocalTime().date();
+    const qint64 ago = day.daysTo(now.toLocalTime().date());
+    if (ago == 0)
+        return Words::tr("today");
+    if (ago == 1)
+        return Words::tr("yesterday");
+    if (ago > 1 && ago < kWeekDays)
+        return QLocale().dayName(day.dayOfWeek(), QLocale::ShortFormat);
+    return QLocale().toString(day, ago < 300 ? QStringLiteral("d MMM") : QStringLiteral("MMM yyyy"));
+}
+
+QString clock(std::int64_t ms)
+{
+    const std::int64_t hours = ms / 3'600'000;
+    const QString rest = text::duration(static_cast<double>(ms % 3'600'000) / 1000.0);
+    return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest, 5, QLatin1Char('0')) : rest;
+}
+
+std::map<std::string, QString> criterionNames(const QList<database::AttemptRecord>& newestFirst)
+{
+    std::map<std::string, QString> names;
+    for (qsizetype k = 0; k < std::min(kSheetsRead, newestFirst.size()); ++k) {
+        const QJsonObject sheet =
+            QJsonDocument::fromJson(QByteArray::fromStdString(newestFirst[k].scoreSheetJson)).object();
+        for (const QJsonValue entry : sheet.value(QStringLiteral("criteria")).toArray()) {
+            const QJsonObject line = entry.toObject();
+            lessons::Criterion criterion;
+            criterion.measure = line.value(QStringLiteral("measure")).toString().toStdString();
+            const QJsonObject title = line.value(QStringLiteral("title")).toObject();
+            for (auto it = title.begin(); it != title.end(); ++it)
+                criterion.title[it.key().toStdString()] = it.value().toString().toStdString();
+            if (!criterion.title.empty())
+                names.emplace(line.value(QStringLiteral("id")).toString().toStdString(),
+                              text::criterionName(criterion));
+        }
+    }
+    return names;
+}
+
+QString criterionName(const std::map<std::string, QString>& names, const std::string& id)
+{
+    if (const auto it = names.find(id); it != names.end())
+        return it->second;
+    return text::capitalised(QString::fromStdString(id).replace(u'_', u' '));
+}
+
+}  // namespace ui::people

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include <QDateTime>
+#include <QHash>
+#include <QList>
+#include <QString>
+
+#include "database/records.h"
+
+/// What attempts and people are called on the pages about them.
+namespace ui::people {
+
+/// What a lesson is called, by its id.
+using LessonTitles = QHash<QString, QString>;
+
+/// The title of a lesson; its id where nobody knows it any more; practice without a lesson by its tooth.
+[[nodiscard]] QString lessonTitle(const LessonTitles& titles, const std::string& lessonId);
+/// "20/11/2026 10:15", in the language's order and this computer's time zone; empty for none.
+[[nodiscard]] QString when(const std::string& utc);
+/// The same in few letters: "today", "yesterday", "Tue", "12 Nov", "Nov 2024".
+[[nodiscard]] QString whenShort(const std::string& utc, const QDateTime& now);
+[[nodiscard]] QDateTime momentOf(const std::string& utc);
+/// "12:07"; hours where there are: "1:12:07".
+[[nodiscard]] QString clock(std::int64_t ms);
+
+/// Names of criteria, from the newest score sheet that has each; an id of which no sheet speaks is not there.
+/// @param newestFirst  attempts with their score sheets
+[[nodiscard]] std::map<std::string, QString> criterionNames(const QList<database::AttemptRecord>& newestFirst);
+/// The name, or the id made readable.
+[[nodiscard]] QString criterionName(const std::map<std::string, QString>& names, const std::string& id);
+
+}  // namespace ui::people
