@@ -255,6 +255,9 @@ void TestLanguages::pages_data()
                     parts << choice;
             parts.at(part)->click();
         });
+    page("presets", [this] { actions().presets->trigger(); });
+    page("settings", [this] { actions().settings->trigger(); });
+    page("console", [this] { actions().console->trigger(); });
     page("lesson", [this] { practise(lessons::Task::RemoveDecay); });
     page("lesson of an ideal", [this] { practise(lessons::Task::CutIdeal); });
     page("breach", [this] {
