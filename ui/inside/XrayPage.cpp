@@ -122,7 +122,7 @@ private:
 };
 
 XrayPage::XrayPage(const Actions& actions, QWidget* parent)
-    : Page(actions, {}, parent), m_before(new FilmView(this)), m_now(new FilmView(this))
+    : Page(actions, parent), m_before(new FilmView(this)), m_now(new FilmView(this))
 {
     m_before->setObjectName(QStringLiteral("filmBefore"));
     m_now->setObjectName(QStringLiteral("filmNow"));

@@ -13,8 +13,8 @@
 
 namespace ui::shell {
 
-Page::Page(const Actions& actions, const QString& title, QWidget* parent)
-    : QWidget(parent), m_title(new QLabel(title, this)), m_body(new QVBoxLayout)
+Page::Page(const Actions& actions, QWidget* parent)
+    : QWidget(parent), m_title(new QLabel(this)), m_body(new QVBoxLayout)
 {
     setAutoFillBackground(true);
     auto* back = new QToolButton(this);

@@ -25,7 +25,7 @@ constexpr int kWidestArchesPx = 600;
 }  // namespace
 
 ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
-    : Page(actions, {}, parent), m_pictures(new QStackedWidget(this)), m_row(new QHBoxLayout),
+    : Page(actions, parent), m_pictures(new QStackedWidget(this)), m_row(new QHBoxLayout),
       m_gap(new QSpacerItem(kGapPx, 0)), m_arches(new ArchView(m_pictures)), m_number(new QLabel(this)),
       m_name(new QLabel(this)), m_note(new QLabel(this)), m_take(new QPushButton(this)),
       m_other(pageButton(actions.mouth, "", this))

@@ -27,7 +27,7 @@ constexpr int kBeginAt = 50;
 
 }  // namespace
 
-Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, {}, parent)
+Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* content = new QWidget(this);
     auto* outer = new QHBoxLayout(content);

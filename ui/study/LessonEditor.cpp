@@ -77,7 +77,7 @@ QString write(LessonDraft& draft, const Weighed& weighed)
 }  // namespace
 
 LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
-    : Page(actions, {}, parent), m_weigher(new DraftWeigher(this))
+    : Page(actions, parent), m_weigher(new DraftWeigher(this))
 {
     m_capturing.setMaxThreadCount(1);
     connect(m_weigher, &DraftWeigher::weighed, this, &LessonEditor::take);

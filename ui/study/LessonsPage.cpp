@@ -107,7 +107,7 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
 
 }  // namespace
 
-LessonsPage::LessonsPage(const Actions& actions, QWidget* parent) : Page(actions, {}, parent)
+LessonsPage::LessonsPage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace6);

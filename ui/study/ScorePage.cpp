@@ -174,7 +174,7 @@ QString rubricWords(const ::lessons::ScoreSheet& sheet)
 
 }  // namespace
 
-ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, {}, parent)
+ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* block = new QWidget(this);
     block->setMaximumWidth(kWidestPx);
