@@ -45,6 +45,7 @@
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/presets/PresetsPage.h"
+#include "ui/presets/TrialCard.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/replay/TimeLine.h"
 #include "ui/settings/SettingsPage.h"
@@ -2579,7 +2580,7 @@ void TestMainWindow::nothingIsClipped_data()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    for (const QString language : {"en", "de"})
+    for (const QString language : {"en", "de", "es"})
         for (const QSize size :
              {QSize(800, 460), QSize(853, 533), QSize(960, 600), QSize(1016, 552), QSize(1280, 760), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
@@ -2669,6 +2670,31 @@ void TestMainWindow::nothingIsClipped()
     window.setReplaying(false);
     a->help->trigger();
     check("help");
+    a->back->trigger();
+    a->console->trigger();
+    window.findChild<ui::console::Console*>()->execute("list");
+    check("console");
+    a->console->trigger();
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    emit window.findChild<ui::presets::PresetsPage*>()->tryWanted(preset);
+    window.beginTrial();
+    check("trial");
+    emit window.findChild<ui::presets::PresetsPage*>()->compareWanted(preset, preset, 2);
+    window.beginTrial();
+    check("blind");
+    window.findChild<QPushButton*>("trialSaysA")->click();
+    window.findChild<QPushButton*>("trialSaysA")->click();
+    check("compared");
+    window.findChild<ui::presets::TrialCard*>()->hide();
+    window.setPresets({{{}, preset, {}}}, preset);
+    a->presets->trigger();
+    check("presets");
+    window.findChild<QPushButton*>("presetExpert")->click();
+    window.showPresetFault("Not imported: a.cusppreset: enamel.rate_mm3_per_ns: is -1, it must lie between 0 and 100");
+    check("numbers");
+    a->back->trigger();
+    a->settings->trigger();
+    check("settings");
     a->back->trigger();
     a->chooseTooth->trigger();
     check("teeth");
