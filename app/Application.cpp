@@ -22,6 +22,7 @@
 #include "core/guidance/Fixture.h"
 #include "core/preparation/CapturedIdeal.h"
 #include "core/recording/Replay.h"
+#include "core/settings/StabilityBound.h"
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Logins.h"
@@ -33,6 +34,7 @@
 #include "lessons/LessonPack.h"
 #include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/shell/Memory.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
@@ -60,6 +62,8 @@ constexpr int kJournalWatchMs = 500;
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
+
+const QString kPresetInUse = QStringLiteral("presets/inUse");
 
 QString dataFolder()
 {
@@ -138,7 +142,9 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     : m_options(options), m_device(makeDevice(options.simulatedDevice, m_demoWish, m_links.pointer)),
       m_servo(*m_device, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
       m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)), m_follower(m_session),
-      m_window(std::make_unique<ui::shell::MainWindow>(m_links))
+      m_window(std::make_unique<ui::shell::MainWindow>(m_links)),
+      m_shelf(std::make_unique<lessons::PresetFolder>(lessons::presetsFolder())),
+      m_preset(lessons::shippedPresets().front())
 {
     using ui::shell::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
@@ -151,6 +157,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         QDir().mkpath(folder);
         QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
     });
+    connectPresets();
     connect(m_window.get(), &MainWindow::forecastGiven, this,
             [this](const ui::study::Expectation& expected) { finish(expected); });
     connect(m_window.get(), &MainWindow::scanChosen, this,
@@ -398,7 +405,110 @@ void Application::clearTable()
         begin(*practice, {}, false);
 }
 
-void Application::openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit)
+void Application::connectPresets()
+{
+    using ui::shell::MainWindow;
+    connect(m_window.get(), &MainWindow::presetsWanted, this, &Application::tellPresets);
+    connect(m_window.get(), &MainWindow::presetUseWanted, this, &Application::usePreset);
+    connect(m_window.get(), &MainWindow::presetSaveWanted, this, &Application::keepPreset);
+    connect(m_window.get(), &MainWindow::presetImportWanted, this, &Application::importPreset);
+    connect(m_window.get(), &MainWindow::presetExportWanted, this, &Application::exportPreset);
+    connect(m_window.get(), &MainWindow::presetFelt, this, &Application::feel);
+    connect(m_window.get(), &MainWindow::feelWanted, this, &Application::feelByHand);
+    m_window->setShelf([this](core::settings::FeelPreset preset) { return m_shelf->save(std::move(preset)); },
+                       [this](const QString& name) { return lessons::findPreset(*m_shelf, name); });
+    connect(m_window.get(), &MainWindow::presetTrialWanted, this, [this](const core::settings::FeelPreset& preset) {
+        openTooth(core::teeth::parseSource(core::teeth::blockName(core::teeth::BlockShape::Layers)), {}, preset);
+    });
+    if (const QString named = ui::shell::memory().value(kPresetInUse).toString(); !named.isEmpty())
+        if (const auto found = lessons::findPreset(*m_shelf, named))
+            m_preset = *found;
+    m_window->showFeel(m_preset, m_preset);
+}
+
+void Application::tellPresets()
+{
+    m_window->setPresets(m_shelf->list(), m_preset);
+}
+
+/// From the next tooth on. What lies on the table goes on as it was begun.
+void Application::usePreset(const core::settings::FeelPreset& preset)
+{
+    m_preset = preset;
+    m_byHand.reset();
+    ui::shell::memory().setValue(kPresetInUse,
+                                 QStringLiteral("%1 v%2").arg(QString::fromStdString(preset.name)).arg(preset.version));
+    tellPresets();
+    m_window->showMessage(tr("The next tooth feels like this."));
+}
+
+void Application::keepPreset(const core::settings::FeelPreset& preset)
+{
+    const auto kept = m_shelf->save(preset);
+    if (!kept) {
+        m_window->showPresetFault(tr("Not kept: %1").arg(QString::fromStdString(kept.error().detail)));
+        return;
+    }
+    tellPresets();
+    m_window->showPresetKept(*kept);
+}
+
+void Application::importPreset(const QString& path)
+{
+    const lessons::ReadPreset read = lessons::readPreset(path);
+    if (read.preset) {
+        keepPreset(*read.preset);
+        if (!read.faults.empty())
+            m_window->showPresetFault(read.faults.front().sentence());
+        return;
+    }
+    const auto grave =
+        std::find_if(read.faults.begin(), read.faults.end(), [](const lessons::Fault& fault) { return fault.grave; });
+    m_window->showPresetFault(tr("Not imported: %1").arg(grave->sentence()));
+}
+
+void Application::exportPreset(const core::settings::FeelPreset& preset, const QString& path)
+{
+    if (const auto written = lessons::writePreset(path, preset))
+        m_window->showMessage(tr("The preset was exported as %1.").arg(QDir::toNativeSeparators(path)));
+    else
+        m_window->showPresetFault(tr("Not exported: %1").arg(QString::fromStdString(written.error().detail)));
+}
+
+/// In the middle of an attempt: what differs goes to the servo as numbers, and so onto the recording.
+void Application::feel(const core::settings::FeelPreset& preset)
+{
+    const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
+    if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
+        return;
+    m_numbers =
+        core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_options.simulatedDevice), preset));
+    tellNumbers();
+}
+
+/// What was turned in the console or the settings holds until it is turned back, for other teeth as well.
+void Application::feelByHand(const core::settings::FeelPreset& preset)
+{
+    core::settings::FeelPreset asKept = preset;
+    asKept.hash = m_preset.hash;
+    m_byHand = asKept == m_preset ? std::nullopt : std::optional(preset);
+    feel(preset);
+}
+
+/// What the servo has not been told yet; the rest later, where there is no room.
+void Application::tellNumbers()
+{
+    for (std::size_t k = 0; k < m_numbers.size(); ++k)
+        if (m_numbers.at(k) != m_numbersTold.at(k)) {
+            const core::session::SetNumber number{static_cast<std::uint8_t>(k), static_cast<float>(m_numbers.at(k))};
+            if (!m_links.commands.tryPush(number))
+                return;
+            m_numbersTold.at(k) = m_numbers.at(k);
+        }
+}
+
+void Application::openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit,
+                            const std::optional<core::settings::FeelPreset>& tried)
 {
     const int load = ++m_loading;
     const auto* fdi = std::get_if<int>(&source.what);
@@ -412,7 +522,7 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
         build.placement.unit = unit;
     inBackground(
         this, [source, build] { return core::teeth::buildTooth(source, build); },
-        [this, load, source, file](const core::Result<core::teeth::BuiltTooth>& built) {
+        [this, load, source, file, tried](const core::Result<core::teeth::BuiltTooth>& built) {
             if (load != m_loading)
                 return;
             if (!built) {
@@ -420,7 +530,10 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
                 return;
             }
             m_source = source;
+            m_tried = tried;
             takeTooth(*built);
+            if (tried)
+                m_window->beginTrial();
         });
 }
 
@@ -437,6 +550,7 @@ void Application::openLesson(const lessons::Lesson& lesson)
                 refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
                 return;
             }
+            m_tried.reset();
             begin(assigned->assignment, ui::text::scanNotes(assigned->report), false);
         });
 }
@@ -537,8 +651,11 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 
 void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
+    const bool isExam = assignment.lesson && assignment.lesson->exam;
+    const core::settings::FeelPreset usual = m_tried.value_or(m_preset);
+    const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_preset);
     const core::session::ServoSettings settings = lessons::servoSettings(
-        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice));
+        assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice), preset);
     auto servo = core::session::makeServoTick(settings);
     if (!servo) {
         refuse(servo.error(), Failed::OpeningLesson,
@@ -546,6 +663,7 @@ void Application::begin(const lessons::Assignment& assignment, const QStringList
         return;
     }
     lay(assignment, settings, notes, unitInDoubt);
+    m_window->showFeel(preset, usual);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
     if (m_links.commands.tryPush(
@@ -568,6 +686,8 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_explainer.forget();
     m_assignment = assignment;
     m_settings = settings;
+    m_numbers = core::session::numbersOf(m_settings);
+    m_numbersTold = m_numbers;
     m_window->setAssignment(m_assignment);
     m_window->setHandpieces(m_settings.handpieces);
     holdHand(false);
@@ -596,6 +716,8 @@ void Application::letHandDecide()
 /// In practice a breach of the lesson's rules stops the bur and is explained. In an exam it is only noted.
 void Application::watchAttempt()
 {
+    if (!m_replay)
+        tellNumbers();
     if (m_replay || !m_assignment.lesson)
         return;
     const core::session::Findings findings = m_follower.findings();
@@ -693,7 +815,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                 {},
                 expected,
                 {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured,
-                 found.infractions, found.aids, m_assignment.exercise},
+                 found.infractions, found.aids, lessons::presetUsed(done->recording), m_assignment.exercise},
                 done->recording,
                 found.practised};
     static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
@@ -705,6 +827,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
 database::AttemptRecord Application::recordOf(const core::session::Concluded& done, const lessons::ScoreSheet& sheet,
                                               const std::optional<ui::study::Expectation>& expected) const
 {
+    const auto preset = lessons::presetUsed(done.recording);
     database::AttemptRecord record;
     record.uid = database::newUid();
     record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -722,7 +845,7 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
     for (const lessons::Criterion& criterion : sheet.criteria)
         record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
     record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(done.recording.duration()).count();
-    record.scoreSheetJson = lessons::toJson(sheet).toStdString();
+    record.scoreSheetJson = lessons::toJson(sheet, preset).toStdString();
     record.stateHash =
         QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
     record.device = m_options.simulatedDevice ? "simulated" : "pointer";
@@ -730,7 +853,9 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
     record.grid = m_assignment.anatomy->grid.side;
     record.viewMode = ui::render::idOf(m_window->view().settings().presentation.stereo);
     record.seed = std::to_string(m_assignment.anatomy->seed);
-    record.preset = m_settings.hardness.name;
+    record.preset = preset.name.toStdString() + (preset.version > 0 ? " v" + std::to_string(preset.version) : "") +
+                    (preset.isChanged ? ", changed" : "");
+    record.presetHash = preset.hash.toStdString();
     record.program = CUSP_VERSION;
     if (const auto& force = done.findings.process.force) {
         record.meanForceMn = static_cast<int>(std::lround(force->meanN * kMnPerN));
@@ -1027,7 +1152,9 @@ void Application::resumeUnfinished()
     if (!m_unfinished)
         return;
     // What cuts is the attempt's own; what is felt must suit the device.
-    if (!(m_unfinished->recording.settings().force == settingsFor(m_options.simulatedDevice).force)) {
+    const core::contact::ForceSettings& force = m_unfinished->recording.settings().force;
+    const core::contact::ForceSettings device = settingsFor(m_options.simulatedDevice).force;
+    if (force.workAreaMm != device.workAreaMm || force.vibrationN != device.vibrationN) {
         m_window->showMessage(
             tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
@@ -1054,6 +1181,11 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         return;
     }
     lay(*assignment, attempt->recording.settings(), {}, false);
+    m_tried.reset();
+    const core::settings::FeelPreset felt =
+        core::settings::feltAs(m_preset, m_settings.hardness, m_settings.force,
+                               assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
+    m_window->showFeel(felt, felt);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);

@@ -14,6 +14,7 @@
 #include "app/SchoolDesk.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
+#include "core/session/ServoNumbers.h"
 #include "core/teeth/ToothBuilder.h"
 #include "database/people.h"
 #include "database/records.h"
@@ -21,6 +22,7 @@
 #include "haptics/simulated/IdealHand.h"
 #include "lessons/Assignment.h"
 #include "lessons/ClassStanding.h"
+#include "lessons/PresetShelf.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/study/ScorePage.h"
 
@@ -69,7 +71,17 @@ private:
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
     void tellKnownAttempts(const lessons::Lesson& lesson);
-    void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {});
+    void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
+                   const std::optional<core::settings::FeelPreset>& tried = {});
+    void connectPresets();
+    void tellPresets();
+    void usePreset(const core::settings::FeelPreset& preset);
+    void keepPreset(const core::settings::FeelPreset& preset);
+    void importPreset(const QString& path);
+    void exportPreset(const core::settings::FeelPreset& preset, const QString& path);
+    void feel(const core::settings::FeelPreset& preset);
+    void feelByHand(const core::settings::FeelPreset& preset);
+    void tellNumbers();
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
@@ -135,10 +147,16 @@ private:
     bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
-    core::session::ServoSettings m_settings;  ///< of the student's own attempt
-    lessons::Assignment m_assignment;         ///< the student's own; its anatomy is null until a tooth is taken
-    std::uint64_t m_ownGeneration = 0;        ///< of that tooth
-    std::uint64_t m_generation = 0;           ///< of the newest tooth shown
+    std::unique_ptr<lessons::PresetShelf> m_shelf;
+    core::settings::FeelPreset m_preset;                 ///< what teeth feel like
+    std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
+    std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_preset, but in exams
+    core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
+    core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent
+    core::session::ServoSettings m_settings;             ///< of the student's own attempt
+    lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
+    std::uint64_t m_ownGeneration = 0;  ///< of that tooth
+    std::uint64_t m_generation = 0;     ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     /// The grade given last: the same work is not graded twice.

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/session/ServoNumbers.h"
+
 namespace haptics {
 namespace {
 
@@ -121,6 +123,14 @@ void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
         return;
     m_tick->setHandpiece(handpiece.index);
     record({ServoEvent::Kind::Handpiece, 0, glm::vec3(0.0F), handpiece.index});
+}
+
+void ServoLoop::apply(const SetNumber& number) noexcept
+{
+    if (!core::session::isServoNumber(number))
+        return;
+    m_tick->setNumber(number);
+    record({ServoEvent::Kind::Number, 0, glm::vec3(0.0F), core::session::packNumber(number)});
 }
 
 void ServoLoop::apply(const SetFixture& fixture) noexcept

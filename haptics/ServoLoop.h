@@ -41,6 +41,7 @@ private:
     void apply(const core::session::SetHandpiece& handpiece) noexcept;
     void apply(const core::session::SetFixture& fixture) noexcept;
     void apply(const core::session::BringHome& home) noexcept;
+    void apply(const core::session::SetNumber& number) noexcept;
     void guide(double seconds) noexcept;
     void watchDelay(float delayS, double seconds) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;

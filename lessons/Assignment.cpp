@@ -235,10 +235,15 @@ core::Result<core::recording::Recording> readExpert(const Assignment& assignment
     return recording;
 }
 
-core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual)
+core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
+                                           const core::settings::FeelPreset& preset)
 {
+    core::settings::putForces(preset, usual.force);
+    usual.hardness =
+        core::settings::hardnessFor(preset, lesson != nullptr ? lesson->kind : core::settings::ToothKind{});
     if (lesson != nullptr) {
-        usual.hardness = lesson->hardness;
+        if (lesson->hardness)
+            usual.hardness = *lesson->hardness;
         usual.breakOff.on = lesson->breakOff;
     }
     if (lesson != nullptr && !lesson->handpieces.empty()) {

@@ -13,6 +13,7 @@
 #include "core/session/Examiner.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Lesson.h"
+#include "lessons/PresetFile.h"
 
 namespace lessons {
 
@@ -42,9 +43,13 @@ struct Assigned
 /// The block that a lesson names, with its sizes; a sentence where there is no such shape or size, or they do not fit.
 [[nodiscard]] core::Result<core::teeth::BlockDesign> designOf(const Block& block);
 
-/// What computes an attempt at a lesson, or without one (null): its hardness and the handpieces at hand, with the force
-/// law of `usual`.
-[[nodiscard]] core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual);
+/// What computes an attempt at a lesson, or without one (null): the handpieces at hand, the hardness of the lesson or
+/// else of the preset, and the preset's forces.
+/// @param usual   what the device adds to the force law
+/// @param preset  in use in the school
+[[nodiscard]] core::session::ServoSettings
+servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
+              const core::settings::FeelPreset& preset = shippedPresets().front());
 
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
 /// @param drawn  the seed of a block whose lesson names none, another for each attempt. It goes with the tooth into the

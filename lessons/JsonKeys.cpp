@@ -154,6 +154,20 @@ std::string JsonKeys::text(const char* key, qsizetype longest)
     return text.toStdString();
 }
 
+void JsonKeys::refuseHidden(const QString& text, const char* key)
+{
+    if (const auto hidden = std::find_if(text.begin(), text.end(), isHidden); hidden != text.end())
+        fault(key, QStringLiteral("holds the character U+%1, which cannot be seen; leave it out")
+                       .arg(static_cast<uint>(hidden->unicode()), 4, 16, QLatin1Char('0')));
+}
+
+std::string JsonKeys::visibleText(const char* key, qsizetype longest)
+{
+    const std::string found = text(key, longest);
+    refuseHidden(QString::fromStdString(found), key);
+    return found;
+}
+
 std::string JsonKeys::neededText(const char* key, qsizetype longest)
 {
     if (take(key).isUndefined() || take(key) == QJsonValue(QString())) {
@@ -169,9 +183,7 @@ LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
     const auto take = [&](const QString& code, const QString& text) {
         if (text.isEmpty() || text.size() > kLongestText)
             fault(key, QStringLiteral("has %1 characters; it takes 1 to %2").arg(text.size()).arg(kLongestText));
-        if (const auto hidden = std::find_if(text.begin(), text.end(), isHidden); hidden != text.end())
-            fault(key, QStringLiteral("holds the character U+%1, which cannot be seen; leave it out")
-                           .arg(static_cast<uint>(hidden->unicode()), 4, 16, QLatin1Char('0')));
+        refuseHidden(text, key);
         result.emplace(code.toStdString(), text.toStdString());
     };
     if (value.isString()) {

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] bool flag(const char* key, bool otherwise);
     /// UTF-8, at most `longest` characters; empty if missing.
     [[nodiscard]] std::string text(const char* key, qsizetype longest = 200);
+    /// As text(); a character that cannot be seen, or turns the direction of what follows, is a fault.
+    [[nodiscard]] std::string visibleText(const char* key, qsizetype longest);
     /// As text(); a missing or empty one is a fault.
     [[nodiscard]] std::string neededText(const char* key, qsizetype longest = 200);
     /// {"en": "...", "de": "..."}, or a plain text for all languages.
@@ -56,6 +58,7 @@ public:
 
 private:
     [[nodiscard]] QJsonValue take(const char* key);
+    void refuseHidden(const QString& text, const char* key);
     [[nodiscard]] LocalText localOf(const QJsonValue& value, const char* key);
 
     QJsonObject m_object;

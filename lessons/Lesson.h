@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/grading/Exercise.h"
+#include "core/settings/FeelPreset.h"
 #include "core/settings/Handpiece.h"
-#include "core/settings/HardnessPreset.h"
 #include "lessons/Aids.h"
 #include "lessons/LocalText.h"
 #include "lessons/Rubric.h"
@@ -137,9 +137,10 @@ struct Lesson
     std::optional<LeewayZone> leeway;
     std::optional<core::grading::PointsToTouch> touch;
     std::optional<core::grading::ForceToHold> hold;
-    std::vector<std::string> burs;                      ///< allowed, by id; the first is given; none: all
-    std::vector<core::settings::Handpiece> handpieces;  ///< at hand; the first is given; none: all
-    core::settings::HardnessPreset hardness;
+    std::vector<std::string> burs;                           ///< allowed, by id; the first is given; none: all
+    std::vector<core::settings::Handpiece> handpieces;       ///< at hand; the first is given; none: all
+    std::optional<core::settings::HardnessPreset> hardness;  ///< nothing: as the school has set it
+    core::settings::ToothKind kind;                          ///< which rows of the school's preset it is cut by
     bool breakOff = false;  ///< what stands too slender breaks away (core::settings::BreakOff)
     Aids aids;
     std::vector<Step> steps;

@@ -311,9 +311,15 @@ private:
         }
     }
 
-    /// "natural", or one of those with other figures for some of its materials.
+    /// The school's, of which the lesson says the rows; or "natural", or one of those with other figures for some of
+    /// its materials.
     void takeHardness(Lesson& lesson)
     {
+        lesson.kind.isPlastic = m_keys.flag("plastic", false);
+        lesson.kind.hasFirmCaries = m_keys.choice("caries", {QStringLiteral("soft"), QStringLiteral("firm")}) == 1;
+        if (m_keys.has("hardness") && !(lesson.kind == core::settings::ToothKind{}))
+            m_keys.fault("hardness", QStringLiteral("has its own caries and plastic; leave it out, or leave out "
+                                                    "\"caries\" and \"plastic\""));
         if (m_whole.value(QStringLiteral("hardness")).isString()) {
             const std::string name = m_keys.text("hardness");
             if (const auto known = core::settings::findHardnessPreset(name))
@@ -325,19 +331,21 @@ private:
         auto keys = m_keys.object("hardness");
         if (!keys)
             return;
-        const std::string base = keys->has("like") ? keys->text("like") : lesson.hardness.name;
+        const std::string base = keys->has("like") ? keys->text("like") : core::settings::HardnessPreset{}.name;
         if (const auto known = core::settings::findHardnessPreset(base))
             lesson.hardness = *known;
         else
             keys->fault("like", QString::fromStdString(known.error().detail));
-        lesson.hardness.name = keys->neededText("name", 60);
+        if (!lesson.hardness)
+            return;
+        lesson.hardness->name = keys->neededText("name", 60);
         static constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin",
                                                                                            "pulp"};
         for (std::size_t m = 0; m < kMaterials.size(); ++m) {
             auto material = keys->object(kMaterials[m]);
             if (!material)
                 continue;
-            core::settings::MaterialHardness& hardness = lesson.hardness.material[m];
+            core::settings::MaterialHardness& hardness = lesson.hardness->material[m];
             hardness.rateMm3PerNs =
                 material->number("rate_mm3_per_ns", core::settings::kMinRateMm3PerNs, core::settings::kMaxRateMm3PerNs,
                                  "mm³/(N s)", hardness.rateMm3PerNs);
@@ -345,7 +353,7 @@ private:
                 material->number("threshold_n", 0.0, core::settings::kMaxThresholdN, "N", hardness.thresholdN);
             material->nameTheRest();
         }
-        lesson.hardness.axialShare = keys->number("axial_share", 0.01, 1.0, "", lesson.hardness.axialShare);
+        lesson.hardness->axialShare = keys->number("axial_share", 0.01, 1.0, "", lesson.hardness->axialShare);
         keys->nameTheRest();
     }
 

@@ -29,19 +29,24 @@ struct Beginning
     const char* rubric;
     const char* titleEn;
     const char* titleDe;
+    const char* titleEs;
     const char* goalEn;
     const char* goalDe;
+    const char* goalEs;
 };
 constexpr std::array<Beginning, 3> kBeginnings{
-    {{"remove_decay", "decay_removal", "Decay on %1", "Karies an %1",
+    {{"remove_decay", "decay_removal", "Decay on %1", "Karies an %1", "Caries en %1",
       "Take all of the decay out and spare what is sound; keep the pulp closed.",
-      "Entfernen Sie die ganze Karies und schonen Sie, was gesund ist; die Pulpa bleibt geschlossen."},
-     {"cut_ideal", "class1", "Preparation of %1", "Präparation an %1",
+      "Entfernen Sie die ganze Karies und schonen Sie, was gesund ist; die Pulpa bleibt geschlossen.",
+      "Elimine toda la caries y respete lo que está sano; mantenga cerrada la pulpa."},
+     {"cut_ideal", "class1", "Preparation of %1", "Präparation an %1", "Preparación en %1",
       "Cut the preparation as shown: outline, depth, walls and floor.",
-      "Präparieren Sie wie gezeigt: Umriss, Tiefe, Wände und Boden."},
-     {"trace_shape", "trace_shape", "Practice block: %1", "Übungsblock: %1",
+      "Präparieren Sie wie gezeigt: Umriss, Tiefe, Wände und Boden.",
+      "Talle la preparación como se muestra: contorno, profundidad, paredes y piso."},
+     {"trace_shape", "trace_shape", "Practice block: %1", "Übungsblock: %1", "Bloque de práctica: %1",
       "Mill the shape to its depth and stay inside its lines.",
-      "Fräsen Sie die Form in ihrer Tiefe und bleiben Sie in ihren Linien."}}};
+      "Fräsen Sie die Form in ihrer Tiefe und bleiben Sie in ihren Linien.",
+      "Frese la forma a su profundidad y no salga de sus líneas."}}};
 
 tl::unexpected<core::Error> refused(const QString& sentence)
 {
@@ -180,15 +185,19 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         if (task == Task::TraceShape && wishes.block.isEmpty())
             return refused(QStringLiteral("a shape is traced in a practice block; name one, such as \"cross\""));
         const Beginning& beginning = kBeginnings[static_cast<std::size_t>(task)];
-        const auto texts = [](const QString& en, const QString& de) { return QJsonObject{{"en", en}, {"de", de}}; };
+        const auto texts = [](const QString& en, const QString& de, const QString& es) {
+            return QJsonObject{{"en", en}, {"de", de}, {"es", es}};
+        };
         QString rubric = QLatin1String(beginning.rubric);
         object.insert(QStringLiteral("title"),
                       wishes.title.isEmpty()
                           ? QJsonValue(texts(QString::fromUtf8(beginning.titleEn).arg(toothName(wishes)),
-                                             QString::fromUtf8(beginning.titleDe).arg(toothName(wishes))))
+                                             QString::fromUtf8(beginning.titleDe).arg(toothName(wishes)),
+                                             QString::fromUtf8(beginning.titleEs).arg(toothName(wishes))))
                           : QJsonValue(wishes.title));
         object.insert(QStringLiteral("goal"),
-                      texts(QString::fromUtf8(beginning.goalEn), QString::fromUtf8(beginning.goalDe)));
+                      texts(QString::fromUtf8(beginning.goalEn), QString::fromUtf8(beginning.goalDe),
+                            QString::fromUtf8(beginning.goalEs)));
         object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
         object.insert(QStringLiteral("tooth"), toothOf(wishes));
         if (task == Task::RemoveDecay)
@@ -223,8 +232,9 @@ QJsonObject ownVersion(const ReadLesson& lesson)
     QJsonObject title;
     for (const auto& [language, text] : lesson.lesson->title)
         title.insert(QString::fromStdString(language),
-                     QString::fromStdString(text) +
-                         (language == "de" ? QStringLiteral(" (eigene Fassung)") : QStringLiteral(" (own version)")));
+                     QString::fromStdString(text) + (language == "de"   ? QStringLiteral(" (eigene Fassung)")
+                                                     : language == "es" ? QStringLiteral(" (versión propia)")
+                                                                        : QStringLiteral(" (own version)")));
     return {{QStringLiteral("format"), kLessonFormat},
             {QStringLiteral("based_on"), QFileInfo(lesson.file).fileName()},
             {QStringLiteral("id"), QString::fromStdString(lesson.lesson->id) + QStringLiteral("-own")},

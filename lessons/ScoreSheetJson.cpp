@@ -38,7 +38,7 @@ QString nameOf(Side side)
 
 }  // namespace
 
-QByteArray toJson(const ScoreSheet& sheet)
+QByteArray toJson(const ScoreSheet& sheet, const std::optional<PresetUsed>& preset)
 {
     QJsonArray criteria;
     for (const Criterion& criterion : sheet.criteria) {
@@ -68,7 +68,7 @@ QByteArray toJson(const ScoreSheet& sheet)
                         });
         criteria.append(line);
     }
-    const QJsonObject object{
+    QJsonObject object{
         {"format", kFormat},
         {"rubric", text(sheet.rubricId)},
         {"rubric_version", sheet.rubricVersion},
@@ -80,6 +80,11 @@ QByteArray toJson(const ScoreSheet& sheet)
         {"pass_mark_tenths", sheet.passMarkTenths},
         {"passed", sheet.passed()},
     };
+    if (preset)
+        object.insert(QStringLiteral("preset"), QJsonObject{{"name", preset->name},
+                                                            {"version", preset->version},
+                                                            {"hash", preset->hash},
+                                                            {"changed", preset->isChanged}});
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 

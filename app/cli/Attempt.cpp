@@ -5,65 +5,19 @@
 #include <array>
 #include <vector>
 
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "core/settings/FeelPreset.h"
+#include "lessons/PresetShelf.h"
 #include "lessons/ScoreSheetJson.h"
 
 namespace app::cli {
 namespace {
 
 constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
-constexpr qint64 kMostPresetBytes = 1024 * 1024;
 constexpr std::size_t kShownHash = 12;  ///< hex digits that tell rubrics apart
-
-tl::unexpected<core::Error> inPreset(const QString& file, const QString& what)
-{
-    return core::unexpected(core::ErrorCode::BadStructure,
-                            QStringLiteral("Hardness preset %1: %2; \"cusp simulate --help\" shows what it may hold.")
-                                .arg(file, what)
-                                .toStdString());
-}
-
-/// Sets `target` from object[key] if it is there; false if it is there and no number.
-bool takeNumber(QJsonObject& object, const QString& key, double& target)
-{
-    const QJsonValue value = object.take(key);
-    if (value.isUndefined())
-        return true;
-    target = value.toDouble();
-    return value.isDouble();
-}
-
-core::Result<core::settings::HardnessPreset> presetFromJson(const QString& file, QJsonObject object)
-{
-    core::settings::HardnessPreset preset;
-    preset.name = object.contains(QStringLiteral("name")) ? object.take(QStringLiteral("name")).toString().toStdString()
-                                                          : QFileInfo(file).completeBaseName().toStdString();
-    for (std::size_t m = 0; m < kMaterials.size(); ++m) {
-        const QString key = QString::fromLatin1(kMaterials[m]);
-        if (!object.contains(key))
-            continue;
-        if (!object.value(key).isObject())
-            return inPreset(file, QStringLiteral("\"%1\" must be an object").arg(key));
-        QJsonObject material = object.take(key).toObject();
-        if (!takeNumber(material, QStringLiteral("rate_mm3_per_ns"), preset.material[m].rateMm3PerNs) ||
-            !takeNumber(material, QStringLiteral("threshold_n"), preset.material[m].thresholdN))
-            return inPreset(file, QStringLiteral("the figures of \"%1\" must be numbers").arg(key));
-        if (!material.isEmpty())
-            return inPreset(file, QStringLiteral("\"%1\" has no figure \"%2\"").arg(key, material.keys().front()));
-    }
-    if (!takeNumber(object, QStringLiteral("axial_share"), preset.axialShare))
-        return inPreset(file, QStringLiteral("axial_share must be a number"));
-    if (!object.isEmpty())
-        return inPreset(file, QStringLiteral("unknown key \"%1\"").arg(object.keys().front()));
-    if (const core::Status sound = core::settings::check(preset); !sound)
-        return core::unexpected(sound.error().code, sound.error().detail.substr(0, sound.error().detail.rfind('.')) +
-                                                        "; change it in " + file.toStdString() + ".");
-    return preset;
-}
 
 QString nameOf(lessons::Moment::Kind kind)
 {
@@ -80,28 +34,36 @@ QString nameOf(lessons::Moment::Kind kind)
 
 }  // namespace
 
-core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameOrFile)
+core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings& settings)
 {
-    auto shipped = core::settings::findHardnessPreset(nameOrFile.toStdString());
-    if (shipped || !QFileInfo::exists(nameOrFile))
-        return shipped;
-    QFile file(nameOrFile);
-    if (QFileInfo(nameOrFile).isDir() || !file.open(QIODevice::ReadOnly))
-        return core::unexpected(core::ErrorCode::FileUnreadable,
-                                "The hardness preset " + nameOrFile.toStdString() +
-                                    " cannot be read; name natural, typodont or a JSON file that you may read.");
-    if (file.size() > kMostPresetBytes)
-        return core::unexpected(core::ErrorCode::FileTooLarge,
-                                "The hardness preset " + nameOrFile.toStdString() +
-                                    " is larger than a megabyte; name a JSON file with figures of "
-                                    "hardness.");
-    QJsonParseError failure;
-    const QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &failure);
-    if (!document.isObject())
-        return inPreset(
-            nameOrFile,
-            QStringLiteral("it is not a JSON object (%1 at byte %2)").arg(failure.errorString()).arg(failure.offset));
-    return presetFromJson(nameOrFile, document.object());
+    if (const auto shipped = core::settings::findHardnessPreset(nameOrFile.toStdString())) {
+        settings.hardness = *shipped;
+        return {};
+    }
+    core::settings::FeelPreset preset;
+    if (QFileInfo::exists(nameOrFile)) {
+        const lessons::ReadPreset read = lessons::readPreset(nameOrFile);
+        // A figure that is left out would make another run than the file asks for.
+        if (!read.faults.empty())
+            return core::unexpected(
+                core::ErrorCode::BadStructure,
+                "Hardness preset " + read.faults.front().sentence().toStdString() +
+                    "; name natural, typodont or a JSON file, \"cusp simulate --help\" shows what it may hold.");
+        preset = *read.preset;
+    } else if (auto found = lessons::findPreset(lessons::PresetFolder(lessons::presetsFolder()), nameOrFile)) {
+        preset = *found;
+    } else {
+        return tl::unexpected(found.error());
+    }
+    settings.hardness = core::settings::hardnessFor(preset, {});
+    core::settings::putForces(preset, settings.force);
+    return {};
+}
+
+QString presetText(const core::recording::Recording& recording)
+{
+    return QString::fromStdString(recording.settings().hardness.name) +
+           (recording.isRetuned() ? QStringLiteral(", changed") : QString());
 }
 
 QJsonObject toJson(const core::terrain::PerMaterial& values)

@@ -16,10 +16,12 @@
 /// What the commands that make or replay an attempt share: the hardness option, and its figures as JSON.
 namespace app::cli {
 
-/// A shipped preset by name, or a JSON file: {"name": "...", "enamel": {"rate_mm3_per_ns": 0.7, "threshold_n": 0.15},
-/// "dentin": ..., "caries": ..., "pulp": ..., "axial_share": 0.65}. What a file leaves out keeps the
-/// natural value; an unknown key is refused.
-[[nodiscard]] core::Result<core::settings::HardnessPreset> hardnessPreset(const QString& nameOrFile);
+/// How a tooth feels: "natural" or "typodont", a preset's file (lessons/PresetFile.h), or one that the user has kept,
+/// by name. Of a file everything must be known.
+[[nodiscard]] core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings& settings);
+
+/// The preset that an attempt was made with: "natural v1 #1a2b3c4d", and whether it was changed meanwhile.
+[[nodiscard]] QString presetText(const core::recording::Recording& recording);
 
 /// caries, enamel, dentin, pulp.
 [[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);

@@ -42,5 +42,10 @@ int demoCommand(const QStringList& arguments);
 int benchCommand(const QStringList& arguments);
 int framesCommand(const QStringList& arguments);
 int lessonCommand(const QStringList& arguments);
+int dbCommand(const QStringList& arguments);
+int userCommand(const QStringList& arguments);
+int importCommand(const QStringList& arguments);
+int exportCommand(const QStringList& arguments);
+int presetCommand(const QStringList& arguments);
 
 }  // namespace app::cli

@@ -110,6 +110,7 @@ int replayCommand(const QStringList& arguments)
                            {QStringLiteral("replay_s"), tookS},
                            {QStringLiteral("tick_us"), toJson(*tickTimes)},
                            {QStringLiteral("state_hash"), hashText(outcome.stateHash)},
+                           {QStringLiteral("preset"), presetText(*recording)},
                            {QStringLiteral("verified"), recording->witness().has_value()},
                            {QStringLiteral("removed_mm3"), toJson(measures.removedMm3)},
                            {QStringLiteral("measures"), toJson(remarked->mark.measured)},
@@ -126,22 +127,23 @@ int replayCommand(const QStringList& arguments)
         printJson(answer);
         return kDone;
     }
-    printText(
-        QStringLiteral("tooth          %1\n"
-                       "attempt        %2 s in %3 ticks, replayed in %4 s\n"
-                       "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
-                       "state          %9%10\n")
-            .arg(printable(QString::fromStdString(recording->anatomy()->name)))
-            .arg(lastsS, 0, 'f', 2)
-            .arg(recording->ticks())
-            .arg(tookS, 0, 'f', 2)
-            .arg(measures.removedMm3[0], 0, 'f', 4)
-            .arg(measures.removedMm3[1], 0, 'f', 4)
-            .arg(measures.removedMm3[2], 0, 'f', 4)
-            .arg(measures.removedMm3[3], 0, 'f', 4)
-            .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString()) +
-        toText(sheet) + (explained ? toText(explained->moments) + toText(explained->noise) : QString()) +
-        toText(remarked->infractions));
+    printText(QStringLiteral("tooth          %1\n"
+                             "attempt        %2 s in %3 ticks, replayed in %4 s\n"
+                             "removed        caries %5, enamel %6, dentin %7, pulp %8 mm3\n"
+                             "state          %9%10\n"
+                             "preset         %11\n")
+                  .arg(printable(QString::fromStdString(recording->anatomy()->name)))
+                  .arg(lastsS, 0, 'f', 2)
+                  .arg(recording->ticks())
+                  .arg(tookS, 0, 'f', 2)
+                  .arg(measures.removedMm3[0], 0, 'f', 4)
+                  .arg(measures.removedMm3[1], 0, 'f', 4)
+                  .arg(measures.removedMm3[2], 0, 'f', 4)
+                  .arg(measures.removedMm3[3], 0, 'f', 4)
+                  .arg(hashText(outcome.stateHash), recording->witness() ? QStringLiteral(" (as recorded)") : QString(),
+                       printable(presetText(*recording))) +
+              toText(sheet) + (explained ? toText(explained->moments) + toText(explained->noise) : QString()) +
+              toText(remarked->infractions));
     return kDone;
 }
 

@@ -133,10 +133,9 @@ void addOptions(QCommandLineParser& parser)
     option("method", "continuous (default), lattice, lattice16 (16 steps a tick) or penalty.", "M");
     option("rate", "Ticks a second, 20 to 20000 (default 1000).", "HZ");
     option("preset",
-           "Hardness: natural (default), typodont, or a JSON file such as {\"name\": \"soft\", \"enamel\": "
-           "{\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65}; caries, "
-           "dentin "
-           "and pulp as enamel; what is left out is natural.",
+           "Hardness: natural (default), typodont, one of \"cusp preset list\", or a file such as {\"name\": \"soft\", "
+           "\"enamel\": {\"rate_mm3_per_ns\": 0.7, \"threshold_n\": 0.15}, \"axial_share\": 0.65, \"force\": "
+           "{\"stiffness_n_per_mm\": 2}}; caries, dentin and pulp as enamel; what is left out is natural.",
            "NAME|FILE");
     option(
         "handpiece",
@@ -242,12 +241,11 @@ int simulateCommand(const QStringList& arguments)
     if (const QString clash = clashingFiles(parser); !clash.isEmpty())
         return wrongUsage(clash);
     if (parser.isSet(QStringLiteral("preset"))) {
-        const auto preset = hardnessPreset(parser.value(QStringLiteral("preset")));
-        if (!preset)
-            return preset.error().code == core::ErrorCode::UnknownName
-                       ? wrongUsage(QString::fromStdString(preset.error().detail))
-                       : failed(preset.error());
-        options->settings.hardness = *preset;
+        const core::Status taken = takePreset(parser.value(QStringLiteral("preset")), options->settings);
+        if (!taken)
+            return taken.error().code == core::ErrorCode::UnknownName
+                       ? wrongUsage(QString::fromStdString(taken.error().detail))
+                       : failed(taken.error());
     }
 
     const bool drillAlways = parser.isSet(QStringLiteral("drill"));

@@ -58,6 +58,8 @@ public:
     /// contact by then or not.
     void drop() noexcept;
 
+    /// Other settings from now on. What that changes of the force comes no faster than the slew limit lets it.
+    void setSettings(const ForceSettings& settings) noexcept { m_settings = settings; }
     /// The spring from now on as this share of the settings, 0 to 1: the loop has become slower.
     void setShare(double share) noexcept { m_share = share; }
     /// What the spring alone gives to the hand when it is stretched so far, N: what a bur presses with that cuts. As

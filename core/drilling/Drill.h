@@ -60,6 +60,13 @@ public:
         rest();
     }
 
+    /// Other figures of hardness from now on. The name stays behind: nothing is allocated.
+    void setHardness(const settings::HardnessPreset& preset) noexcept
+    {
+        m_preset.material = preset.material;
+        m_preset.axialShare = preset.axialShare;
+    }
+
     /// Cuts for `seconds` with the bur's tip at `anchor`, drawn towards `device` with `forceN` newtons.
     Cut cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::dvec3& device, double forceN,
             double seconds) noexcept;

@@ -17,7 +17,9 @@ namespace core::recording {
 
 using session::ServoEvent;
 
-inline constexpr std::uint32_t kFormatVersion = 5;
+inline constexpr std::uint32_t kFormatVersion = 6;
+/// What is read as well, and written where nothing in it is newer. 6 has ServoEvent::Kind::Number.
+inline constexpr std::uint32_t kOldestVersion = 5;
 inline constexpr std::size_t kChunkEvents = 4096;
 inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
 /// Of settings, lesson and events, unpacked.

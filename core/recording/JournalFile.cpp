@@ -222,10 +222,11 @@ Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, J
     if (in.takeBytes(kMagic.size()) != kMagic)
         return nothingIn(ErrorCode::WrongKind, "its file is not a journal of Cusp");
     const auto version = in.take<std::uint32_t>();
-    if (in.ok() && version != kFormatVersion)
+    if (in.ok() && (version < kOldestVersion || version > kFormatVersion))
         return nothingIn(version > kFormatVersion ? ErrorCode::NewerVersion : ErrorCode::WrongKind,
-                         "it is of version " + std::to_string(version) + ", this Cusp reads version " +
-                             std::to_string(kFormatVersion) + "; use the Cusp that made it");
+                         "it is of version " + std::to_string(version) + ", this Cusp reads versions " +
+                             std::to_string(kOldestVersion) + " to " + std::to_string(kFormatVersion) +
+                             "; use the Cusp that made it");
     const auto cutOff = [] {
         return nothingIn(ErrorCode::FileTruncated, "its file is damaged before the first thing that was done");
     };

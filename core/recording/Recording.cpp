@@ -50,6 +50,7 @@ Recording::Recording(session::ServoSettings settings, std::shared_ptr<const terr
 void Recording::append(const ServoEvent& event)
 {
     m_tail.push_back(event);
+    m_isRetuned = m_isRetuned || event.kind == ServoEvent::Kind::Number;
     if (isTick(event.kind)) {
         ++m_ticks;
         m_duration += std::chrono::microseconds(event.dtUs);
@@ -104,7 +105,7 @@ std::string Recording::toBytes() const
 {
     ByteWriter out;
     out.putAll(std::span(kMagic.data(), kMagic.size()));
-    out.put(kFormatVersion);
+    out.put(m_isRetuned ? kFormatVersion : kOldestVersion);
     putSection(out, Section::Settings, pack(settingsBytes(m_settings)));
     if (!m_lesson.empty())
         putSection(out, Section::Lesson, pack(m_lesson));
@@ -146,11 +147,11 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
         return unexpected(ErrorCode::NewerVersion, "The recording is of version " + std::to_string(version) +
                                                        ", this Cusp reads up to version " +
                                                        std::to_string(kFormatVersion) + "; open it with a newer Cusp.");
-    if (in.ok() && version < kFormatVersion)
+    if (in.ok() && version < kOldestVersion)
         return unexpected(ErrorCode::WrongKind, "The recording is of version " + std::to_string(version) +
-                                                    ", from an older Cusp; this one reads version " +
-                                                    std::to_string(kFormatVersion) +
-                                                    " only. Make the attempt again, or keep the Cusp that made it.");
+                                                    ", from an older Cusp; this one reads from version " +
+                                                    std::to_string(kOldestVersion) +
+                                                    " on. Make the attempt again, or keep the Cusp that made it.");
     std::optional<session::ServoSettings> settings;
     std::string lesson;
     std::shared_ptr<const terrain::ToothAnatomy> anatomy;

@@ -52,6 +52,8 @@ public:
     [[nodiscard]] std::uint64_t ticks() const { return m_ticks; }
     /// Sum of the steps of all ticks.
     [[nodiscard]] std::chrono::microseconds duration() const { return m_duration; }
+    /// Its settings were changed while the attempt went on: it is no longer made with the preset they name.
+    [[nodiscard]] bool isRetuned() const { return m_isRetuned; }
     [[nodiscard]] std::size_t packedBytes() const;
 
     [[nodiscard]] std::uint64_t events() const;
@@ -76,6 +78,7 @@ private:
     std::vector<std::string> m_chunks;  ///< packed
     std::vector<session::ServoEvent> m_tail;
     std::optional<Witness> m_witness;
+    bool m_isRetuned = false;
     std::uint64_t m_ticks = 0;
     std::chrono::microseconds m_duration{0};
 };

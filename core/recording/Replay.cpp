@@ -2,6 +2,7 @@
 #include "core/recording/Replay.h"
 
 #include "core/recording/Format.h"
+#include "core/session/ServoNumbers.h"
 
 namespace core::recording {
 
@@ -56,6 +57,10 @@ bool Replayer::play(const ServoEvent& event)
         break;
     case ServoEvent::Kind::Handpiece:
         m_servo->setHandpiece(static_cast<std::size_t>(event.value));
+        break;
+    case ServoEvent::Kind::Number:
+        if (const auto number = session::unpackNumber(event.value))
+            m_servo->setNumber(*number);
         break;
     case ServoEvent::Kind::Home:
         m_servo->bringHome();

@@ -163,6 +163,13 @@ struct SetHandpiece
 {
     std::uint8_t index = 0;  ///< into the attempt's handpieces (ServoSettings)
 };
+/// One of the numbers of the servo's settings (ServoNumbers.h) is this from now on, until a tooth is taken anew. Goes
+/// on the recording.
+struct SetNumber
+{
+    std::uint8_t index = 0;
+    float value = 0.0F;
+};
 /// Holds the hand within an outline from now on, or does not: until this comes again. Ownership goes to the session.
 struct SetFixture
 {
@@ -172,7 +179,7 @@ struct SetFixture
 struct BringHome
 {};
 using SessionCommand = std::variant<Undo, Redo, Reload, ReplaceTooth, SetBur, SetDrill, SetHandpiece, SetFixture,
-                                    BringHome, GoTo, ResumeAttempt, SetAids, AddNote>;
+                                    BringHome, GoTo, ResumeAttempt, SetAids, AddNote, SetNumber>;
 static_assert(std::is_trivially_copyable_v<SessionCommand>);
 
 /// Newest state of the session. Session thread writes, ui reads.

@@ -24,7 +24,7 @@ struct SwapTooth
     ServoTick* servo = nullptr;  ///< anew, owned: what computes from now on; null: as before
 };
 /// Session to servo.
-using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, SetHandpiece, SetFixture, BringHome>;
+using ServoCommand = std::variant<SwapTooth, SetBur, SetDrill, SetHandpiece, SetFixture, BringHome, SetNumber>;
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
 /// One thing that happened to the servo, or to the student while it worked, in the order in which it happened: what a
@@ -43,6 +43,7 @@ struct ServoEvent
         Note,       ///< value: what the ui wants remembered of this moment. Nothing to the servo
         Resume,     ///< taken up again after the program had ended: with a new servo, on the tooth as it stands
         Handpiece,  ///< value: index into the settings' handpieces
+        Number,     ///< value: a number of the settings from now on (ServoNumbers.h, packed)
         Begin,      ///< a new tooth; value: its generation. Ends the recording before it
     };
     Kind kind = Kind::Tick;

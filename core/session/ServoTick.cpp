@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/drilling/BreakOff.h"
+#include "core/session/ServoNumbers.h"
 
 namespace core::session {
 namespace {
@@ -66,9 +67,9 @@ bool isPlausible(const glm::vec3& device)
 }  // namespace
 
 ServoTick::ServoTick(std::unique_ptr<contact::ContactMethod> method, ServoSettings settings)
-    : m_settings(std::move(settings)), m_method(std::move(method)), m_force(m_settings.force),
-      m_workArea(m_settings.force.workAreaMm), m_vibration(m_settings.force.vibrationN),
-      m_drill(m_settings.hardness, m_settings.handpieces.front())
+    : m_settings(std::move(settings)), m_firstForce(m_settings.force), m_firstHardness(m_settings.hardness),
+      m_method(std::move(method)), m_force(m_settings.force), m_workArea(m_settings.force.workAreaMm),
+      m_vibration(m_settings.force.vibrationN), m_drill(m_settings.hardness, m_settings.handpieces.front())
 {}
 
 Result<std::unique_ptr<ServoTick>> makeServoTick(const ServoSettings& settings)
@@ -100,6 +101,10 @@ contact::LiveTooth* ServoTick::swapTooth(contact::LiveTooth* tooth, bool anew, s
     m_drill.rest();
     m_groundIsNew = !anew;
     if (anew) {
+        m_settings.force = m_firstForce;
+        m_settings.hardness.material = m_firstHardness.material;
+        m_settings.hardness.axialShare = m_firstHardness.axialShare;
+        takeNumbers();
         const ServoState before = m_state;
         m_state = ServoState{};
         m_state.tick = tick;
@@ -131,6 +136,18 @@ void ServoTick::setHandpiece(std::size_t index) noexcept
         return;
     m_state.handpieceIndex = static_cast<std::uint8_t>(index);
     m_drill.setHandpiece(m_settings.handpieces[index]);
+}
+
+void ServoTick::setNumber(const SetNumber& number) noexcept
+{
+    setServoNumber(m_settings, number);
+    takeNumbers();
+}
+
+void ServoTick::takeNumbers() noexcept
+{
+    m_drill.setHardness(m_settings.hardness);
+    m_force.setSettings(m_settings.force);
 }
 
 void ServoTick::beginAs(const ServoState& left) noexcept

@@ -53,6 +53,9 @@ public:
     /// The spring from now on as per cent of the settings: what a loop with more delay still holds.
     void setSpring(std::uint64_t percent) noexcept { m_force.setShare(0.01 * static_cast<double>(percent)); }
 
+    /// One of the settings' numbers (ServoNumbers.h) from now on; nothing where it may not be that.
+    void setNumber(const SetNumber& number) noexcept;
+
     /// Leads the hand home over the tooth, if the device has a work area (contact::WorkArea).
     void bringHome() noexcept { m_workArea.bringHome(); }
 
@@ -75,8 +78,11 @@ private:
     void letGo() noexcept;
     [[nodiscard]] glm::dvec3 around(const glm::dvec3& contactN, double seconds) noexcept;
     void describe() noexcept;
+    void takeNumbers() noexcept;
 
     ServoSettings m_settings;
+    contact::ForceSettings m_firstForce;       ///< before setNumber(): every tooth taken anew begins with it
+    settings::HardnessPreset m_firstHardness;  ///< the same
     std::unique_ptr<contact::ContactMethod> m_method;
     contact::ForceLaw m_force;
     contact::WorkArea m_workArea;

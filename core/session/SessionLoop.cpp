@@ -276,6 +276,11 @@ void SessionLoop::apply(const SetHandpiece& handpiece)
     static_cast<void>(m_servo.commands.tryPush(handpiece));
 }
 
+void SessionLoop::apply(const SetNumber& number)
+{
+    static_cast<void>(m_servo.commands.tryPush(number));
+}
+
 void SessionLoop::apply(const SetFixture& fixture)
 {
     static_cast<void>(m_servo.commands.tryPush(fixture));

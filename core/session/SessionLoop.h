@@ -88,6 +88,7 @@ private:
     void apply(const SetHandpiece& handpiece);
     void apply(const SetFixture& fixture);
     void apply(const BringHome& home);
+    void apply(const SetNumber& number);
     void apply(const GoTo& where);
     void step(const std::function<bool()>& go);
     void rememberUnfinished();

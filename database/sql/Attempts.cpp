@@ -7,6 +7,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QSqlError>
 
 #include "core/base/Bytes.h"
 #include "database/Passwords.h"
@@ -93,6 +94,44 @@ AttemptRecord recordOf(const QSqlQuery& row)
     return record;
 }
 
+const QString kInsert = QStringLiteral(
+    "INSERT INTO attempts (uid, person_id, finished_utc, tooth, lesson_id, lesson_hash, rubric_hash, score_tenths, "
+    "passed, expected_tenths, duration_ms, criteria_json, state_hash, recording_hash, device, method, grid, "
+    "view_mode, seed, preset, preset_hash, program, mean_force_mn, peak_force_mn, pass_mark_tenths) VALUES (?, ?, "
+    "?, ?, ?, ?, ?, ?, "
+    "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING RETURNING id");
+const QString kInsertSheet = QStringLiteral("INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)");
+
+/// Of kInsert.
+QVariantList valuesOf(const AttemptRecord& kept, PersonId person)
+{
+    return {text(kept.uid),
+            number(person.value),
+            text(kept.finishedUtc),
+            text(kept.tooth),
+            text(kept.lessonId),
+            text(kept.lessonHash),
+            text(kept.rubricHash),
+            kept.scoreTenths,
+            kept.passed ? 1 : 0,
+            tenthsOr(kept.expectedTenths),
+            number(kept.durationMs),
+            text(criteriaJson(kept.criteria)),
+            text(kept.stateHash),
+            text(kept.recordingHash),
+            text(kept.device),
+            text(kept.method),
+            kept.grid,
+            text(kept.viewMode),
+            text(kept.seed),
+            text(kept.preset),
+            text(kept.presetHash),
+            text(kept.program),
+            kept.meanForceMn,
+            kept.peakForceMn,
+            kept.passMarkTenths};
+}
+
 /// What a lesson's standing says after one more attempt.
 core::Status countIn(const School& school, PersonId person, const AttemptRecord& attempt)
 {
@@ -122,39 +161,7 @@ core::Result<AttemptId> insert(const School& school, PersonId person, const std:
             return tl::unexpected(hash.error());
         kept.recordingHash = *hash;
     }
-    auto added = ask(
-        school.db,
-        "INSERT INTO attempts (uid, person_id, finished_utc, tooth, lesson_id, lesson_hash, rubric_hash, score_tenths, "
-        "passed, expected_tenths, duration_ms, criteria_json, state_hash, recording_hash, device, method, grid, "
-        "view_mode, seed, preset, preset_hash, program, mean_force_mn, peak_force_mn, pass_mark_tenths) VALUES (?, ?, "
-        "?, ?, ?, ?, ?, ?, "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING RETURNING id",
-        kAdd,
-        {text(kept.uid),
-         number(person.value),
-         text(kept.finishedUtc),
-         text(kept.tooth),
-         text(kept.lessonId),
-         text(kept.lessonHash),
-         text(kept.rubricHash),
-         kept.scoreTenths,
-         kept.passed ? 1 : 0,
-         tenthsOr(kept.expectedTenths),
-         number(kept.durationMs),
-         text(criteriaJson(kept.criteria)),
-         text(kept.stateHash),
-         text(kept.recordingHash),
-         text(kept.device),
-         text(kept.method),
-         kept.grid,
-         text(kept.viewMode),
-         text(kept.seed),
-         text(kept.preset),
-         text(kept.presetHash),
-         text(kept.program),
-         kept.meanForceMn,
-         kept.peakForceMn,
-         kept.passMarkTenths});
+    auto added = ask(school.db, kInsert, kAdd, valuesOf(kept, person));
     if (!added)
         return tl::unexpected(added.error());
     if (added->isNull()) {
@@ -167,9 +174,7 @@ core::Result<AttemptId> insert(const School& school, PersonId person, const std:
         return AttemptId{known->toLongLong()};
     }
     const AttemptId id{added->toLongLong()};
-    if (auto put = execute(school.db, "INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)", kAdd,
-                           {number(id.value), text(kept.scoreSheetJson)});
-        !put)
+    if (auto put = execute(school.db, kInsertSheet, kAdd, {number(id.value), text(kept.scoreSheetJson)}); !put)
         return tl::unexpected(put.error());
     if (auto counted = countIn(school, person, kept); !counted)
         return tl::unexpected(counted.error());
@@ -262,6 +267,22 @@ std::string digestOfAttempt(const AttemptRecord& attempt)
     return digestOf(bytes.bytes());
 }
 
+core::Status forEachAttempt(const QSqlDatabase& db,
+                            const std::function<void(const AttemptRecord& attempt, const std::string& noted)>& take)
+{
+    return forEach(db,
+                   "SELECT " + kColumns +
+                       ", COALESCE(s.json, ''), p.uid, COALESCE(u.detail, '') FROM attempts a JOIN people p ON p.id = "
+                       "a.person_id LEFT JOIN score_sheets s ON s.attempt_id = a.id LEFT JOIN audit u ON u.object = "
+                       "'attempt:' || a.uid AND u.action = 'attempt.add' ORDER BY a.id",
+                   kRead, {}, [&](const QSqlQuery& row) {
+                       AttemptRecord record = recordOf(row);
+                       record.scoreSheetJson = textOf(row, 27);
+                       record.personUid = textOf(row, 28);
+                       take(record, textOf(row, 29));
+                   });
+}
+
 core::Result<AttemptId> addAttempt(const School& school, const Session& session, const AttemptRecord& attempt,
                                    const QByteArray& recording)
 {
@@ -273,6 +294,36 @@ core::Result<AttemptId> addAttempt(const School& school, const Session& session,
     own.personUid = session.uid();
     return inTransaction(school.db, kAdd,
                          [&] { return insert(school, session.person(), session.uid(), own, recording); });
+}
+
+core::Status AttemptWriter::add(const AttemptRecord& record)
+{
+    const auto prepare = [this](std::optional<QSqlQuery>& query, const QString& sql) {
+        if (query)
+            return true;
+        query.emplace(m_school.db);
+        query->setForwardOnly(true);
+        return query->prepare(sql);
+    };
+    const auto failed = [this](const std::optional<QSqlQuery>& query) {
+        return tl::unexpected(dialect::error(m_school.db, query->lastError(), kAdd));
+    };
+    if (!prepare(m_attempt, kInsert))
+        return failed(m_attempt);
+    if (!prepare(m_sheet, kInsertSheet))
+        return failed(m_sheet);
+    const QVariantList values = valuesOf(record, record.person);
+    for (qsizetype k = 0; k < values.size(); ++k)
+        m_attempt->bindValue(static_cast<int>(k), values[k]);
+    if (!m_attempt->exec() || !m_attempt->next())
+        return failed(m_attempt);
+    m_sheet->bindValue(0, m_attempt->value(0));
+    m_sheet->bindValue(1, text(record.scoreSheetJson));
+    m_attempt->finish();
+    if (!m_sheet->exec())
+        return failed(m_sheet);
+    return m_audit.note(record.personUid, "attempt.add", "attempt:" + record.uid,
+                        {{"digest", QString::fromStdString(digestOfAttempt(record))}});
 }
 
 core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt, const QByteArray& recording)

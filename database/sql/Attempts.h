@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <QByteArray>
 
 #include "database/records.h"
+#include "database/sql/Audit.h"
 #include "database/sql/School.h"
 
 namespace database::sql {
@@ -17,6 +19,23 @@ namespace database::sql {
 /// once: one with a uid that is kept already is that one, and its id is returned.
 [[nodiscard]] core::Result<AttemptId> addAttempt(const School& school, const Session& session,
                                                  const AttemptRecord& attempt, const QByteArray& recording);
+
+/// Keeps many attempts of people inside one transaction, without counting standings: for a school that is made up.
+class AttemptWriter
+{
+public:
+    /// @param school  outlives the writer
+    explicit AttemptWriter(const School& school) : m_audit(school), m_school(school) {}
+    /// Of record.person, whose uid is record.personUid.
+    [[nodiscard]] core::Status add(const AttemptRecord& record);
+    [[nodiscard]] core::Status seal() { return m_audit.seal(); }
+
+private:
+    AuditBatch m_audit;
+    const School& m_school;
+    std::optional<QSqlQuery> m_attempt;
+    std::optional<QSqlQuery> m_sheet;
+};
 
 /// The same for one that waited in this station's outbox, which vouches for whose it is: record.personUid. He may have
 /// logged out, or been disabled, meanwhile.
@@ -71,6 +90,12 @@ struct NewComment
 };
 [[nodiscard]] core::Result<std::int64_t> addComment(const School& school, const Session& session, AttemptId id,
                                                     const NewComment& comment);
+
+/// Every attempt of a person, with its score sheet, and what the audit noted when it was kept (JSON; empty: nothing).
+/// For who checks or copies the database; asks nobody's leave.
+[[nodiscard]] core::Status
+forEachAttempt(const QSqlDatabase& db,
+               const std::function<void(const AttemptRecord& attempt, const std::string& noted)>& take);
 
 /// What the audit says of an attempt when it is kept: a hash of everything in it that never changes.
 [[nodiscard]] std::string digestOfAttempt(const AttemptRecord& attempt);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QJsonDocument>
+#include <QSqlError>
 
 #include "core/base/Bytes.h"
 #include "database/Passwords.h"
@@ -15,6 +16,7 @@
 namespace database::sql {
 namespace {
 
+const std::string kNote = "note it in the audit";
 constexpr std::size_t kCodeDigits = 12;
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 
@@ -195,36 +197,69 @@ std::string AuditHead::code() const
     return seq == 0 ? std::string("0") : std::to_string(seq) + '-' + hash.substr(0, kCodeDigits);
 }
 
-core::Status note(const School& school, const std::string& actor, const std::string& action, const std::string& object,
-                  const QJsonObject& detail)
+core::Status AuditBatch::begin()
 {
-    const std::string doing = "note it in the audit";
-    auto head = run(school.db, "SELECT seq, hash FROM audit_seal WHERE id = 1" + dialect::forUpdate(school.db), doing);
-    if (!head)
-        return tl::unexpected(head.error());
-    if (!head->next())
-        return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(school.db) +
+    bool isThere = false;
+    if (auto read = forEach(
+            m_school.db, "SELECT seq, hash FROM audit_seal WHERE id = 1" + dialect::forUpdate(m_school.db), kNote, {},
+            [&](const QSqlQuery& row) {
+                m_seq = row.value(0).toLongLong();
+                m_hash = textOf(row, 1);
+                isThere = true;
+            });
+        !read)
+        return read;
+    if (!isThere)
+        return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(m_school.db) +
                                                                    ": the head of its audit is missing; restore a "
                                                                    "backup of it");
+    m_insert.emplace(m_school.db);
+    if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
+        return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
+    return {};
+}
+
+core::Status AuditBatch::note(const std::string& actor, const std::string& action, const std::string& object,
+                              const QJsonObject& detail)
+{
+    if (!m_insert)
+        if (auto begun = begin(); !begun)
+            return begun;
     AuditRow row;
-    row.seq = head->value(0).toLongLong() + 1;
-    row.atUtc = school.now();
+    row.seq = m_seq + 1;
+    row.atUtc = m_school.now();
     row.actor = actor;
     row.action = action;
     row.object = object;
     row.detail = QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString();
-    row.hash = hashOf(row, textOf(*head, 1));
-    head->finish();
-    const qlonglong seq = row.seq;
-    if (auto added = execute(school.db,
-                             QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns), doing,
-                             {seq, text(row.atUtc), text(row.actor), text(row.action), text(row.object),
-                              text(row.detail), text(row.hash)});
-        !added)
-        return added;
-    return execute(
-        school.db, "UPDATE audit_seal SET seq = ?, hash = ?, signature = ?, station_key = ? WHERE id = 1", doing,
-        {seq, text(row.hash), text(school.key.sign(wordsOf({row.seq, row.hash}))), text(school.key.publicHex())});
+    row.hash = hashOf(row, m_hash);
+    int place = 0;
+    m_insert->bindValue(place++, static_cast<qlonglong>(row.seq));
+    for (const std::string* part : {&row.atUtc, &row.actor, &row.action, &row.object, &row.detail, &row.hash})
+        m_insert->bindValue(place++, text(*part));
+    if (!m_insert->exec())
+        return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
+    m_seq = row.seq;
+    m_hash = row.hash;
+    return {};
+}
+
+core::Status AuditBatch::seal()
+{
+    m_insert.reset();
+    return execute(m_school.db, "UPDATE audit_seal SET seq = ?, hash = ?, signature = ?, station_key = ? WHERE id = 1",
+                   kNote,
+                   {static_cast<qlonglong>(m_seq), text(m_hash), text(m_school.key.sign(wordsOf({m_seq, m_hash}))),
+                    text(m_school.key.publicHex())});
+}
+
+core::Status note(const School& school, const std::string& actor, const std::string& action, const std::string& object,
+                  const QJsonObject& detail)
+{
+    AuditBatch batch(school);
+    if (auto noted = batch.note(actor, action, object, detail); !noted)
+        return noted;
+    return batch.seal();
 }
 
 core::Result<AuditHead> auditHead(const School& school)

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <QJsonObject>
+#include <QSqlQuery>
 
 #include "core/base/Result.h"
 #include "database/sql/School.h"
@@ -30,6 +32,26 @@ struct AuditRow
 
 /// BLAKE2b-256 over the hash of the row before and all of this row but its hash, each part with its length.
 [[nodiscard]] std::string hashOf(const AuditRow& row, const std::string& hashBefore);
+
+/// Adds rows inside one transaction, and signs the last: for many at once.
+class AuditBatch
+{
+public:
+    /// @param school  outlives the batch
+    explicit AuditBatch(const School& school) : m_school(school) {}
+    /// As note().
+    [[nodiscard]] core::Status note(const std::string& actor, const std::string& action, const std::string& object,
+                                    const QJsonObject& detail = {});
+    [[nodiscard]] core::Status seal();
+
+private:
+    [[nodiscard]] core::Status begin();
+
+    const School& m_school;
+    std::optional<QSqlQuery> m_insert;
+    std::int64_t m_seq = 0;
+    std::string m_hash;
+};
 
 /// Adds a row, inside the transaction of what it tells of: they are kept together or not at all.
 [[nodiscard]] core::Status note(const School& school, const std::string& actor, const std::string& action,

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drilling/Feed.h"
 #include "core/session/ServoTick.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticTooth.h"
@@ -79,6 +80,8 @@ private slots:
     void cutsInFromTheSideWithoutAJump();
     void drillOffRemovesNothing();
     void heightsOnlyGoDown();
+    void feedIsThatOfAFlatBur_data();
+    void feedIsThatOfAFlatBur();
     void badPresetIsRefused();
 };
 
@@ -436,6 +439,27 @@ void TestDrill::heightsOnlyGoDown()
         }
     }
     QVERIFY(bench.servo->state().removedMm3[kDentin] > 0.0);
+}
+
+void TestDrill::feedIsThatOfAFlatBur_data()
+{
+    QTest::addColumn<double>("newtons");
+    for (const double newtons : {0.3, 0.6, 1.0, 1.5})
+        QTest::addRow("%g N", newtons) << newtons;
+}
+
+/// What the page of presets draws is what the drill does: a straight fissure bur sinks into enamel.
+void TestDrill::feedIsThatOfAFlatBur()
+{
+    QFETCH(double, newtons);
+    const drilling::Bur& bur = drilling::burs()[drilling::findBur("57").value()];
+    const double seconds = 1.0;
+    const settings::HardnessPreset preset;
+    const double told =
+        drilling::feedMmPerS(preset.material[kEnamel], preset.axialShare, settings::Handpiece{}, bur, newtons);
+    const double sunk =
+        plunge({}, "57", newtons, seconds) / (std::numbers::pi * bur.headRadiusMm * bur.headRadiusMm) / seconds;
+    QVERIFY2(std::abs(sunk / told - 1.0) < 0.05, qPrintable(QString("%1 and %2 mm/s").arg(sunk).arg(told)));
 }
 
 void TestDrill::badPresetIsRefused()

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 #include "core/session/JournalLoop.h"
 #include "tests/fuzz/ExerciseJournal.h"
@@ -315,7 +316,7 @@ void TestJournal::strangersAreRefused_data()
     QByteArray newer = good;
     newer[8] = static_cast<char>(good[8] + 1);
     QByteArray older = good;
-    older[8] = static_cast<char>(good[8] - 1);
+    older[8] = static_cast<char>(recording::kOldestVersion - 1);
     QTest::newRow("empty") << QByteArray() << code(ErrorCode::WrongKind);
     QTest::newRow("text") << QByteArray("Once upon a time there was a tooth.") << code(ErrorCode::WrongKind);
     QTest::newRow("a recording") << QByteArray::fromStdString(Recording({}, block()).toBytes())

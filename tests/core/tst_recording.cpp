@@ -14,6 +14,7 @@
 #include "core/base/Bytes.h"
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
+#include "core/session/ServoNumbers.h"
 #include "tests/fuzz/ExerciseRecording.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Rig.h"
@@ -130,6 +131,7 @@ private slots:
     void refusesStrangers();
     void refusesBombs_data();
     void refusesBombs();
+    void onlyAChangedFeelNeedsTheNewVersion();
     void refusesUnknownBurHandpieceAndAid();
     void refusesUndoIntoTheFuture();
     void refusesMoreUndoThanAnyoneMakes();
@@ -324,7 +326,7 @@ void TestRecording::refusesStrangers_data()
     zero[8] = 0;
     QTest::newRow("version 0") << zero << code(ErrorCode::WrongKind);
     QByteArray older = good;
-    older[8] = static_cast<char>(recording::kFormatVersion - 1);
+    older[8] = static_cast<char>(recording::kOldestVersion - 1);
     QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
     QByteArray lie = good;
     lie.replace(int(kFileHeaderBytes) + 4, 8, QByteArray(8, '\xFF'));
@@ -386,6 +388,34 @@ void TestRecording::refusesBombs()
     const auto read = Recording::fromBytes(bytes);
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::BadStructure);
+}
+
+/// Older programs go on reading what they know; what they do not is said to be newer, not damaged.
+void TestRecording::onlyAChangedFeelNeedsTheNewVersion()
+{
+    Recording made = shortAttempt();
+    const std::string plain = made.toBytes();
+    QCOMPARE(plain[8], static_cast<char>(recording::kOldestVersion));
+    std::string called = plain;
+    called[8] = static_cast<char>(recording::kFormatVersion);
+    QVERIFY(Recording::fromBytes(called));
+    ServoEvent number{ServoEvent::Kind::Number, 0, glm::vec3(0.0F), session::packNumber({9, 1.5F})};
+    made.append(number);
+    const std::string changed = made.toBytes();
+    QCOMPARE(changed[8], static_cast<char>(recording::kFormatVersion));
+    const auto read = Recording::fromBytes(changed);
+    QVERIFY2(read, read ? "" : read.error().detail.c_str());
+    QVERIFY(read->isRetuned());
+    QCOMPARE(eventsOf(*read), eventsOf(made));
+    for (const std::uint64_t bad : {std::uint64_t{session::kServoNumbers} << 32U, session::packNumber({9, 1.0e9F}),
+                                    session::packNumber({0, -1.0F}), ~std::uint64_t{0}}) {
+        Recording wrong = shortAttempt();
+        number.value = bad;
+        wrong.append(number);
+        const auto refused = Recording::fromBytes(wrong.toBytes());
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::BadStructure);
+    }
 }
 
 void TestRecording::refusesUnknownBurHandpieceAndAid()

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/recording/Replay.h"
+#include "core/session/ServoNumbers.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
@@ -78,6 +79,7 @@ class TestReplay : public QObject
 {
     Q_OBJECT
 private slots:
+    void changesOfFeel();
     void plainDrilling_data();
     void plainDrilling();
     void everythingElseThatHappens();
@@ -119,6 +121,31 @@ void TestReplay::plainDrilling()
     }
     QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
     compareWithLive(rig);
+}
+
+/// Enamel grows softer and the spring stiffer in mid-stroke: the replay feels it at the same tick.
+void TestReplay::changesOfFeel()
+{
+    support::Rig rig;
+    rig.open(layeredTooth(64));
+    rig.send(session::SetDrill{true});
+    rig.lean(0.0, 0.0, 1.0, 100);
+    const double before = removedMm3(rig);
+    const session::ServoNumbers was = session::numbersOf({});
+    for (std::size_t k = 0; k < session::kServoNumbers; ++k)
+        rig.send(session::SetNumber{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
+    rig.send(session::SetNumber{2, 20.0F});  // the rate of enamel
+    rig.send(session::SetNumber{2, std::nanf("")});
+    rig.send(session::SetNumber{99, 1.0F});
+    rig.lean(0.0, 0.0, 1.0, 100);
+    QVERIFY(removedMm3(rig) > 4.0 * before);
+    compareWithLive(rig);
+    const Recording made = rig.session->recordingSoFar().value();
+    QVERIFY(made.isRetuned());
+    int told = 0;
+    made.forEach(
+        [&](const session::ServoEvent& event) { told += event.kind == session::ServoEvent::Kind::Number ? 1 : 0; });
+    QCOMPARE(told, static_cast<int>(session::kServoNumbers) + 1);  // what is no number is not told
 }
 
 void TestReplay::everythingElseThatHappens()
@@ -262,6 +289,12 @@ void TestReplay::stormOfCommands()
                 rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
                                                session::makeServoTick(other).value().release()});
             }
+            break;
+        case 11:
+        case 12:
+            // Whatever the console can ask for, and what it cannot.
+            rig.send(session::SetNumber{static_cast<std::uint8_t>(rng.below(session::kServoNumbers + 2)),
+                                        static_cast<float>(rng.below(400)) * 0.01F});
             break;
         default:
             break;

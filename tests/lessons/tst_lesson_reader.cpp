@@ -135,7 +135,7 @@ void TestLessonReader::readsEveryKey()
     soft.name = "soft";
     soft.material[2] = {4.0, 0.2};
     soft.axialShare = 0.5;
-    QCOMPARE(got.hardness, soft);
+    QVERIFY(got.hardness == soft);
     QVERIFY(got.breakOff);
     QCOMPARE(inLanguage(got.steps.at(0).hint, "en"), std::string("Closer."));
     QCOMPARE(got.minutes, 12.5);
@@ -153,7 +153,7 @@ void TestLessonReader::everyShippedLessonIsSoundAndHasItsDecay()
         QVERIFY2(entry.read.faults.empty(), qPrintable(sentences(entry.read)));
         const Lesson& shipped = *entry.read.lesson;
         for (const LocalText* text : {&shipped.title, &shipped.goal})
-            QVERIFY2(text->contains("en") && text->contains("de"), shipped.id.c_str());
+            QVERIFY2(text->contains("en") && text->contains("de") && text->contains("es"), shipped.id.c_str());
         if (shipped.task != Task::RemoveDecay)
             continue;
         if (!support::isTried(decays++))
@@ -210,6 +210,8 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("an unknown aid", "aids", "[\"x-ray\"]", "aids: \"x-ray\" is no aid");
     row("a handpiece unheard of", "handpieces", "[\"laser\"]", "handpieces: There is no handpiece 'laser'");
     row("a hardness unheard of", "hardness", "\"stone\"", "hardness: There is no hardness preset 'stone'");
+    row("caries unheard of", "caries", "\"hard\"", "caries: \"hard\" is not known; there are soft, firm");
+    row("plastic in words", "plastic", "\"yes\"", "plastic: is a text; write true or false");
     row("a hardness like none", "hardness", R"({"name": "x", "like": "stone"})",
         "hardness.like: There is no hardness preset 'stone'");
     row("a hardness without a name", "hardness", "{\"axial_share\": 0.5}", "hardness.name: is missing");

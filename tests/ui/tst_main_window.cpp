@@ -41,10 +41,14 @@
 #include "lessons/Rubric.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
+#include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/presets/PresetsPage.h"
+#include "ui/presets/TrialCard.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/replay/TimeLine.h"
+#include "ui/settings/SettingsPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/BusyCard.h"
@@ -125,6 +129,8 @@ private slots:
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void spaceOnAFocusedButtonPressesIt();
+    void theConsoleTakesKeysAndLeavesTheView();
+    void presetsAndSettingsHavePages();
 
     void figuresComeFromTheLoops();
     void dentinOverThePulpIsTold();
@@ -1215,7 +1221,7 @@ void TestMainWindow::helpListsEveryAction()
     for (const QLabel* label : help->findChildren<QLabel*>())
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
-        QVERIFY2(words.contains(group.title), qPrintable(group.title));
+        QVERIFY2(words.contains(group.title()), qPrintable(group.title()));
         QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
@@ -1261,6 +1267,44 @@ void TestMainWindow::spaceOnAFocusedButtonPressesIt()
     press(Qt::Key_Space);
     QCOMPARE(asked.size(), 1);
     QVERIFY2(sent().isEmpty(), "the drill did not start");
+}
+
+void TestMainWindow::theConsoleTakesKeysAndLeavesTheView()
+{
+    auto* console = child<ui::console::Console>();
+    QVERIFY(!console->isVisible());
+    press(Qt::Key_F10);
+    QTRY_VERIFY(console->isVisible());
+    QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("consoleLine"));
+    static_cast<void>(sent());
+    QTest::keyClicks(QApplication::focusWidget(), "d1r ");  // which would drill, take a bur and begin again
+    QVERIFY(sent().isEmpty());
+    QCOMPARE(child<QLineEdit>("consoleLine")->text(), QString("d1r "));
+    // The mouse drills beneath it.
+    auto& view = m_window->view();
+    const QPoint below(view.width() / 2, view.height() * 3 / 4);
+    QVERIFY(!console->geometry().contains(view.mapTo(console->parentWidget(), below)));
+    press(Qt::Key_QuoteLeft);
+    QTRY_VERIFY(!console->isVisible());
+    QCOMPARE(child<QLineEdit>("consoleLine")->text(), QString("d1r "));
+    press(Qt::Key_QuoteLeft);
+    QTRY_VERIFY(console->isVisible());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(!console->isVisible());
+}
+
+void TestMainWindow::presetsAndSettingsHavePages()
+{
+    QSignalSpy asked(m_window.get(), &MainWindow::presetsWanted);
+    press(Qt::Key_F7);
+    QTRY_VERIFY(child<ui::presets::PresetsPage>()->isVisible());
+    QCOMPARE(asked.size(), 1);
+    QVERIFY(!actions().console->isEnabled());
+    press(Qt::Key_Escape);
+    press(Qt::Key_Comma, Qt::ControlModifier);
+    QTRY_VERIFY(child<ui::settings::SettingsPage>()->isVisible());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(child<PracticeRoom>()->isVisible());
 }
 
 void TestMainWindow::figuresComeFromTheLoops()
@@ -2536,7 +2580,7 @@ void TestMainWindow::nothingIsClipped_data()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    for (const QString language : {"en", "de"})
+    for (const QString language : {"en", "de", "es"})
         for (const QSize size :
              {QSize(800, 460), QSize(853, 533), QSize(960, 600), QSize(1016, 552), QSize(1280, 760), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
@@ -2626,6 +2670,31 @@ void TestMainWindow::nothingIsClipped()
     window.setReplaying(false);
     a->help->trigger();
     check("help");
+    a->back->trigger();
+    a->console->trigger();
+    window.findChild<ui::console::Console*>()->execute("list");
+    check("console");
+    a->console->trigger();
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    emit window.findChild<ui::presets::PresetsPage*>()->tryWanted(preset);
+    window.beginTrial();
+    check("trial");
+    emit window.findChild<ui::presets::PresetsPage*>()->compareWanted(preset, preset, 2);
+    window.beginTrial();
+    check("blind");
+    window.findChild<QPushButton*>("trialSaysA")->click();
+    window.findChild<QPushButton*>("trialSaysA")->click();
+    check("compared");
+    window.findChild<ui::presets::TrialCard*>()->hide();
+    window.setPresets({{{}, preset, {}}}, preset);
+    a->presets->trigger();
+    check("presets");
+    window.findChild<QPushButton*>("presetExpert")->click();
+    window.showPresetFault("Not imported: a.cusppreset: enamel.rate_mm3_per_ns: is -1, it must lie between 0 and 100");
+    check("numbers");
+    a->back->trigger();
+    a->settings->trigger();
+    check("settings");
     a->back->trigger();
     a->chooseTooth->trigger();
     check("teeth");

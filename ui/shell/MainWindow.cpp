@@ -21,6 +21,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSaveFile>
 #include <QScreen>
 #include <QStackedWidget>
@@ -30,10 +31,16 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
+#include "ui/console/Console.h"
+#include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/presets/PresetWords.h"
+#include "ui/presets/PresetsPage.h"
+#include "ui/presets/TrialCard.h"
 #include "ui/replay/ReplayBar.h"
+#include "ui/settings/SettingsPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
@@ -54,6 +61,7 @@
 #include "ui/study/LessonWords.h"
 #include "ui/study/Limit.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -65,6 +73,7 @@ constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kSessionMs = 100;
 constexpr int kQuestionIconPx = 36;
+constexpr int kConsolePx = 260;
 constexpr QSize kFirstSize{1280, 800};
 /// Every page works in it. It fits a screen of 1280 x 800 that is enlarged by half.
 constexpr QSize kSmallest{800, 460};
@@ -123,12 +132,14 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
       m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
+      m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
+      m_watch(new console::WatchPanel(m_parameters, m_room)),
+      m_console(new console::Console(m_parameters, *m_watch, m_room)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
       m_infractionCard(new study::InfractionCard(m_room)),
       m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
 {
-    setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
     setMinimumSize(kSmallest);
     resize(firstSize(screen()->availableSize()));
@@ -137,8 +148,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
-          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login)})
+          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_presets)})
         m_pages->addWidget(page);
+    registerParameters();
+    m_settingsPage = new settings::SettingsPage(*m_actions, m_parameters, m_pages);
+    m_pages->addWidget(m_settingsPage);
     m_actions->burs.front()->setChecked(true);
     m_actions->bringHome->setVisible(false);
     m_actions->mouth->setVisible(m_view->isUsable());
@@ -147,6 +161,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectView();
     connectReplay();
     connectDoor();
+    connectPresets();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -195,8 +210,26 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     pulse->start(kSessionMs);
     qApp->installEventFilter(this);
     recallLayout();
+    text::inEveryLanguage(this, [this] { speak(); });
     m_room->setHintVisible(m_view->isUsable());
     goTo(m_room);
+}
+
+/// What the pages cannot know themselves.
+void MainWindow::speak()
+{
+    setAids(m_aids);
+    markExercise();
+    if (m_tooth == nullptr) {
+        setWindowTitle(tr("Cusp"));
+        return;
+    }
+    sayTooth();
+    if (m_pages->currentWidget() == m_scorePage)
+        m_scorePage->setWork(workTitle());
+    if (m_pages->currentWidget() == m_forecast)
+        m_forecast->setWork(workTitle());
+    placeOverlays();
 }
 
 /// As it was left. What a lesson locks is not asked: it comes with the lesson.
@@ -401,6 +434,193 @@ void MainWindow::setUnreachable(const std::optional<core::Error>& error)
     m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) : QString());
 }
 
+void MainWindow::connectPresets()
+{
+    connect(m_actions->presets, &QAction::triggered, this, [this] {
+        emit presetsWanted();
+        goTo(m_presets);
+    });
+    using presets::PresetsPage;
+    using presets::TrialCard;
+    connect(m_presets, &PresetsPage::saveWanted, this, &MainWindow::presetSaveWanted);
+    connect(m_presets, &PresetsPage::useWanted, this, &MainWindow::presetUseWanted);
+    connect(m_presets, &PresetsPage::importWanted, this, [this] {
+        askForFile(tr("Import a hardness preset"), FileKind::Preset,
+                   [this](const QString& path) { emit presetImportWanted(path); });
+    });
+    connect(m_presets, &PresetsPage::exportWanted, this, [this](const core::settings::FeelPreset& preset) {
+        askForFile(
+            tr("Export the hardness preset"), FileKind::Preset,
+            [this, preset](const QString& path) { emit presetExportWanted(preset, path); },
+            QStringLiteral("%1-v%2.%3")
+                .arg(QString::fromStdString(preset.name).replace(u'/', u'-'))
+                .arg(preset.version)
+                .arg(QLatin1String(lessons::kPresetSuffix)));
+    });
+    connect(m_presets, &PresetsPage::tryWanted, this, [this](const core::settings::FeelPreset& preset) {
+        leaveWork([this, preset] {
+            m_blindTrial.reset();
+            m_triedPreset = preset;
+            emit presetTrialWanted(preset);
+        });
+    });
+    connect(m_presets, &PresetsPage::compareWanted, this,
+            [this](const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials) {
+                leaveWork([this, first, second, trials] {
+                    m_blindTrial.emplace(first, second, trials, QRandomGenerator::global()->generate64());
+                    m_triedPreset.reset();
+                    emit presetTrialWanted(first);
+                });
+            });
+    connect(m_trialCard, &TrialCard::felt, this, [this](const core::settings::FeelPreset& preset) {
+        m_feel = preset;
+        emit presetFelt(preset);
+    });
+    connect(m_trialCard, &TrialCard::freshBlockWanted, this, [this] { send(core::session::Reload{}); });
+    connect(m_trialCard, &TrialCard::done, this, [this] {
+        if (const auto tuned = m_trialCard->tuned())
+            m_presets->setDraft(*tuned);
+        emit presetsWanted();
+        goTo(m_presets);
+    });
+    connect(m_trialCard, &TrialCard::csvWanted, this, [this](const QByteArray& csv) {
+        askForFile(
+            tr("Save the comparison"), FileKind::Table,
+            [this, csv](const QString& path) {
+                QSaveFile file(path);
+                if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.commit())
+                    showMessage(tr("The comparison was saved as %1.").arg(QDir::toNativeSeparators(path)));
+                else
+                    m_messages->say({MessageBar::Kind::Error,
+                                     tr("The comparison could not be written. Choose another folder, or make room on "
+                                        "the disk."),
+                                     QFileInfo(path).fileName(),
+                                     {},
+                                     {},
+                                     MessageBar::Topic::General,
+                                     file.errorString()});
+            },
+            newFileName(QStringLiteral("csv")));
+    });
+}
+
+void MainWindow::registerParameters()
+{
+    console::registerFeel(
+        m_parameters, [this] { return m_feel; }, [this] { return m_usualFeel; },
+        [this](const core::settings::FeelPreset& next) { return feelByHand(next); });
+    console::registerSwitch(m_parameters, "view.wet", m_actions->wetLook);
+    console::registerSwitch(m_parameters, "view.bur_light", m_actions->burLight);
+    console::registerSwitch(m_parameters, "view.neighbours", m_actions->neighbours);
+    console::registerSwitch(m_parameters, "view.hand_place", m_actions->handPlace);
+    console::registerSwitch(m_parameters, "view.every_eye", m_actions->distinctColours);
+    console::registerSwitch(m_parameters, "view.less_motion", m_actions->reducedMotion);
+    console::registerPush(
+        m_parameters, [this] { return m_view->pushForce(); },
+        [this](double newtons) { m_view->setPushForce(newtons); });
+    console::registerLive(
+        m_parameters, [this] { return m_servo; }, m_periods);
+    connect(m_watch, &console::WatchPanel::resized, this, &MainWindow::placeOverlays);
+    connect(m_console, &console::Console::closeWanted, m_actions->console, &QAction::trigger);
+    connect(m_actions->console, &QAction::triggered, this, [this] {
+        if (m_console->isVisible()) {
+            m_console->hide();
+            m_view->setFocus();
+        } else {
+            m_console->open();
+        }
+        placeOverlays();
+    });
+    connect(m_actions->settings, &QAction::triggered, this, [this] {
+        m_settingsPage->refresh();
+        goTo(m_settingsPage);
+    });
+}
+
+void MainWindow::showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual)
+{
+    m_feel = now;
+    m_usualFeel = usual;
+    m_settingsPage->refresh();
+}
+
+void MainWindow::setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
+                          std::function<core::Result<core::settings::FeelPreset>(const QString&)> find)
+{
+    m_console->setPresets(
+        [this, save = std::move(save)](const QString& name) {
+            core::settings::FeelPreset preset = m_feel;
+            preset.name = name.toStdString();
+            preset.version = 0;
+            const auto kept = save(preset);
+            return kept ? tr("The hardness preset was kept: %1.").arg(presets::presetWords(*kept))
+                        : QString::fromStdString(kept.error().detail);
+        },
+        [this, find = std::move(find)](const QString& name) {
+            const auto found = find(name);
+            if (!found)
+                return QString::fromStdString(found.error().detail);
+            const std::string refused = feelByHand(*found);
+            //: %1 is a hardness preset
+            return refused.empty() ? tr("It feels like %1 now.").arg(presets::presetWords(*found))
+                                   : QString::fromStdString(refused);
+        });
+}
+
+/// Answers why not, or nothing.
+std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
+{
+    if (isExamRunning())
+        return tr("In an exam, what is felt stays as it is.").toStdString();
+    if (m_replaying)
+        return tr("This is a replay: it feels as it was recorded.").toStdString();
+    const bool isTried = m_trialCard->isVisibleTo(m_room);
+    if (isTried && !m_trialCard->tuned())
+        return tr("Two presets are being compared blind: that comes to its end first.").toStdString();
+    // A lesson that brings its own hardness leaves the forces alone.
+    core::settings::FeelPreset forces = next;
+    for (const auto& field : core::settings::feelFields().subspan(0, 2 * core::settings::kSubstances + 1))
+        forces.*field.value = m_feel.*field.value;
+    if (m_assignment && m_assignment->lesson && m_assignment->lesson->hardness && !(forces == next))
+        return tr("This lesson brings its own hardness. Only the forces can be changed.").toStdString();
+    m_feel = next;
+    if (isTried) {
+        m_trialCard->tune(next);
+        emit presetFelt(next);
+    } else {
+        emit feelWanted(next);
+    }
+    return {};
+}
+
+void MainWindow::setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse)
+{
+    m_presets->setPresets(std::move(all), inUse);
+}
+
+void MainWindow::showPresetKept(const core::settings::FeelPreset& preset)
+{
+    m_presets->select(preset);
+    showMessage(tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset)));
+}
+
+void MainWindow::showPresetFault(const QString& sentence)
+{
+    m_presets->setFault(sentence);
+}
+
+void MainWindow::beginTrial()
+{
+    if (m_blindTrial)
+        m_trialCard->compare(*m_blindTrial);
+    else if (m_triedPreset)
+        m_trialCard->tune(*m_triedPreset);
+    m_blindTrial.reset();
+    m_triedPreset.reset();
+    m_room->setHintVisible(false);
+    placeOverlays();
+}
+
 void MainWindow::editChosenLesson()
 {
     if (isExamRunning()) {
@@ -503,7 +723,7 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
     m_beside->setTooth(std::move(tooth), generation);
     m_beside->setIdeal(ideal);
     markExercise();
-    m_room->setBeside(m_beside, name, tr("This attempt"));
+    m_room->setBeside(m_beside, name);
     m_room->setSectionVisible(false);
     connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
     m_beside->lookAs(m_view->camera());
@@ -710,7 +930,7 @@ void MainWindow::showXray()
     const core::terrain::Tooth* tooth = m_view->tooth();
     if (tooth == nullptr)
         return;
-    m_xray->setTooth(*tooth, text::toothTitle(*tooth->anatomy));
+    m_xray->setTooth(*tooth);
     goTo(m_xray);
 }
 
@@ -766,6 +986,8 @@ void MainWindow::connectView()
 void MainWindow::takeFrame(const core::session::ServoState& servo)
 {
     takeSession();
+    m_servo = servo;
+    m_periods.take(servo);
     const core::terrain::Tooth* tooth = m_view->tooth();
     core::imaging::DepthReading reading = tooth != nullptr && m_pulp && servo.tick > 0
                                               ? core::imaging::readDepth(*tooth, *m_pulp, servo.anchorMm)
@@ -974,6 +1196,8 @@ void MainWindow::goBack()
     if (m_help->isVisible()) {
         m_help->hide();
         m_view->setFocus();
+    } else if (m_console->isVisible()) {
+        m_actions->console->trigger();
     } else if (m_pages->currentWidget() == m_editor) {
         goTo(m_lessonsPage);
     } else if (m_pages->currentWidget() != m_room) {
@@ -1029,6 +1253,9 @@ void MainWindow::enableActions()
     m_actions->reload->setEnabled(mayGoBack || (mine && m_examIsOver));
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->lessons->setEnabled(!m_busy->isWorking());
+    m_actions->console->setEnabled(inRoom);
+    m_actions->settings->setEnabled(!m_busy->isWorking());
+    m_actions->presets->setEnabled(!m_busy->isWorking());
     m_actions->chooseTooth->setEnabled(!m_busy->isWorking());
     m_actions->mouth->setEnabled(!m_busy->isWorking() && m_actions->mouth->isVisible());
     m_actions->openScan->setEnabled(!m_busy->isWorking());
@@ -1066,6 +1293,12 @@ void MainWindow::placeOverlays()
     const bool inRoom = m_pages->currentWidget() == m_room;
     const QRect area = inRoom ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
+    m_console->setGeometry(area.x(), area.y(), area.width(), std::min(kConsolePx, area.height() / 2));
+    const int belowConsole = m_console->isVisible() ? m_console->geometry().bottom() : area.top();
+    m_watch->move(area.right() - kSpace4 - m_watch->width(), belowConsole + kSpace4);
+    m_trialCard->move(area.topLeft() + QPoint(kSpace4, kSpace4));
+    m_trialCard->raise();
+    m_console->raise();
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
     m_busy->placeIn(area);
@@ -1097,12 +1330,8 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_view->setIdeal(m_ideal);
     showIdeal();
     layExercise();
-    const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
-    const bool selfDrilling = m_selfDrilling && !m_replaying;
-    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
-    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
+    sayTooth();
     m_chooser->setPresent(m_tooth->fdi);
-    setWindowTitle(tr("%1 – Cusp").arg(title));
     goTo(m_room);
     if (notes.isEmpty())
         return;
@@ -1121,6 +1350,16 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
                            MessageBar::Choice{tr("Leave it as it is"), {}}};
     }
     m_messages->say(message);
+}
+
+void MainWindow::sayTooth()
+{
+    const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
+    const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
+    const bool selfDrilling = m_selfDrilling && !m_replaying;
+    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
+    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
+    setWindowTitle(tr("%1 – Cusp").arg(title));
 }
 
 void MainWindow::showBusy(const QString& what)
@@ -1255,6 +1494,7 @@ QString MainWindow::workTitle() const
 void MainWindow::setAssignment(const lessons::Assignment& assignment)
 {
     m_assignment = assignment;
+    m_trialCard->hide();
     m_isGraded = false;
     m_examIsOver = false;
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
@@ -1299,6 +1539,8 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_replayLesson = std::move(lesson);
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_replayCourse = {};
+    if (replaying)
+        m_trialCard->hide();
     // What was asked of one hand is no word about the other's bur.
     m_drillWish = {};
     m_burWish = {};
@@ -1335,8 +1577,8 @@ bool MainWindow::isExamRunning() const
     return isExam() && !m_isGraded;
 }
 
-/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a whole
-/// tooth.
+/// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a
+/// whole tooth.
 void MainWindow::endExam()
 {
     if (!isExam())
@@ -1493,6 +1735,16 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         suffix = QStringLiteral("png");
         filter = tr("Pictures (%1)").arg(patternOf({suffix}));
         key = QStringLiteral("folders/picture");
+        break;
+    case FileKind::Preset:
+        suffix = QLatin1String(lessons::kPresetSuffix);
+        filter = tr("Hardness presets (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/preset");
+        break;
+    case FileKind::Table:
+        suffix = QStringLiteral("csv");
+        filter = tr("Tables (%1)").arg(patternOf({suffix}));
+        key = QStringLiteral("folders/table");
         break;
     }
     QString folder = memory().value(key).toString();

@@ -19,10 +19,13 @@
 #include "core/grading/IdealCavity.h"
 #include "core/imaging/Section.h"
 #include "core/session/Links.h"
+#include "core/settings/Parameters.h"
 #include "database/people.h"
 #include "database/records.h"
 #include "lessons/Assignment.h"
+#include "ui/console/Registration.h"
 #include "ui/people/Door.h"
+#include "ui/presets/BlindTrial.h"
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/study/Expectation.h"
@@ -45,6 +48,20 @@ class ToothView;
 namespace ui::inside {
 class XrayPage;
 }
+
+namespace ui::console {
+class Console;
+class WatchPanel;
+}  // namespace ui::console
+
+namespace ui::settings {
+class SettingsPage;
+}
+
+namespace ui::presets {
+class PresetsPage;
+class TrialCard;
+}  // namespace ui::presets
 
 namespace ui::study {
 class ExerciseCard;
@@ -86,6 +103,9 @@ public:
 
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
+    /// How the console keeps a preset and finds one.
+    void setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
+                  std::function<core::Result<core::settings::FeelPreset>(const QString&)> find);
 
 public slots:
     /// The tooth that is now on the table.
@@ -129,6 +149,16 @@ public slots:
     /// The page where a lesson is chosen.
     void openLessons();
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
+    /// What is on the shelf of hardness presets, and which of it teeth feel like.
+    void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
+    /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
+    void showPresetKept(const core::settings::FeelPreset& preset);
+    /// What could not be done, on the page of presets.
+    void showPresetFault(const QString& sentence);
+    /// The block that presetTrialWanted() asked for is on the table.
+    void beginTrial();
+    /// What the tooth on the table feels like, and what it would if nobody had turned anything.
+    void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
     /// What was measured of attempts at the lesson that is edited, as it is.
@@ -192,6 +222,19 @@ signals:
     /// The page of lessons opens: what it shows is to be brought up to date.
     void lessonsWanted();
     void lessonFolderWanted();
+    /// The page of hardness presets opens: setPresets() is wanted.
+    void presetsWanted();
+    /// To be kept as another version of its name.
+    void presetSaveWanted(const core::settings::FeelPreset& preset);
+    void presetUseWanted(const core::settings::FeelPreset& preset);
+    void presetImportWanted(const QString& path);
+    void presetExportWanted(const core::settings::FeelPreset& preset, const QString& path);
+    /// A block to try this preset on is to be laid on the table; beginTrial() answers.
+    void presetTrialWanted(const core::settings::FeelPreset& preset);
+    /// What is on the table is to feel like this from now on, in the middle of whatever is done.
+    void presetFelt(const core::settings::FeelPreset& preset);
+    /// The same by hand, in the console or the settings: this tooth and those after it, but exams.
+    void feelWanted(const core::settings::FeelPreset& preset);
     /// A lesson of a pack is to be edited: the pack is to be unpacked into the teacher's folder, and the lesson of that
     /// name there given to editLesson().
     void unpackWanted(const QString& pack, const QString& name);
@@ -236,7 +279,7 @@ protected:
 
 private:
     /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
-    enum class FileKind { Scan, Recording, Picture, Reference };
+    enum class FileKind { Scan, Recording, Picture, Reference, Preset, Table };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.
     struct Wish
     {
@@ -244,6 +287,8 @@ private:
         QElapsedTimer since;
     };
 
+    void speak();
+    void sayTooth();
     void recallLayout();
     void connectActions();
     void connectView();
@@ -304,6 +349,9 @@ private:
     [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
     void setDrillFor(lessons::Task task);
     void showXray();
+    void connectPresets();
+    void registerParameters();
+    [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& next);
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
@@ -326,6 +374,16 @@ private:
     database::Session m_who;
     study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
+    presets::PresetsPage* m_presets;
+    presets::TrialCard* m_trialCard;
+    core::settings::Parameters m_parameters;
+    console::PeriodMeter m_periods;
+    console::WatchPanel* m_watch;
+    console::Console* m_console;
+    settings::SettingsPage* m_settingsPage = nullptr;
+    core::settings::FeelPreset m_feel;       ///< of what lies on the table
+    core::settings::FeelPreset m_usualFeel;  ///< of it, if nobody had turned anything
+    core::session::ServoState m_servo;       ///< of the last frame
     inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;
@@ -346,7 +404,9 @@ private:
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
     std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
     replay::Course m_replayCourse;
-    replay::Course m_besideCourse;  ///< of the one beside it
+    replay::Course m_besideCourse;                            ///< of the one beside it
+    std::optional<core::settings::FeelPreset> m_triedPreset;  ///< for which a block has been asked
+    std::optional<presets::BlindTrial> m_blindTrial;          ///< in place of it
     lessons::Aids m_aids;
     std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth

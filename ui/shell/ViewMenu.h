@@ -25,7 +25,7 @@ public:
 
     /// What is to be shown: what was chosen and is allowed.
     [[nodiscard]] tooth::ViewSettings settings() const;
-    /// All that the menu holds.
+    /// All that the menu holds of the view; the pages of presets and settings and the console stand below it.
     [[nodiscard]] QList<QAction*> actions() const;
     /// What a lesson does not allow, or has not, is not shown, whatever was chosen.
     void setAllowed(const lessons::Aids& aids);

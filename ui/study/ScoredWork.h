@@ -10,6 +10,7 @@
 #include "core/grading/MeasureTable.h"
 #include "core/grading/Referee.h"
 #include "core/terrain/Tooth.h"
+#include "lessons/PresetFile.h"
 
 namespace ui::study {
 
@@ -21,6 +22,7 @@ struct ScoredWork
     core::grading::Measured measured;
     std::vector<core::grading::Infraction> infractions{};
     std::uint8_t aids = 0;                              ///< bits of core::session::Aid that were in use
+    std::optional<::lessons::PresetUsed> preset{};      ///< that it was made with; nothing where that is not known
     std::optional<core::grading::Exercise> exercise{};  ///< what was practised; nothing where something was to be cut
 };
 

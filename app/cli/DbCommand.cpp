@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// cusp db: the school's data as a whole.
+#include <algorithm>
+#include <array>
+
+#include <QDateTime>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Commands.h"
+#include "app/cli/SchoolParts.h"
+#include "database/sql/Backups.h"
+#include "database/sql/Check.h"
+#include "database/sql/Copy.h"
+#include "database/sql/Logins.h"
+#include "database/sql/Sample.h"
+#include "database/sql/Statement.h"
+#include "lessons/LessonCatalog.h"
+
+namespace app::cli {
+namespace {
+
+using core::ErrorCode;
+using database::Address;
+using database::sql::Database;
+
+constexpr qint64 kMostAttempts = 100'000'000;
+constexpr qint64 kMostStudents = 1'000'000;
+
+/// One part of `cusp db`: its options are parsed and the address is known.
+struct Part
+{
+    const char* name;
+    const char* usage;
+    const char* summary;
+    void (*addOptions)(QCommandLineParser& parser);
+    int (*run)(const QCommandLineParser& parser, const Address& address);
+    bool takesFile = false;  ///< one argument besides the options
+};
+
+void nothing(QCommandLineParser&) {}
+
+bool wantsJson(const QCommandLineParser& parser)
+{
+    return parser.isSet(QStringLiteral("json"));
+}
+
+/// Of long work, on one line of a terminal's stderr.
+void tellProgress(const QString& what, qint64 count)
+{
+    printText(QStringLiteral("\r%1: %2  ").arg(what).arg(count), stderr);
+}
+
+int answer(const QCommandLineParser& parser, const QString& sentence, const QJsonObject& object)
+{
+    if (wantsJson(parser))
+        printJson(object);
+    else
+        printText(sentence + '\n');
+    return kDone;
+}
+
+core::Status expectFile(const Address& address)
+{
+    if (!address.isServer())
+        return {};
+    return core::unexpected(ErrorCode::WrongKind,
+                            "a server's database is backed up by its administrator (pg_dump); \"cusp db copy\" brings "
+                            "it into a file");
+}
+
+/// Where a file cannot be used any more, what there is to go back to.
+int failedWithBackups(const core::Error& error, const Address& address)
+{
+    core::Error said = error;
+    if (!address.isServer() && (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind)) {
+        const QStringList backups = database::sql::backupsIn(database::sql::backupFolder(address.file));
+        if (!backups.isEmpty())
+            said.detail +=
+                "; the newest backup is " + backups.front().toStdString() + ", and \"cusp db restore\" brings it back";
+    }
+    return failed(said);
+}
+
+int initDatabase(const QCommandLineParser& parser, const Address& address)
+{
+    const auto open = openSchool(address, true);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    if (!open->database->notice().empty())
+        warn({open->database->notice()});
+    const QString admin = parser.value(QStringLiteral("admin"));
+    if (!admin.isEmpty()) {
+        const std::string password = askSecret("Password of the new admin: ");
+        const auto session = database::sql::Logins::createFirstAdmin(
+            *open->school, {admin.toStdString(), "", "", database::Role::Admin}, password, database::timedCost());
+        if (!session)
+            return failed(session.error());
+    }
+    const auto version = database::sql::dialect::schemaVersion(open->school->db);
+    if (!version)
+        return failed(version.error());
+    return answer(parser, QStringLiteral("%1 is ready, with schema %2.").arg(address.shown()).arg(*version),
+                  {{"database", address.shown()}, {"schema", *version}, {"admin", admin}});
+}
+
+int checkWhole(const QCommandLineParser& parser, const Address& address)
+{
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    std::vector<std::string> witnesses;
+    for (const QString& code : parser.values(QStringLiteral("witness")))
+        witnesses.push_back(code.toStdString());
+    const auto report = database::sql::checkDatabase(open->school->db, witnesses);
+    if (!report)
+        return failedWithBackups(report.error(), address);
+    QJsonArray findings;
+    QString text;
+    for (const std::string& finding : report->findings) {
+        findings += QString::fromStdString(finding);
+        text += printable(QString::fromStdString(finding)) + '\n';
+    }
+    const bool isSound = report->findings.empty();
+    const QJsonObject object{{"database", address.shown()},
+                             {"sound", isSound},
+                             {"findings", findings},
+                             {"attempts", static_cast<qint64>(report->attempts)},
+                             {"audit_rows", static_cast<qint64>(report->auditRows)},
+                             {"audit_code", QString::fromStdString(report->auditCode)}};
+    if (wantsJson(parser))
+        printJson(object);
+    else
+        printText(text + QStringLiteral("%1: %2 attempts, %3 rows of audit, audit code %4\n")
+                             .arg(isSound ? QStringLiteral("sound") : QStringLiteral("not sound"))
+                             .arg(report->attempts)
+                             .arg(report->auditRows)
+                             .arg(QString::fromStdString(report->auditCode)));
+    return isSound ? kDone : kFailed;
+}
+
+int backUpFile(const QCommandLineParser& parser, const Address& address)
+{
+    if (auto fit = expectFile(address); !fit)
+        return failed(fit.error());
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    const QString folder = parser.isSet(QStringLiteral("to")) ? parser.value(QStringLiteral("to"))
+                                                              : database::sql::backupFolder(address.file);
+    const auto made = database::sql::backUp(open->school->db, folder, QDateTime::currentDateTimeUtc());
+    if (!made)
+        return failedWithBackups(made.error(), address);
+    QJsonArray gone;
+    for (const QString& file : database::sql::tooMany(database::sql::backupsIn(folder)))
+        if (QFile::remove(file))
+            gone += file;
+    return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
+                  {{"backup", *made}, {"removed", gone}});
+}
+
+int restoreFile(const QCommandLineParser& parser, const Address& address)
+{
+    if (auto fit = expectFile(address); !fit)
+        return failed(fit.error());
+    const auto replaced = database::sql::restoreBackup(parser.positionalArguments().front(), address.file,
+                                                       QDateTime::currentDateTimeUtc());
+    if (!replaced)
+        return failed(replaced.error());
+    return answer(parser,
+                  replaced->isEmpty()
+                      ? QStringLiteral("Restored as %1.").arg(address.file)
+                      : QStringLiteral("Restored as %1; what was there lies in %2.").arg(address.file, *replaced),
+                  {{"database", address.file}, {"replaced", *replaced}});
+}
+
+int drillRestore(const QCommandLineParser& parser, const Address& address)
+{
+    if (auto fit = expectFile(address); !fit)
+        return failed(fit.error());
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    const auto rows = database::sql::restoreDrill(open->school->db);
+    if (!rows)
+        return failedWithBackups(rows.error(), address);
+    return answer(parser, QStringLiteral("A backup was made and restored; %1 rows are in it.").arg(*rows),
+                  {{"rows", *rows}});
+}
+
+int migrateDatabase(const QCommandLineParser& parser, const Address& address)
+{
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    const auto version = database::sql::dialect::schemaVersion(open->school->db);
+    if (!version)
+        return failed(version.error());
+    return answer(parser, QStringLiteral("%1 has schema %2.").arg(address.shown()).arg(*version),
+                  {{"database", address.shown()}, {"schema", *version}});
+}
+
+int copyDatabase(const QCommandLineParser& parser, const Address& address)
+{
+    if (!parser.isSet(QStringLiteral("to")))
+        return wrongUsage(QStringLiteral("say where with --to FILE or --to postgresql://user@host/name"));
+    const auto target = Address::parse(parser.value(QStringLiteral("to")));
+    if (!target)
+        return failed(target.error());
+    const auto from = openSchool(address, false);
+    if (!from)
+        return failedWithBackups(from.error(), address);
+    const auto to = openSchool(*target, true);
+    if (!to)
+        return failed(to.error());
+    const bool tells = !wantsJson(parser);
+    const auto report =
+        database::sql::copySchool(*from->school, *to->school, [tells](const QString& table, qint64 rows) {
+            if (tells)
+                tellProgress(table, rows);
+        });
+    if (tells)
+        printText(QStringLiteral("\n"), stderr);
+    if (!report)
+        return failed(report.error());
+    return answer(parser,
+                  QStringLiteral("Copied and verified: %1 rows, %2 recordings, into %3.")
+                      .arg(report->rows)
+                      .arg(report->recordings)
+                      .arg(target->shown()),
+                  {{"rows", static_cast<qint64>(report->rows)},
+                   {"recordings", static_cast<qint64>(report->recordings)},
+                   {"database", target->shown()}});
+}
+
+int tellStats(const QCommandLineParser& parser, const Address& address)
+{
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    QJsonObject object{{"database", address.shown()}};
+    QString text = address.shown() + '\n';
+    const auto version = database::sql::dialect::schemaVersion(open->school->db);
+    if (!version)
+        return failed(version.error());
+    object.insert("schema", *version);
+    for (const auto& [name, sql] :
+         {std::pair("students", "SELECT count(*) FROM people WHERE role = 'student'"),
+          std::pair("instructors", "SELECT count(*) FROM people WHERE role = 'instructor'"),
+          std::pair("admins", "SELECT count(*) FROM people WHERE role = 'admin'"),
+          std::pair("classes", "SELECT count(*) FROM classes"), std::pair("attempts", "SELECT count(*) FROM attempts"),
+          std::pair("comments", "SELECT count(*) FROM comments"), std::pair("presets", "SELECT count(*) FROM presets"),
+          std::pair("audit_rows", "SELECT count(*) FROM audit")}) {
+        const auto count = database::sql::ask(open->school->db, QLatin1String(sql), "count its rows");
+        if (!count)
+            return failed(count.error());
+        object.insert(QLatin1String(name), count->toLongLong());
+        text += QStringLiteral("  %1 %2\n").arg(QLatin1String(name), -12).arg(count->toLongLong());
+    }
+    if (!address.isServer()) {
+        object.insert("bytes", QFileInfo(address.file).size());
+        object.insert("backups",
+                      static_cast<qint64>(database::sql::backupsIn(database::sql::backupFolder(address.file)).size()));
+    }
+    if (wantsJson(parser))
+        printJson(object);
+    else
+        printText(text);
+    return kDone;
+}
+
+int makeUpSchool(const QCommandLineParser& parser, const Address& address)
+{
+    database::sql::SampleSize size;
+    const auto students = wholeNumber(parser, QStringLiteral("students"), 1, kMostStudents);
+    const auto attempts = wholeNumber(parser, QStringLiteral("attempts"), 0, kMostAttempts);
+    const auto seed = wholeNumber(parser, QStringLiteral("seed"), 0, std::numeric_limits<qint64>::max());
+    for (const auto* number : {&students, &attempts, &seed})
+        if (!*number)
+            return wrongUsage(QString::fromStdString(number->error().detail));
+    size.students = static_cast<int>(*students);
+    size.attempts = *attempts;
+    size.seed = static_cast<std::uint64_t>(*seed);
+    const auto open = openSchool(address, true);
+    if (!open)
+        return failed(open.error());
+    const std::string password = database::newCode() + "x";
+    const auto admin = database::sql::Logins::createFirstAdmin(*open->school, {"admin", "", "", database::Role::Admin},
+                                                               password, database::PasswordCost{});
+    if (!admin)
+        return failed(admin.error());
+    std::vector<std::string> lessons;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson)
+            lessons.push_back(entry.read.lesson->id);
+    const bool tells = !wantsJson(parser);
+    const auto made = database::sql::makeSample(*open->school, *admin, size, lessons, [tells](std::int64_t done) {
+        if (tells)
+            tellProgress(QStringLiteral("attempts"), done);
+    });
+    if (tells)
+        printText(QStringLiteral("\n"), stderr);
+    if (!made)
+        return failed(made.error());
+    return answer(parser,
+                  QStringLiteral("A school of %1 students with %2 attempts was made up in %3. Log in as admin with the "
+                                 "password %4.")
+                      .arg(size.students)
+                      .arg(size.attempts)
+                      .arg(address.shown(), QString::fromStdString(password)),
+                  {{"database", address.shown()},
+                   {"students", size.students},
+                   {"attempts", static_cast<qint64>(size.attempts)},
+                   {"admin", "admin"},
+                   {"password", QString::fromStdString(password)}});
+}
+
+void addAdmin(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("admin"),
+                      QStringLiteral("Enters the first admin under this name; the password is asked for, or read from "
+                                     "standard input."),
+                      QStringLiteral("NAME")});
+}
+
+void addWitness(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("witness"),
+                      QStringLiteral("An audit code that a printed report shows, such as 412-9f3ac07be1d2; may be "
+                                     "given several times."),
+                      QStringLiteral("CODE")});
+}
+
+void addBackupFolder(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("to"), QStringLiteral("The folder; \"backups\" beside the database if not given."),
+                      QStringLiteral("FOLDER")});
+}
+
+void addTarget(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("to"),
+                      QStringLiteral("An empty or new database: a file, or "
+                                     "postgresql://user@host/name."),
+                      QStringLiteral("FILE|URL")});
+}
+
+void addSize(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("students"), QStringLiteral("How many; 200 if not given."), QStringLiteral("N"),
+                      QStringLiteral("200")});
+    parser.addOption({QStringLiteral("attempts"), QStringLiteral("How many in all; 10000 if not given."),
+                      QStringLiteral("N"), QStringLiteral("10000")});
+    parser.addOption({QStringLiteral("seed"), QStringLiteral("Another seed makes another school."), QStringLiteral("N"),
+                      QStringLiteral("1")});
+}
+
+constexpr std::array kParts{
+    Part{"init", "cusp db init [--db FILE|URL] [--admin NAME]", "creates the database, and its first admin", addAdmin,
+         initDatabase},
+    Part{"check", "cusp db check [--db FILE|URL] [--witness CODE]... [--json]",
+         "looks at everything: pages, keys, audit, attempts; names what was changed", addWitness, checkWhole},
+    Part{"backup", "cusp db backup [--db FILE] [--to FOLDER] [--json]",
+         "copies the file after a good check, and thins out older backups", addBackupFolder, backUpFile},
+    Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
+         restoreFile, true},
+    Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
+    Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
+         migrateDatabase},
+    Part{"copy", "cusp db copy [--db FILE|URL] --to FILE|URL", "brings a school into another database, and verifies it",
+         addTarget, copyDatabase},
+    Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},
+    Part{"sample", "cusp db sample [--db FILE|URL] [--students N] [--attempts N]",
+         "makes up a school, to see and measure a large one", addSize, makeUpSchool},
+};
+
+}  // namespace
+
+int dbCommand(const QStringList& arguments)
+{
+    const QString name = arguments.value(0);
+    if (arguments.isEmpty() || name == u"--help" || name == u"-h") {
+        QString text = QStringLiteral("Usage: cusp db PART [OPTIONS]\nThe school's data as a whole.\n\n");
+        for (const Part& part : kParts)
+            text += QStringLiteral("  %1 %2\n").arg(QLatin1String(part.name), -9).arg(QLatin1String(part.summary));
+        text += QStringLiteral("\n\"cusp db PART --help\" explains a part.\n");
+        printText(text, arguments.isEmpty() ? stderr : stdout);
+        return arguments.isEmpty() ? kWrongUsage : kDone;
+    }
+    const auto* const part =
+        std::find_if(kParts.begin(), kParts.end(), [&](const Part& p) { return name == QLatin1String(p.name); });
+    if (part == kParts.end())
+        return wrongUsage(QStringLiteral("cusp db has no part \"%1\"; \"cusp db --help\" lists those there are")
+                              .arg(printable(name)));
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("%1.").arg(QLatin1String(part->summary)));
+    addDatabaseOption(parser);
+    part->addOptions(parser);
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    if (const auto code = parse(parser, arguments.mid(1), QLatin1String(part->usage), QStringLiteral("witness")))
+        return *code;
+    if (parser.positionalArguments().size() != (part->takesFile ? 1 : 0))
+        return wrongUsage(QStringLiteral("usage: ") + QLatin1String(part->usage));
+    const auto address = databaseAddress(parser);
+    return address ? part->run(parser, *address) : failed(address.error());
+}
+
+}  // namespace app::cli

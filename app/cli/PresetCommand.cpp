@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Commands.h"
+#include "core/settings/StabilityBound.h"
+#include "lessons/PresetShelf.h"
+
+namespace app::cli {
+namespace {
+
+using core::settings::FeelPreset;
+
+QJsonObject withBound(const FeelPreset& preset)
+{
+    QJsonObject object = lessons::toJson(preset);
+    object.insert(QStringLiteral("hash"), QString::fromStdString(preset.hash));
+    object.insert(QStringLiteral("bound_n_per_mm"), core::settings::stabilityBound(preset).stiffnessNPerMm);
+    return object;
+}
+
+QJsonArray toJson(const std::vector<lessons::Fault>& faults)
+{
+    QJsonArray list;
+    for (const lessons::Fault& fault : faults)
+        list.append(
+            QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.what}, {"grave", fault.grave}});
+    return list;
+}
+
+QString toText(const std::vector<lessons::Fault>& faults)
+{
+    QString text;
+    for (const lessons::Fault& fault : faults)
+        text += printable(fault.sentence()) + u'\n';
+    return text;
+}
+
+void addJson(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+}
+
+void addFolder(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("folder"), QStringLiteral("Where they are kept; the user's own if not given."),
+                      QStringLiteral("FOLDER")});
+}
+
+lessons::PresetFolder shelfOf(const QCommandLineParser& parser)
+{
+    return lessons::PresetFolder(parser.isSet(QStringLiteral("folder")) ? parser.value(QStringLiteral("folder"))
+                                                                        : lessons::presetsFolder());
+}
+
+int listPresets(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Lists the hardness presets there are, each in all its versions."));
+    addFolder(parser);
+    addJson(parser);
+    if (const auto code = parse(parser, arguments, QStringLiteral("cusp preset list [--folder FOLDER] [--json]")))
+        return *code;
+    QJsonArray list;
+    QString text;
+    for (const lessons::ReadPreset& read : shelfOf(parser).list()) {
+        QJsonObject object{{"file", read.file}, {"shipped", read.file.isEmpty()}, {"faults", toJson(read.faults)}};
+        if (read.preset) {
+            object.insert("name", QString::fromStdString(read.preset->name));
+            object.insert("version", read.preset->version);
+            object.insert("hash", QString::fromStdString(read.preset->hash));
+            text += QStringLiteral("%1%2\n").arg(
+                printable(QString::fromStdString(core::settings::labelOf(*read.preset))),
+                read.file.isEmpty() ? QString() : QStringLiteral("  (") + QFileInfo(read.file).fileName() + u')');
+        }
+        list.append(object);
+        text += toText(read.faults);
+    }
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"presets", list}});
+    else
+        printText(text);
+    return kDone;
+}
+
+int checkPresets(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Says what is wrong with hardness presets. Ends with 1 if one of "
+                                                    "them cannot be used."));
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("A preset's file; several may be named."));
+    addJson(parser);
+    const QString usage = QStringLiteral("cusp preset check FILE ... [--json]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (parser.positionalArguments().isEmpty())
+        return wrongUsage(QStringLiteral("name a file; usage: ") + usage);
+    bool isSound = true;
+    QJsonArray list;
+    QString text;
+    for (const QString& file : parser.positionalArguments()) {
+        const lessons::ReadPreset read = lessons::readPreset(file);
+        isSound = isSound && read.preset;
+        QJsonObject object{{"file", file}, {"sound", read.preset.has_value()}, {"faults", toJson(read.faults)}};
+        text += toText(read.faults);
+        if (read.preset) {
+            object.insert(QStringLiteral("preset"), withBound(*read.preset));
+            text += QStringLiteral("%1 is sound: %2; held up to %3 N/mm\n")
+                        .arg(QFileInfo(file).fileName(),
+                             printable(QString::fromStdString(core::settings::labelOf(*read.preset))))
+                        .arg(core::settings::stabilityBound(*read.preset).stiffnessNPerMm, 0, 'f', 2);
+        }
+        list.append(object);
+    }
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"presets", list}});
+    else
+        printText(text, isSound ? stdout : stderr);
+    return isSound ? kDone : kFailed;
+}
+
+int showPreset(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Shows the numbers of a hardness preset, and up to which stiffness "
+                                                    "a light hand is held with it."));
+    parser.addPositionalArgument(QStringLiteral("NAME"),
+                                 QStringLiteral("Its name, for the newest version; \"NAME v2\" for another."));
+    addFolder(parser);
+    addJson(parser);
+    const QString usage = QStringLiteral("cusp preset show NAME [--folder FOLDER] [--json]");
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (parser.positionalArguments().size() != 1)
+        return wrongUsage(QStringLiteral("name one preset; usage: ") + usage);
+    const auto preset = lessons::findPreset(shelfOf(parser), parser.positionalArguments().front());
+    if (!preset)
+        return failed(preset.error());
+    if (parser.isSet(QStringLiteral("json"))) {
+        printJson(withBound(*preset));
+        return kDone;
+    }
+    QString text = printable(QString::fromStdString(core::settings::labelOf(*preset))) + u'\n';
+    for (const auto& field : core::settings::feelFields())
+        text += QStringLiteral("  %1 %2 %3\n")
+                    .arg(QLatin1String(field.id), -28)
+                    .arg((*preset).*field.value, 8, 'g', 6)
+                    .arg(QString::fromUtf8(field.unit));
+    text += QStringLiteral("  %1 %2 N/mm\n")
+                .arg(QStringLiteral("held up to"), -28)
+                .arg(core::settings::stabilityBound(*preset).stiffnessNPerMm, 8, 'f', 2);
+    printText(text);
+    return kDone;
+}
+
+struct Part
+{
+    const char* name;
+    const char* summary;
+    int (*run)(const QStringList& arguments);
+};
+constexpr std::array kParts{
+    Part{"list", "those there are", listPresets},
+    Part{"check", "what is wrong with a preset's file", checkPresets},
+    Part{"show", "the numbers of one", showPreset},
+};
+
+}  // namespace
+
+int presetCommand(const QStringList& arguments)
+{
+    if (arguments.isEmpty())
+        return wrongUsage(
+            QStringLiteral("say what about presets: list, check or show; \"cusp preset --help\" explains"));
+    const QString& first = arguments.front();
+    if (first == u"--help" || first == u"-h" || first == u"help") {
+        QString text = QStringLiteral("Usage: cusp preset PART [OPTIONS]\n\n");
+        for (const Part& part : kParts)
+            text += QStringLiteral("  cusp preset %1 %2\n")
+                        .arg(QLatin1String(part.name), -6)
+                        .arg(QLatin1String(part.summary));
+        printText(text + QStringLiteral("\n\"cusp preset PART --help\" explains one.\n"));
+        return kDone;
+    }
+    const auto* const found =
+        std::find_if(kParts.begin(), kParts.end(), [&](const Part& part) { return first == QLatin1String(part.name); });
+    if (found == kParts.end())
+        return wrongUsage(
+            QStringLiteral("cusp preset has no part \"%1\"; \"cusp preset --help\" lists them").arg(printable(first)));
+    return found->run(arguments.mid(1));
+}
+
+}  // namespace app::cli

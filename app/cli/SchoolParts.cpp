@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/SchoolParts.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QScopeGuard>
+#include <QStandardPaths>
+#include <termios.h>
+#include <unistd.h>
+
+#include "database/sql/Logins.h"
+
+namespace app::cli {
+namespace {
+
+using core::ErrorCode;
+
+/// As the window calls itself, whose data is meant.
+QString dataFolder()
+{
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("cusp"));
+}
+
+}  // namespace
+
+void addDatabaseOption(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("db"),
+                      QStringLiteral("The school's data: a file, or postgresql://user@host/name; the user's own file "
+                                     "if not given."),
+                      QStringLiteral("FILE|URL")});
+}
+
+core::Result<database::Address> databaseAddress(const QCommandLineParser& parser)
+{
+    return database::Address::parse(parser.isSet(QStringLiteral("db"))
+                                        ? parser.value(QStringLiteral("db"))
+                                        : QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite")));
+}
+
+core::Result<OpenSchool> openSchool(const database::Address& address, bool mayCreate,
+                                    const database::sql::Database::Options& options)
+{
+    if (!mayCreate && !address.isServer() && !QFileInfo::exists(address.file))
+        return core::unexpected(ErrorCode::FileMissing, "database " + address.file.toStdString() +
+                                                            ": there is no such file; \"cusp db init\" creates one");
+    if (mayCreate && !address.isServer() && address.file.startsWith(dataFolder()))
+        QDir().mkpath(dataFolder());
+    const QString folder = address.isServer() ? dataFolder() : QFileInfo(address.file).absolutePath();
+    OpenSchool open;
+    auto database = database::sql::Database::open(address, options);
+    if (!database)
+        return tl::unexpected(database.error());
+    auto key = database::StationKey::readOrMake(QDir(folder).filePath(QStringLiteral("station.key")));
+    if (!key)
+        return tl::unexpected(key.error());
+    open.database = std::move(*database);
+    open.school = std::make_unique<database::sql::School>(database::sql::School{open.database->handle(), *key});
+    return open;
+}
+
+void addPersonOption(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("as"),
+                      QStringLiteral("Who does it; the password is asked for, or read from standard input."),
+                      QStringLiteral("NAME")});
+}
+
+core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school)
+{
+    if (!parser.isSet(QStringLiteral("as")))
+        return core::unexpected(ErrorCode::NotAllowed,
+                                "that needs a login; say who does it with --as NAME (the password is asked for)");
+    const std::string name = parser.value(QStringLiteral("as")).toStdString();
+    return database::sql::Logins::login(*school.school, name, askSecret("Password: "));
+}
+
+std::string askSecret(const char* question)
+{
+    std::string line;
+    const bool isTerminal = isatty(STDIN_FILENO) != 0;
+    termios before{};
+    if (isTerminal && tcgetattr(STDIN_FILENO, &before) == 0) {
+        std::fputs(question, stderr);
+        termios hidden = before;
+        hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+        tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden);
+    }
+    const auto restore = qScopeGuard([&] {
+        if (isTerminal) {
+            tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
+            std::fputc('\n', stderr);
+        }
+    });
+    std::getline(std::cin, line);
+    return line;
+}
+
+}  // namespace app::cli

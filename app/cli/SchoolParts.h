@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QCommandLineParser>
+
+#include "core/base/Result.h"
+#include "database/sql/Database.h"
+#include "database/sql/School.h"
+
+/// What the commands about a school's data share.
+namespace app::cli {
+
+/// An open database with this station's key.
+struct OpenSchool
+{
+    std::unique_ptr<database::sql::Database> database;
+    std::unique_ptr<database::sql::School> school;
+};
+
+/// Adds --db: the user's own file if not given.
+void addDatabaseOption(QCommandLineParser& parser);
+[[nodiscard]] core::Result<database::Address> databaseAddress(const QCommandLineParser& parser);
+/// @param mayCreate  else FileMissing where no file is
+[[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, bool mayCreate,
+                                                  const database::sql::Database::Options& options = {});
+
+/// Adds --as: who does it. His password is asked for, or read from the first line of standard input.
+void addPersonOption(QCommandLineParser& parser);
+[[nodiscard]] core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school);
+
+/// Asks on the terminal without showing what is typed; without a terminal, the next line of standard input.
+[[nodiscard]] std::string askSecret(const char* question);
+
+}  // namespace app::cli

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// cusp user: the people of a school, one by one. cusp import roster and cusp export attempts: many at once.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include <QDateTime>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QSaveFile>
+
+#include "app/cli/Arguments.h"
+#include "app/cli/Commands.h"
+#include "app/cli/SchoolParts.h"
+#include "core/base/WholeFile.h"
+#include "database/Csv.h"
+#include "database/sql/Classes.h"
+#include "database/sql/Export.h"
+#include "database/sql/Logins.h"
+#include "database/sql/People.h"
+#include "database/sql/Roster.h"
+
+namespace app::cli {
+namespace {
+
+using core::ErrorCode;
+using database::Person;
+using database::Role;
+
+QString roleWord(Role role)
+{
+    return QString::fromUtf8(database::roleName(role).data());
+}
+
+void addCommon(QCommandLineParser& parser)
+{
+    addDatabaseOption(parser);
+    addPersonOption(parser);
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+}
+
+/// An open school, and who works with it.
+struct Desk
+{
+    OpenSchool open;
+    database::Session session;
+};
+
+core::Result<Desk> deskOf(const QCommandLineParser& parser)
+{
+    const auto address = databaseAddress(parser);
+    if (!address)
+        return tl::unexpected(address.error());
+    auto open = openSchool(*address, false);
+    if (!open)
+        return tl::unexpected(open.error());
+    auto session = logIn(parser, *open);
+    if (!session)
+        return tl::unexpected(session.error());
+    return Desk{std::move(*open), std::move(*session)};
+}
+
+QJsonObject toJson(const Person& person)
+{
+    return {{"username", QString::fromStdString(person.username)},
+            {"given_name", QString::fromStdString(person.givenName)},
+            {"family_name", QString::fromStdString(person.familyName)},
+            {"role", roleWord(person.role)},
+            {"disabled", person.disabled},
+            {"has_password", person.hasPassword},
+            {"last_login_utc", QString::fromStdString(person.lastLoginUtc)}};
+}
+
+int tellCode(const QCommandLineParser& parser, const QString& username, const std::string& code)
+{
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"username", username}, {"code", QString::fromStdString(code)}});
+    else
+        printText(QStringLiteral("%1 logs in once with the code %2 within three days, and then chooses a password.\n")
+                      .arg(username, QString::fromStdString(code)));
+    return kDone;
+}
+
+int addUser(const QCommandLineParser& parser, const QString& username)
+{
+    const auto role = database::roleOf(parser.value(QStringLiteral("role")).toStdString());
+    if (!role || *role == Role::Guest)
+        return wrongUsage(QStringLiteral("--role wants student, instructor or admin"));
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    const auto entered =
+        database::sql::addPerson(*desk->open.school, desk->session,
+                                 {username.toStdString(), parser.value(QStringLiteral("given")).toStdString(),
+                                  parser.value(QStringLiteral("family")).toStdString(), *role});
+    if (!entered)
+        return failed(entered.error());
+    return tellCode(parser, QString::fromStdString(entered->person.username), entered->code);
+}
+
+int listUsers(const QCommandLineParser& parser, const QString&)
+{
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    const auto people = database::sql::listPeople(*desk->open.school, desk->session);
+    if (!people)
+        return failed(people.error());
+    QJsonArray list;
+    QString text;
+    for (const Person& person : *people) {
+        list += toJson(person);
+        text += QStringLiteral("%1 %2 %3%4\n")
+                    .arg(printable(QString::fromStdString(person.username)), -20)
+                    .arg(roleWord(person.role), -11)
+                    .arg(printable(QString::fromStdString(person.fullName())),
+                         person.disabled ? QStringLiteral("  (disabled)") : QString());
+    }
+    if (parser.isSet(QStringLiteral("json")))
+        printJson({{"people", list}});
+    else
+        printText(text);
+    return kDone;
+}
+
+int resetUser(const QCommandLineParser& parser, const QString& username)
+{
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    const auto person = database::sql::findPerson(*desk->open.school, desk->session, username.toStdString());
+    if (!person)
+        return failed(person.error());
+    const auto code = database::sql::resetPassword(*desk->open.school, desk->session, person->id);
+    return code ? tellCode(parser, username, *code) : failed(code.error());
+}
+
+int disableUser(const QCommandLineParser& parser, const QString& username)
+{
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    auto person = database::sql::findPerson(*desk->open.school, desk->session, username.toStdString());
+    if (!person)
+        return failed(person.error());
+    person->disabled = !parser.isSet(QStringLiteral("enable"));
+    if (const auto changed = database::sql::changePerson(*desk->open.school, desk->session, *person); !changed)
+        return failed(changed.error());
+    printText(QStringLiteral("%1 %2 log in.\n")
+                  .arg(username, person->disabled ? QStringLiteral("can no longer") : QStringLiteral("can")));
+    return kDone;
+}
+
+void nothing(QCommandLineParser&) {}
+
+void addNames(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("given"), QStringLiteral("Given name."), QStringLiteral("NAME")});
+    parser.addOption({QStringLiteral("family"), QStringLiteral("Family name."), QStringLiteral("NAME")});
+    parser.addOption({QStringLiteral("role"), QStringLiteral("student, instructor or admin; student if not given."),
+                      QStringLiteral("ROLE"), QStringLiteral("student")});
+}
+
+void addEnable(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("enable"), QStringLiteral("Lets the person log in again.")});
+}
+
+struct Part
+{
+    const char* name;
+    const char* usage;
+    const char* summary;
+    void (*addOptions)(QCommandLineParser& parser);
+    int (*run)(const QCommandLineParser& parser, const QString& username);
+    bool takesName = true;
+};
+
+constexpr std::array kParts{
+    Part{"add", "cusp user add NAME --as ADMIN [--given NAME] [--family NAME] [--role ROLE] [--db FILE|URL]",
+         "enters a person and tells the one-time code that lets him in", addNames, addUser},
+    Part{"list", "cusp user list --as NAME [--db FILE|URL] [--json]", "lists the people one may see", nothing,
+         listUsers, false},
+    Part{"reset", "cusp user reset NAME --as ADMIN [--db FILE|URL]",
+         "takes a password away and tells a one-time code in its place", nothing, resetUser},
+    Part{"disable", "cusp user disable NAME --as ADMIN [--enable] [--db FILE|URL]",
+         "lets a person no longer log in; what he did stays", addEnable, disableUser},
+};
+
+core::Status writeCodes(const QString& path, const std::vector<database::sql::RosterPerson>& people)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))
+        return core::unexpected(ErrorCode::FileUnwritable,
+                                "the codes could not be written to " + path.toStdString() + "; choose another place");
+    file.write("username,name,code\r\n");
+    for (const database::sql::RosterPerson& person : people)
+        if (person.isNew)
+            file.write((database::csvField(person.username) + ',' + database::csvField(person.fullName) + ',' +
+                        person.code + "\r\n")
+                           .c_str());
+    if (!file.commit())
+        return core::unexpected(ErrorCode::FileUnwritable,
+                                "the codes could not be written to " + path.toStdString() + "; make room on the disk");
+    return {};
+}
+
+int tellRoster(const QCommandLineParser& parser, const database::sql::RosterOutcome& outcome, bool dryRun)
+{
+    const auto fresh = std::count_if(outcome.people.begin(), outcome.people.end(),
+                                     [](const database::sql::RosterPerson& person) { return person.isNew; });
+    QJsonArray faults;
+    QString text;
+    for (const database::sql::RosterFault& fault : outcome.faults) {
+        faults += QJsonObject{{"line", fault.line},
+                              {"column", QString::fromStdString(fault.column)},
+                              {"what", QString::fromStdString(fault.what)}};
+        text += QStringLiteral("line %1%2: %3\n")
+                    .arg(fault.line)
+                    .arg(fault.column.empty() ? QString() : ", column " + QString::fromStdString(fault.column),
+                         printable(QString::fromStdString(fault.what)));
+    }
+    QJsonArray people;
+    for (const database::sql::RosterPerson& person : outcome.people)
+        people += QJsonObject{{"username", QString::fromStdString(person.username)},
+                              {"name", QString::fromStdString(person.fullName)},
+                              {"new", person.isNew},
+                              {"code", QString::fromStdString(person.code)}};
+    if (parser.isSet(QStringLiteral("json"))) {
+        printJson({{"dry_run", dryRun}, {"faults", faults}, {"people", people}});
+        return outcome.faults.empty() ? kDone : kFailed;
+    }
+    if (!outcome.faults.empty()) {
+        printText(text, stderr);
+        return failed({ErrorCode::BadStructure, "nobody was entered; correct the lines above and import again"});
+    }
+    printText(QStringLiteral("%1: %2 new, %3 known already.\n")
+                  .arg(dryRun ? QStringLiteral("This would be entered") : QStringLiteral("Entered"))
+                  .arg(fresh)
+                  .arg(static_cast<qint64>(outcome.people.size()) - fresh));
+    if (!dryRun && !parser.isSet(QStringLiteral("codes")))
+        for (const database::sql::RosterPerson& person : outcome.people)
+            if (person.isNew)
+                printText(QStringLiteral("%1 %2\n")
+                              .arg(printable(QString::fromStdString(person.username)), -20)
+                              .arg(QString::fromStdString(person.code)));
+    return kDone;
+}
+
+}  // namespace
+
+int userCommand(const QStringList& arguments)
+{
+    const QString name = arguments.value(0);
+    if (arguments.isEmpty() || name == u"--help" || name == u"-h") {
+        QString text = QStringLiteral("Usage: cusp user PART [OPTIONS]\nThe people of a school.\n\n");
+        for (const Part& part : kParts)
+            text += QStringLiteral("  %1 %2\n").arg(QLatin1String(part.name), -9).arg(QLatin1String(part.summary));
+        text += QStringLiteral("\nThe first admin is entered by \"cusp db init --admin NAME\" or in the window.\n");
+        printText(text, arguments.isEmpty() ? stderr : stdout);
+        return arguments.isEmpty() ? kWrongUsage : kDone;
+    }
+    const auto* const part =
+        std::find_if(kParts.begin(), kParts.end(), [&](const Part& p) { return name == QLatin1String(p.name); });
+    if (part == kParts.end())
+        return wrongUsage(QStringLiteral("cusp user has no part \"%1\"; \"cusp user --help\" lists those there are")
+                              .arg(printable(name)));
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("%1.").arg(QLatin1String(part->summary)));
+    addCommon(parser);
+    part->addOptions(parser);
+    if (const auto code = parse(parser, arguments.mid(1), QLatin1String(part->usage)))
+        return *code;
+    if (parser.positionalArguments().size() != (part->takesName ? 1 : 0))
+        return wrongUsage(QStringLiteral("usage: ") + QLatin1String(part->usage));
+    return part->run(parser, parser.positionalArguments().value(0));
+}
+
+int importCommand(const QStringList& arguments)
+{
+    const QString usage = QStringLiteral("cusp import roster FILE.csv --as ADMIN [--dry-run] [--codes FILE.csv]");
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Enters a class list, all or nothing. The first line of the CSV names its columns: username, "
+                       "given_name, family_name, role, class."));
+    addCommon(parser);
+    parser.addOption({QStringLiteral("dry-run"), QStringLiteral("Says what would be entered, and what is wrong.")});
+    parser.addOption({QStringLiteral("codes"),
+                      QStringLiteral("Writes the one-time codes there, for the owner's eyes only, instead of printing "
+                                     "them."),
+                      QStringLiteral("FILE.csv")});
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    const QStringList words = parser.positionalArguments();
+    if (words.size() != 2 || words.front() != u"roster")
+        return wrongUsage("usage: " + usage);
+    QFile file(words.back());
+    if (!file.open(QIODevice::ReadOnly))
+        return failed({QFile::exists(words.back()) ? ErrorCode::FileUnreadable : ErrorCode::FileMissing,
+                       "the class list " + words.back().toStdString() + " cannot be read; check its name"});
+    constexpr qint64 kMost = qint64{32} << 20;
+    const QByteArray csv = file.read(kMost);
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    const bool dryRun = parser.isSet(QStringLiteral("dry-run"));
+    const auto outcome = database::sql::importRoster(*desk->open.school, desk->session,
+                                                     {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun);
+    if (!outcome)
+        return failed({outcome.error().code, words.back().toStdString() + ": " + outcome.error().detail});
+    if (!dryRun && outcome->faults.empty() && parser.isSet(QStringLiteral("codes")))
+        if (const auto written = writeCodes(parser.value(QStringLiteral("codes")), outcome->people); !written) {
+            // The people are entered: their codes must not be lost.
+            tellRoster(parser, *outcome, dryRun);
+            return failed(written.error());
+        }
+    return tellRoster(parser, *outcome, dryRun);
+}
+
+int exportCommand(const QStringList& arguments)
+{
+    const QString usage = QStringLiteral("cusp export attempts --csv FILE|- --as NAME");
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Writes the attempts one may see as CSV."));
+    addCommon(parser);
+    parser.addOption(
+        {QStringLiteral("csv"), QStringLiteral("The file; - for standard output."), QStringLiteral("FILE|-")});
+    if (const auto code = parse(parser, arguments, usage))
+        return *code;
+    if (parser.positionalArguments() != QStringList{QStringLiteral("attempts")} || !parser.isSet(QStringLiteral("csv")))
+        return wrongUsage("usage: " + usage);
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    const QString path = parser.value(QStringLiteral("csv"));
+    const bool toStdout = path == u"-";
+    QSaveFile file(path);
+    if (!toStdout && !file.open(QIODevice::WriteOnly))
+        return failed({ErrorCode::FileUnwritable, "the file " + path.toStdString() + " cannot be written (" +
+                                                      file.errorString().toStdString() + "); choose another place"});
+    const auto count = database::sql::exportAttempts(*desk->open.school, desk->session, [&](std::string_view line) {
+        const auto size = static_cast<qint64>(line.size());
+        return toStdout ? std::fwrite(line.data(), 1, line.size(), stdout) == line.size()
+                        : file.write(line.data(), size) == size;
+    });
+    if (!count)
+        return failed(count.error());
+    if (!toStdout && !file.commit())
+        return failed({ErrorCode::FileUnwritable,
+                       "the file " + path.toStdString() + " could not be written; make room on the disk"});
+    if (!toStdout)
+        printText(QStringLiteral("%1 attempts were written to %2.\n").arg(*count).arg(path));
+    return kDone;
+}
+
+}  // namespace app::cli

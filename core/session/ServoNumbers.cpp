@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/ServoNumbers.h"
+
+#include <bit>
+
+namespace core::session {
+namespace {
+
+using settings::FeelPreset;
+
+/// The range of each number.
+constexpr std::array<std::size_t, terrain::kMaterialCount> kRows{
+    static_cast<std::size_t>(settings::Substance::SoftCaries), static_cast<std::size_t>(settings::Substance::Enamel),
+    static_cast<std::size_t>(settings::Substance::Dentin), static_cast<std::size_t>(settings::Substance::Pulp)};
+constexpr std::size_t kOfMaterials = 2 * terrain::kMaterialCount;
+
+const NumberField<FeelPreset>& fieldOf(std::size_t index) noexcept
+{
+    if (index < kOfMaterials)
+        return settings::feelFields()[2 * kRows[index / 2] + index % 2];
+    return settings::feelFields()[2 * settings::kSubstances + (index - kOfMaterials)];
+}
+
+double& numberOf(ServoSettings& settings, std::size_t index) noexcept
+{
+    if (index < kOfMaterials) {
+        settings::MaterialHardness& material = settings.hardness.material[index / 2];
+        return index % 2 == 0 ? material.rateMm3PerNs : material.thresholdN;
+    }
+    switch (index - kOfMaterials) {
+    case 0:
+        return settings.hardness.axialShare;
+    case 1:
+        return settings.force.stiffnessNPerMm;
+    case 2:
+        return settings.force.dampingNSPerM;
+    case 3:
+        return settings.force.fastDampingNSPerM;
+    case 4:
+        return settings.force.friction;
+    default:
+        return settings.force.clampN;
+    }
+}
+
+}  // namespace
+
+ServoNumbers numbersOf(const ServoSettings& settings)
+{
+    ServoSettings copy = settings;
+    ServoNumbers numbers{};
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        numbers[k] = numberOf(copy, k);
+    return numbers;
+}
+
+bool isServoNumber(const SetNumber& number) noexcept
+{
+    if (number.index >= kServoNumbers)
+        return false;
+    const NumberField<FeelPreset>& field = fieldOf(number.index);
+    return number.value >= static_cast<float>(field.minimum) && number.value <= static_cast<float>(field.maximum);
+}
+
+void setServoNumber(ServoSettings& settings, const SetNumber& number) noexcept
+{
+    if (isServoNumber(number))
+        numberOf(settings, number.index) = static_cast<double>(number.value);
+}
+
+std::uint64_t packNumber(const SetNumber& number) noexcept
+{
+    return std::uint64_t{number.index} << 32U | std::bit_cast<std::uint32_t>(number.value);
+}
+
+std::optional<SetNumber> unpackNumber(std::uint64_t packed) noexcept
+{
+    const SetNumber number{static_cast<std::uint8_t>(packed >> 32U),
+                           std::bit_cast<float>(static_cast<std::uint32_t>(packed))};
+    const bool isSound = packed >> 32U < kServoNumbers && isServoNumber(number);
+    return isSound ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace core::session

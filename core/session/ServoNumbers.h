@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/session/ServoTick.h"
+#include "core/settings/FeelPreset.h"
+
+namespace core::session {
+
+/// What of a servo's settings may change while it works: rate and threshold of caries, enamel, dentin and pulp, the
+/// axial share, stiffness, damping, damping of fast motion, friction, force limit. Their numbers are in recordings: new
+/// ones go to the end.
+inline constexpr std::size_t kServoNumbers = 2 * terrain::kMaterialCount + 6;
+using ServoNumbers = std::array<double, kServoNumbers>;
+
+[[nodiscard]] ServoNumbers numbersOf(const ServoSettings& settings);
+
+/// Whether the servo takes this: a number there is, finite and in its range (settings::feelFields()). Any thread.
+[[nodiscard]] bool isServoNumber(const SetNumber& number) noexcept;
+/// Nothing where isServoNumber() says no. No allocation.
+void setServoNumber(ServoSettings& settings, const SetNumber& number) noexcept;
+
+/// As ServoEvent::Kind::Number keeps it.
+[[nodiscard]] std::uint64_t packNumber(const SetNumber& number) noexcept;
+/// Nothing where isServoNumber() says no.
+[[nodiscard]] std::optional<SetNumber> unpackNumber(std::uint64_t packed) noexcept;
+
+}  // namespace core::session

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/settings/FeelPreset.h"
+
+namespace core::settings {
+namespace {
+
+constexpr const char* kRateUnit = "mm³/(N s)";
+constexpr std::size_t kShownHash = 8;
+
+using Field = NumberField<FeelPreset>;
+
+// Damping: what CHAI3D lets a Falcon have (haptics.md section 5). Beyond it, and beyond 60 for fast motion, the damper
+// itself swings when the device answers late (StabilityBound.h).
+const std::array<Field, 2 * kSubstances + 6> kFields{{
+    {"soft_caries.rate_mm3_per_ns", "rate of soft caries", kRateUnit, &FeelPreset::softCariesRate, kMinRateMm3PerNs,
+     kMaxRateMm3PerNs},
+    {"soft_caries.threshold_n", "threshold of soft caries", "N", &FeelPreset::softCariesFromN, 0.0, kMaxThresholdN},
+    {"firm_caries.rate_mm3_per_ns", "rate of firm caries", kRateUnit, &FeelPreset::firmCariesRate, kMinRateMm3PerNs,
+     kMaxRateMm3PerNs},
+    {"firm_caries.threshold_n", "threshold of firm caries", "N", &FeelPreset::firmCariesFromN, 0.0, kMaxThresholdN},
+    {"enamel.rate_mm3_per_ns", "rate of enamel", kRateUnit, &FeelPreset::enamelRate, kMinRateMm3PerNs,
+     kMaxRateMm3PerNs},
+    {"enamel.threshold_n", "threshold of enamel", "N", &FeelPreset::enamelFromN, 0.0, kMaxThresholdN},
+    {"dentin.rate_mm3_per_ns", "rate of dentin", kRateUnit, &FeelPreset::dentinRate, kMinRateMm3PerNs,
+     kMaxRateMm3PerNs},
+    {"dentin.threshold_n", "threshold of dentin", "N", &FeelPreset::dentinFromN, 0.0, kMaxThresholdN},
+    {"pulp.rate_mm3_per_ns", "rate of pulp", kRateUnit, &FeelPreset::pulpRate, kMinRateMm3PerNs, kMaxRateMm3PerNs},
+    {"pulp.threshold_n", "threshold of pulp", "N", &FeelPreset::pulpFromN, 0.0, kMaxThresholdN},
+    {"plastic.rate_mm3_per_ns", "rate of plastic", kRateUnit, &FeelPreset::plasticRate, kMinRateMm3PerNs,
+     kMaxRateMm3PerNs},
+    {"plastic.threshold_n", "threshold of plastic", "N", &FeelPreset::plasticFromN, 0.0, kMaxThresholdN},
+    {"axial_share", "axial share", "", &FeelPreset::axialShare, 0.01, 1.0},
+    {"force.stiffness_n_per_mm", "stiffness", "N/mm", &FeelPreset::stiffnessNPerMm, 0.2, 20.0},
+    {"force.damping_ns_per_m", "damping", "N s/m", &FeelPreset::dampingNSPerM, 0.0, 20.0},
+    {"force.fast_damping_ns_per_m", "damping of fast motion", "N s/m", &FeelPreset::fastDampingNSPerM, 0.0, 60.0},
+    {"force.friction", "friction", "", &FeelPreset::friction, 0.0, 0.6},
+    {"force.limit_n", "force limit", "N", &FeelPreset::clampN, 0.5, 20.0},
+}};
+
+}  // namespace
+
+std::span<const Field> feelFields()
+{
+    return kFields;
+}
+
+const Field& rateField(Substance substance)
+{
+    return kFields[2 * static_cast<std::size_t>(substance)];
+}
+
+const Field& thresholdField(Substance substance)
+{
+    return kFields[2 * static_cast<std::size_t>(substance) + 1];
+}
+
+MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance)
+{
+    return {preset.*rateField(substance).value, preset.*thresholdField(substance).value};
+}
+
+std::string labelOf(const FeelPreset& preset)
+{
+    std::string label = preset.name + " v" + std::to_string(preset.version);
+    return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, kShownHash));
+}
+
+HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)
+{
+    HardnessPreset hardness;
+    hardness.name = labelOf(preset);
+    hardness.axialShare = preset.axialShare;
+    if (tooth.isPlastic)
+        hardness.material.fill(hardnessOf(preset, Substance::Plastic));
+    else
+        hardness.material = {hardnessOf(preset, tooth.hasFirmCaries ? Substance::FirmCaries : Substance::SoftCaries),
+                             hardnessOf(preset, Substance::Enamel), hardnessOf(preset, Substance::Dentin),
+                             hardnessOf(preset, Substance::Pulp)};
+    return hardness;
+}
+
+void putForces(const FeelPreset& preset, contact::ForceSettings& force)
+{
+    force.stiffnessNPerMm = preset.stiffnessNPerMm;
+    force.dampingNSPerM = preset.dampingNSPerM;
+    force.fastDampingNSPerM = preset.fastDampingNSPerM;
+    force.friction = preset.friction;
+    force.clampN = preset.clampN;
+}
+
+FeelPreset feltAs(FeelPreset base, const HardnessPreset& hardness, const contact::ForceSettings& force,
+                  const ToothKind& tooth)
+{
+    const auto put = [&](Substance substance, terrain::Material material) {
+        const MaterialHardness& yields = hardness.material[static_cast<std::size_t>(material)];
+        base.*rateField(substance).value = yields.rateMm3PerNs;
+        base.*thresholdField(substance).value = yields.thresholdN;
+    };
+    if (tooth.isPlastic) {
+        put(Substance::Plastic, terrain::Material::Enamel);
+    } else {
+        put(tooth.hasFirmCaries ? Substance::FirmCaries : Substance::SoftCaries, terrain::Material::Caries);
+        put(Substance::Enamel, terrain::Material::Enamel);
+        put(Substance::Dentin, terrain::Material::Dentin);
+        put(Substance::Pulp, terrain::Material::Pulp);
+    }
+    base.axialShare = hardness.axialShare;
+    base.stiffnessNPerMm = force.stiffnessNPerMm;
+    base.dampingNSPerM = force.dampingNSPerM;
+    base.fastDampingNSPerM = force.fastDampingNSPerM;
+    base.friction = force.friction;
+    base.clampN = force.clampN;
+    return base;
+}
+
+Status check(const FeelPreset& preset)
+{
+    return validateNumbers(feelFields(), preset);
+}
+
+}  // namespace core::settings

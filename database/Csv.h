@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/Result.h"
+
+namespace database {
+
+/// A field of a CSV line as RFC 4180 has it, quoted where it must be. What a spreadsheet would run as a formula gets an
+/// apostrophe before it.
+[[nodiscard]] std::string csvField(std::string_view text);
+
+/// Fields of one line, with where it stands in the file.
+struct CsvRow
+{
+    int line = 0;  ///< from 1
+    std::vector<std::string> fields;
+};
+
+/// Reads CSV in UTF-8, with or without a byte order mark; the separator is whichever of comma, semicolon and tab the
+/// first line has most of. Empty lines are left out. BadStructure with line and column: not UTF-8, a quote that is not
+/// closed, words behind a closing quote. FileTooLarge: over 16 MiB.
+[[nodiscard]] core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes);
+
+}  // namespace database

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Check.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using Progress = std::function<void(const char* what, std::int64_t rows)>;
+
+const std::string kDoing = "check it";
+
+void say(CheckReport& report, const std::string& sentence)
+{
+    if (report.findings.size() < kMostFindings)
+        report.findings.push_back(sentence);
+}
+
+core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
+{
+    if (dialect::isPostgres(db))
+        return {};  // the server's own business
+    for (const char* pragma : {"PRAGMA integrity_check", "PRAGMA foreign_key_check"})
+        if (auto read = forEach(db, QLatin1String(pragma), kDoing, {},
+                                [&](const QSqlQuery& row) {
+                                    if (row.value(0).toString() != u"ok")
+                                        say(report, "the file is damaged: " +
+                                                        row.value(0).toString().simplified().toStdString());
+                                });
+            !read)
+            return read;
+    return {};
+}
+
+core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
+{
+    // Those without an owner were made before there were people, and before there was an audit.
+    if (auto read = forEachAttempt(db,
+                                   [&](const AttemptRecord& attempt, const std::string& noted) {
+                                       const std::string named = "attempt " + attempt.uid + " (" + attempt.finishedUtc +
+                                                                 ", " + attempt.lessonId + ")";
+                                       const std::string digest =
+                                           QJsonDocument::fromJson(QByteArray::fromStdString(noted))
+                                               .object()
+                                               .value(QStringLiteral("digest"))
+                                               .toString()
+                                               .toStdString();
+                                       if (noted.empty())
+                                           say(report, named + " was inserted: the audit knows nothing of it");
+                                       else if (digest != digestOfAttempt(attempt))
+                                           say(report, named + " was changed after it had been kept");
+                                       if (++report.attempts % 1000 == 0 && progress)
+                                           progress("attempts", report.attempts);
+                                   });
+        !read)
+        return read;
+    return forEach(db,
+                   "SELECT u.object, u.seq FROM audit u WHERE u.action = 'attempt.add' AND NOT EXISTS (SELECT 1 FROM "
+                   "attempts a WHERE a.uid = substr(u.object, 9))",
+                   kDoing, {}, [&](const QSqlQuery& row) {
+                       say(report,
+                           textOf(row, 0) + " was removed; row " + textOf(row, 1) + " of the audit tells of it");
+                   });
+}
+
+core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
+{
+    struct Look
+    {
+        const char* sql;
+        const char* what;
+    };
+    for (const Look& look :
+         {Look{
+              "SELECT a.uid FROM attempts a LEFT JOIN score_sheets s ON s.attempt_id = a.id WHERE s.attempt_id IS NULL",
+              "has no score sheet"},
+          Look{
+              "SELECT s.person_id || ' in ' || s.lesson_id FROM standings s LEFT JOIN (SELECT person_id, lesson_id, "
+              "COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best FROM attempts GROUP BY person_id, lesson_id) "
+              "a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id WHERE a.n IS NULL OR a.n <> s.attempts OR "
+              "a.best <> s.best_tenths",
+              "has a standing that its attempts do not add up to"},
+          Look{"SELECT a.uid FROM attempts a JOIN (SELECT attempt_id, MAX(id) id FROM overrides GROUP BY attempt_id) n "
+               "ON n.attempt_id = a.id JOIN overrides o ON o.id = n.id WHERE COALESCE(o.given_tenths, -1) <> "
+               "COALESCE(a.given_tenths, -1)",
+               "has another score than its last override gave"}})
+        if (auto read = forEach(db, QLatin1String(look.sql), kDoing, {},
+                                [&](const QSqlQuery& row) { say(report, textOf(row, 0) + ' ' + look.what); });
+            !read)
+            return read;
+    return {};
+}
+
+}  // namespace
+
+core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+                                        const Progress& progress)
+{
+    CheckReport report;
+    if (auto done = checkPages(db, report); !done)
+        return tl::unexpected(done.error());
+    auto chain = checkAudit(db, witnesses, [&](std::int64_t row) {
+        report.auditRows = row;
+        if (progress && row % 1000 == 0)
+            progress("audit", row);
+    });
+    if (!chain)
+        return tl::unexpected(chain.error());
+    for (const std::string& finding : *chain)
+        say(report, "audit: " + finding);
+    for (const auto& done : {checkAttempts(db, report, progress), checkSums(db, report)})
+        if (!done)
+            return tl::unexpected(done.error());
+    const auto head = ask(db, "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", kDoing);
+    if (!head)
+        return tl::unexpected(head.error());
+    report.auditCode = head->toString().toStdString();
+    return report;
+}
+
+}  // namespace database::sql

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QSqlDatabase>
+
+#include "core/base/Result.h"
+
+namespace database::sql {
+
+/// What a thorough look at a database finds.
+struct CheckReport
+{
+    std::vector<std::string> findings;  ///< one sentence each; empty: it is sound
+    std::int64_t attempts = 0;
+    std::int64_t auditRows = 0;
+    std::string auditCode;  ///< of the newest row, as reports show it
+};
+
+/// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the
+/// audit says it was when it was kept, whether one was removed or inserted, score sheets and standings. Does not write.
+/// @param witnesses  audit codes of printed reports
+/// @param progress  what is looked at, and how many rows of it so far
+[[nodiscard]] core::Result<CheckReport>
+checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+              const std::function<void(const char* what, std::int64_t rows)>& progress = {});
+
+}  // namespace database::sql

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Copy.h"
+
+#include <array>
+#include <cstring>
+
+#include <QCryptographicHash>
+#include <QSqlError>
+#include <QSqlField>
+#include <QSqlQuery>
+#include <QSqlRecord>
+
+#include "database/sql/Recordings.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+constexpr std::int64_t kToldEvery = 5000;
+
+struct Table
+{
+    const char* name;
+    bool hasIds;
+};
+
+/// In the order in which they refer to each other. Failed logins are forgotten, recordings go by themselves.
+constexpr std::array kTables{Table{"people", true},        Table{"classes", true},    Table{"enrolments", false},
+                             Table{"assignments", true},   Table{"settings", false},  Table{"attempts", true},
+                             Table{"score_sheets", false}, Table{"standings", false}, Table{"comments", true},
+                             Table{"overrides", true},     Table{"presets", true},    Table{"audit", false}};
+constexpr std::array kMustBeEmpty{"people", "classes", "attempts", "presets", "audit"};
+
+/// Of rows in any order: the sum of their hashes, 256 bits as four numbers.
+class RowSum
+{
+public:
+    void add(const QStringList& fields)
+    {
+        QCryptographicHash hash(QCryptographicHash::Blake2b_256);
+        for (const QString& field : fields) {
+            const QByteArray bytes = field.toUtf8();
+            hash.addData(field.isNull() ? QByteArray("-") : QByteArray::number(bytes.size()) + ':');
+            hash.addData(bytes);
+        }
+        const QByteArray digest = hash.result();
+        for (std::size_t k = 0; k < m_parts.size(); ++k) {
+            std::uint64_t part = 0;
+            std::memcpy(&part, digest.constData() + k * sizeof part, sizeof part);
+            m_parts.at(k) += part;
+        }
+        ++m_rows;
+    }
+    [[nodiscard]] std::int64_t rows() const { return m_rows; }
+    bool operator==(const RowSum&) const = default;
+
+private:
+    std::array<std::uint64_t, 4> m_parts{};
+    std::int64_t m_rows = 0;
+};
+
+QStringList columnsOf(const QSqlDatabase& db, const QString& table)
+{
+    QStringList names;
+    const QSqlRecord record = db.record(table);
+    for (int k = 0; k < record.count(); ++k)
+        names += record.fieldName(k);
+    names.sort();
+    return names;
+}
+
+QStringList fieldsOf(const QSqlQuery& row, qsizetype count)
+{
+    QStringList fields;
+    for (int k = 0; k < count; ++k)
+        fields += row.isNull(k)                       ? QString()
+                  : row.value(k).toString().isEmpty() ? QStringLiteral("")
+                                                      : row.value(k).toString();
+    return fields;
+}
+
+core::Status copyTable(const School& from, const School& to, const QString& table, RowSum& sum,
+                       const CopyProgress& progress)
+{
+    const std::string doing = "copy the table " + table.toStdString();
+    const QStringList columns = columnsOf(from.db, table);
+    QSqlQuery insert(to.db);
+    const QString places = QStringList(columns.size(), QStringLiteral("?")).join(u',');
+    if (!insert.prepare(QStringLiteral("INSERT INTO %1 (%2) VALUES (%3)").arg(table, columns.join(u','), places)))
+        return tl::unexpected(dialect::error(to.db, insert.lastError(), doing));
+    auto rows = run(from.db, QStringLiteral("SELECT %1 FROM %2").arg(columns.join(u','), table), doing);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    while (rows->next()) {
+        for (int k = 0; k < columns.size(); ++k)
+            insert.bindValue(k, rows->isNull(k) ? QVariant() : rows->value(k));
+        if (!insert.exec())
+            return tl::unexpected(dialect::error(to.db, insert.lastError(), doing));
+        sum.add(fieldsOf(*rows, columns.size()));
+        if (progress && sum.rows() % kToldEvery == 0)
+            progress(table, sum.rows());
+    }
+    if (rows->lastError().isValid())
+        return tl::unexpected(dialect::error(from.db, rows->lastError(), doing));
+    return {};
+}
+
+core::Status verifyTable(const School& to, const QString& table, const RowSum& expected)
+{
+    RowSum sum;
+    const QStringList columns = columnsOf(to.db, table);
+    if (auto read = forEach(to.db, QStringLiteral("SELECT %1 FROM %2").arg(columns.join(u','), table),
+                            "verify the table " + table.toStdString(), {},
+                            [&](const QSqlQuery& row) { sum.add(fieldsOf(row, columns.size())); });
+        !read)
+        return read;
+    if (sum == expected)
+        return {};
+    return core::unexpected(ErrorCode::BadStructure, "the table " + table.toStdString() +
+                                                         " did not arrive as it was sent; nothing was kept, try again");
+}
+
+core::Status copyRecordings(const School& from, const School& to, CopyReport& report, const CopyProgress& progress)
+{
+    std::vector<std::string> hashes;
+    if (auto read = forEach(from.db, "SELECT DISTINCT recording_hash FROM attempts WHERE recording_hash <> ''",
+                            "list the recordings", {}, [&](const QSqlQuery& row) { hashes.push_back(textOf(row, 0)); });
+        !read)
+        return read;
+    for (const std::string& hash : hashes) {
+        const auto bytes = recordingOf(from, hash);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        if (auto put = putRecording(to, *bytes); !put)
+            return tl::unexpected(put.error());
+        if (const auto back = recordingOf(to, hash); !back)
+            return tl::unexpected(back.error());
+        if (progress)
+            progress(QStringLiteral("recordings"), ++report.recordings);
+        else
+            ++report.recordings;
+    }
+    return {};
+}
+
+core::Status copySeal(const School& from, const School& to)
+{
+    const std::string doing = "copy the head of the audit";
+    auto seal = run(from.db, "SELECT seq, hash, signature, station_key FROM audit_seal", doing);
+    if (!seal)
+        return tl::unexpected(seal.error());
+    if (!seal->next())
+        return {};
+    const QVariantList values{seal->value(0), seal->value(1), seal->value(2), seal->value(3)};
+    return execute(to.db, "UPDATE audit_seal SET seq = ?, hash = ?, signature = ?, station_key = ? WHERE id = 1", doing,
+                   values);
+}
+
+}  // namespace
+
+core::Result<CopyReport> copySchool(const School& from, const School& to, const CopyProgress& progress)
+{
+    for (const char* table : kMustBeEmpty) {
+        const auto row =
+            ask(to.db, QStringLiteral("SELECT 1 FROM %1 LIMIT 1").arg(QLatin1String(table)), "look into it");
+        if (!row)
+            return tl::unexpected(row.error());
+        if (!row->isNull())
+            return core::unexpected(ErrorCode::OutOfRange, "database " + dialect::nameOf(to.db) +
+                                                               ": it holds a school already; copy into an empty one");
+    }
+    CopyReport report;
+    // What is read is one moment of the school, whoever writes meanwhile.
+    if (auto begun =
+            execute(from.db, dialect::isPostgres(from.db) ? "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" : "BEGIN",
+                    "read it");
+        !begun)
+        return tl::unexpected(begun.error());
+    auto done = inTransaction(to.db, "copy the school", [&]() -> core::Status {
+        for (const Table& table : kTables) {
+            RowSum sum;
+            const QString name = QLatin1String(table.name);
+            if (auto copied = copyTable(from, to, name, sum, progress); !copied)
+                return copied;
+            if (auto same = verifyTable(to, name, sum); !same)
+                return same;
+            if (table.hasIds)
+                if (auto gone = dialect::continueIds(to.db, name); !gone)
+                    return gone;
+            report.rows += sum.rows();
+        }
+        if (auto copied = copyRecordings(from, to, report, progress); !copied)
+            return copied;
+        return copySeal(from, to);
+    });
+    static_cast<void>(execute(from.db, "ROLLBACK", "end reading it"));
+    if (!done)
+        return tl::unexpected(done.error());
+    return report;
+}
+
+}  // namespace database::sql

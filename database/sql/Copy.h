@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Table and rows of it so far.
+using CopyProgress = std::function<void(const QString& table, std::int64_t rows)>;
+
+struct CopyReport
+{
+    std::int64_t rows = 0;
+    std::int64_t recordings = 0;
+};
+
+/// Brings everything of a school into an empty database of either engine, recordings included, all or nothing, and
+/// verifies it: the same rows in both, by a sum of their hashes, and each recording read back. OutOfRange where the
+/// target holds anything already.
+[[nodiscard]] core::Result<CopyReport> copySchool(const School& from, const School& to,
+                                                  const CopyProgress& progress = {});
+
+}  // namespace database::sql

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Overview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "database/sql/Statement.h"
+#include "lessons/ClassStanding.h"
+
+namespace database::sql {
+namespace {
+
+const std::string kDoing = "read the class";
+constexpr int kRecent = 20;
+constexpr std::size_t kRecentShown = 5;
+constexpr double kUmPerMm = 1000.0;
+
+QVariant number(std::int64_t value)
+{
+    return QVariant::fromValue<qlonglong>(value);
+}
+
+/// The students of a class, as people p.
+const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person_id = p.id WHERE e.class_id = ? AND "
+                                         "p.role = 'student'");
+
+core::Status readStudents(const School& school, ClassOverview& overview, std::map<std::int64_t, std::size_t>& rowOf)
+{
+    return forEach(school.db,
+                   "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc FROM " + kStudents +
+                       " ORDER BY p.family_name, p.given_name, p.username",
+                   kDoing, {number(overview.id.value)}, [&](const QSqlQuery& row) {
+                       MatrixStudent student;
+                       student.id = {row.value(0).toLongLong()};
+                       student.username = textOf(row, 1);
+                       const std::string given = textOf(row, 2);
+                       const std::string family = textOf(row, 3);
+                       student.fullName = given + (given.empty() || family.empty() ? "" : " ") + family;
+                       student.lastLoginUtc = textOf(row, 4);
+                       rowOf[student.id.value] = overview.students.size();
+                       overview.students.push_back(std::move(student));
+                   });
+}
+
+core::Status readCells(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
+{
+    if (auto read = forEach(school.db, "SELECT lesson_id FROM assignments WHERE class_id = ? ORDER BY lesson_id",
+                            kDoing, {number(overview.id.value)},
+                            [&](const QSqlQuery& row) { overview.lessons.push_back(textOf(row, 0)); });
+        !read)
+        return read;
+    struct Found
+    {
+        std::size_t student = 0;
+        std::string lesson;
+        MatrixCell cell;
+    };
+    std::vector<Found> found;
+    if (auto read = forEach(school.db,
+                            "SELECT s.person_id, s.lesson_id, s.attempts, s.best_tenths, s.passed, s.last_utc FROM "
+                            "standings s JOIN enrolments e ON e.person_id = s.person_id WHERE e.class_id = ?",
+                            kDoing, {number(overview.id.value)},
+                            [&](const QSqlQuery& row) {
+                                const auto place = rowOf.find(row.value(0).toLongLong());
+                                if (place == rowOf.end())
+                                    return;
+                                found.push_back({place->second,
+                                                 textOf(row, 1),
+                                                 {row.value(2).toInt(), row.value(3).toInt(), row.value(4).toInt() != 0,
+                                                  textOf(row, 5)}});
+                            });
+        !read)
+        return read;
+    std::set<std::string> tried;
+    const std::set<std::string> assigned(overview.lessons.begin(), overview.lessons.end());
+    for (const Found& one : found)
+        if (!one.lesson.empty() && assigned.count(one.lesson) == 0)
+            tried.insert(one.lesson);
+    overview.lessons.insert(overview.lessons.end(), tried.begin(), tried.end());
+    std::map<std::string, std::size_t> columnOf;
+    for (std::size_t k = 0; k < overview.lessons.size(); ++k)
+        columnOf[overview.lessons[k]] = k;
+    overview.cells.assign(overview.students.size(), std::vector<MatrixCell>(overview.lessons.size()));
+    for (Found& one : found) {
+        std::string& last = overview.students[one.student].lastAttemptUtc;
+        last = std::max(last, one.cell.lastUtc);
+        if (const auto column = columnOf.find(one.lesson); column != columnOf.end())
+            overview.cells[one.student][column->second] = std::move(one.cell);
+    }
+    return {};
+}
+
+/// The last attempts of each student, of which those at the lesson tried last are kept.
+core::Status readRecent(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
+{
+    return forEach(
+        school.db,
+        "SELECT person_id, lesson_id, score, passed FROM (SELECT a.person_id, a.lesson_id, COALESCE(a.given_tenths, "
+        "a.score_tenths) AS score, CASE WHEN a.given_tenths IS NULL THEN a.passed WHEN a.given_tenths >= "
+        "a.pass_mark_tenths THEN 1 ELSE 0 END AS passed, ROW_NUMBER() OVER (PARTITION BY a.person_id ORDER BY "
+        "a.finished_utc DESC, a.id DESC) AS place FROM attempts a JOIN enrolments e ON e.person_id = a.person_id WHERE "
+        "e.class_id = ? AND a.lesson_id <> '') recent WHERE place <= ? ORDER BY person_id, place",
+        kDoing, {number(overview.id.value), kRecent}, [&](const QSqlQuery& row) {
+            const auto place = rowOf.find(row.value(0).toLongLong());
+            if (place == rowOf.end())
+                return;
+            MatrixStudent& student = overview.students[place->second];
+            const std::string lesson = textOf(row, 1);
+            if (student.recentTenths.empty())
+                student.recentLesson = lesson;
+            if (lesson != student.recentLesson || student.recentTenths.size() == kRecentShown)
+                return;
+            student.recentTenths.push_back(row.value(2).toInt());
+            student.recentPassed.push_back(row.value(3).toInt() != 0);
+        });
+}
+
+/// The value of which a share of the rest is smaller, between two neighbours by their distance.
+int quantile(const std::vector<int>& sorted, double share)
+{
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    const double part = place - static_cast<double>(below);
+    return static_cast<int>(std::lround((1.0 - part) * sorted[below] + part * sorted[above]));
+}
+
+std::vector<BandPoint> curveOf(std::map<int, std::vector<int>> scoresOfNth)
+{
+    std::vector<BandPoint> curve;
+    for (auto& [attempt, scores] : scoresOfNth) {
+        if (scores.size() < static_cast<std::size_t>(lessons::kFewestPeople))
+            continue;
+        std::sort(scores.begin(), scores.end());
+        curve.push_back({attempt, static_cast<int>(scores.size()), quantile(scores, 0.25), quantile(scores, 0.5),
+                         quantile(scores, 0.75)});
+    }
+    return curve;
+}
+
+LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair<int, bool>>>& byPerson,
+                              const std::map<std::string, std::pair<double, int>>& shares)
+{
+    LessonDifficulty difficulty;
+    double firsts = 0.0;
+    double needed = 0.0;
+    for (const auto& [person, attempts] : byPerson) {
+        ++difficulty.people;
+        firsts += attempts.front().first;
+        const auto pass = std::find_if(attempts.begin(), attempts.end(), [](const auto& a) { return a.second; });
+        if (pass == attempts.end())
+            continue;
+        ++difficulty.passed;
+        needed += static_cast<double>(pass - attempts.begin() + 1);
+    }
+    if (difficulty.people > 0)
+        difficulty.meanTenths = firsts / difficulty.people;
+    if (difficulty.passed > 0)
+        difficulty.attemptsToPass = needed / difficulty.passed;
+    for (const auto& [criterion, sum] : shares)
+        difficulty.items.push_back({criterion, sum.first / sum.second});
+    std::stable_sort(difficulty.items.begin(), difficulty.items.end(),
+                     [](const auto& a, const auto& b) { return a.share > b.share; });
+    return difficulty;
+}
+
+}  // namespace
+
+core::Result<ClassOverview> classOverview(const School& school, const Session& session, ClassId ofClass)
+{
+    if (auto who = admitToClass(school, session, Operation::ReadClass, ofClass); !who)
+        return tl::unexpected(who.error());
+    ClassOverview overview;
+    overview.id = ofClass;
+    const auto name = ask(school.db, "SELECT name FROM classes WHERE id = ?", kDoing, {number(ofClass.value)});
+    if (!name)
+        return tl::unexpected(name.error());
+    if (name->isNull())
+        return core::unexpected(core::ErrorCode::UnknownName, "there is no such class");
+    overview.name = name->toString().toStdString();
+    std::map<std::int64_t, std::size_t> rowOf;
+    if (auto read = readStudents(school, overview, rowOf); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readCells(school, overview, rowOf); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readRecent(school, overview, rowOf); !read)
+        return tl::unexpected(read.error());
+    return overview;
+}
+
+core::Result<LessonResults> lessonResults(const School& school, const Session& session, ClassId ofClass,
+                                          const std::string& lessonId)
+{
+    if (auto who = admitToClass(school, session, Operation::ReadClass, ofClass); !who)
+        return tl::unexpected(who.error());
+    LessonResults results;
+    results.lessonId = lessonId;
+    std::map<std::int64_t, std::vector<std::pair<int, bool>>> byPerson;
+    std::map<int, std::vector<int>> scoresOfNth;
+    std::map<std::string, std::pair<double, int>> shares;
+    if (auto read = forEach(
+            school.db,
+            "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), CASE WHEN a.given_tenths IS NULL THEN "
+            "a.passed WHEN a.given_tenths >= a.pass_mark_tenths THEN 1 ELSE 0 END, a.criteria_json FROM attempts a "
+            "JOIN "
+            "enrolments e ON e.person_id = a.person_id JOIN people p ON p.id = a.person_id WHERE e.class_id = ? AND "
+            "p.role = 'student' AND a.lesson_id = ? ORDER BY a.person_id, a.finished_utc, a.id",
+            kDoing, {number(ofClass.value), text(lessonId)},
+            [&](const QSqlQuery& row) {
+                auto& attempts = byPerson[row.value(0).toLongLong()];
+                attempts.emplace_back(row.value(1).toInt(), row.value(2).toInt() != 0);
+                scoresOfNth[static_cast<int>(attempts.size())].push_back(row.value(1).toInt());
+                const QJsonArray criteria = QJsonDocument::fromJson(row.value(3).toByteArray()).array();
+                for (const auto& value : criteria) {
+                    const QJsonArray criterion = value.toArray();
+                    if (const double weight = criterion.at(2).toDouble(); weight > 0.0) {
+                        auto& sum = shares[criterion.at(0).toString().toStdString()];
+                        sum.first += criterion.at(1).toDouble() / weight;
+                        ++sum.second;
+                    }
+                }
+            });
+        !read)
+        return tl::unexpected(read.error());
+    for (const auto& [person, attempts] : byPerson)
+        results.bestTenths.push_back(std::max_element(attempts.begin(), attempts.end())->first);
+    std::sort(results.bestTenths.begin(), results.bestTenths.end());
+    results.curve = curveOf(std::move(scoresOfNth));
+    results.difficulty = difficultyOf(byPerson, shares);
+    results.difficulty.lessonId = lessonId;
+    return results;
+}
+
+core::Result<std::vector<BandPoint>> classBand(const School& school, const Session& session, PersonId person,
+                                               const std::string& lessonId)
+{
+    if (auto who = admitTo(school, session, Operation::CompareWithClass, person); !who)
+        return tl::unexpected(who.error());
+    std::map<std::int64_t, int> count;
+    std::map<int, std::vector<int>> scoresOfNth;
+    if (auto read =
+            forEach(school.db,
+                    "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN people p "
+                    "ON p.id = a.person_id WHERE p.role = 'student' AND a.lesson_id = ? AND a.person_id IN "
+                    "(SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs ON mine.class_id = "
+                    "theirs.class_id WHERE mine.person_id = ?) ORDER BY a.person_id, a.finished_utc, a.id",
+                    kDoing, {text(lessonId), number(person.value)},
+                    [&](const QSqlQuery& row) {
+                        scoresOfNth[++count[row.value(0).toLongLong()]].push_back(row.value(1).toInt());
+                    });
+        !read)
+        return tl::unexpected(read.error());
+    return curveOf(std::move(scoresOfNth));
+}
+
+core::Result<AttemptTalk> readTalk(const School& school, const Session& session, AttemptId id)
+{
+    if (auto who = admit(school, session, Operation::OpenAttempt); !who)
+        return tl::unexpected(who.error());
+    const auto owner = ask(school.db, "SELECT person_id FROM attempts WHERE id = ?", kDoing, {number(id.value)});
+    if (!owner)
+        return tl::unexpected(owner.error());
+    if (auto who = admitTo(school, session, Operation::OpenAttempt, {owner->toLongLong()}); !who)
+        return tl::unexpected(who.error());
+    const QString author = QStringLiteral("TRIM(p.given_name || ' ' || p.family_name)");
+    AttemptTalk talk;
+    if (auto read = forEach(school.db,
+                            "SELECT c.id, " + author +
+                                ", c.written_utc, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms FROM comments c JOIN "
+                                "people p ON p.id = c.author_id WHERE c.attempt_id = ? ORDER BY c.id",
+                            kDoing, {number(id.value)},
+                            [&](const QSqlQuery& row) {
+                                AttemptComment comment{
+                                    row.value(0).toLongLong(), textOf(row, 1), textOf(row, 2), textOf(row, 3), {}, {}};
+                                if (!row.isNull(4))
+                                    comment.placeMm = {row.value(4).toInt() / kUmPerMm, row.value(5).toInt() / kUmPerMm,
+                                                       row.value(6).toInt() / kUmPerMm};
+                                if (!row.isNull(7))
+                                    comment.momentMs = row.value(7).toLongLong();
+                                talk.comments.push_back(std::move(comment));
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    if (auto read = forEach(school.db,
+                            "SELECT " + author +
+                                ", o.given_utc, o.given_tenths, o.reason FROM overrides o JOIN people p ON p.id = "
+                                "o.author_id WHERE o.attempt_id = ? ORDER BY o.id",
+                            kDoing, {number(id.value)},
+                            [&](const QSqlQuery& row) {
+                                AttemptOverride given{textOf(row, 0), textOf(row, 1), {}, textOf(row, 3)};
+                                if (!row.isNull(2))
+                                    given.givenTenths = row.value(2).toInt();
+                                talk.overrides.push_back(std::move(given));
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return talk;
+}
+
+}  // namespace database::sql

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/overview.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Students of a class by lessons. Its teachers and admins.
+[[nodiscard]] core::Result<ClassOverview> classOverview(const School& school, const Session& session, ClassId ofClass);
+
+/// What a class has done at one lesson. Its teachers and admins.
+[[nodiscard]] core::Result<LessonResults> lessonResults(const School& school, const Session& session, ClassId ofClass,
+                                                        const std::string& lessonId);
+
+/// How the classmates of a person, himself among them, do at a lesson, attempt by attempt; empty for fewer than
+/// lessons::kFewestPeople.
+[[nodiscard]] core::Result<std::vector<BandPoint>> classBand(const School& school, const Session& session,
+                                                             PersonId person, const std::string& lessonId);
+
+/// What people have said of an attempt.
+[[nodiscard]] core::Result<AttemptTalk> readTalk(const School& school, const Session& session, AttemptId id);
+
+}  // namespace database::sql

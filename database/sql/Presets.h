@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// A version of a hardness preset, as it is kept: what its file says.
+struct KeptPreset
+{
+    std::string name;
+    int version = 0;
+    std::string hash;
+    std::string json;
+    bool operator==(const KeptPreset&) const = default;
+};
+
+/// All versions of all presets, by name, the newest version of each first. Everybody.
+[[nodiscard]] core::Result<std::vector<KeptPreset>> listPresets(const School& school, const Session& session);
+/// Keeps a version, which is never changed. OutOfRange where there is one of that name and number already with another
+/// content; the same again costs nothing. Admins.
+[[nodiscard]] core::Status addPreset(const School& school, const Session& session, const KeptPreset& preset);
+
+}  // namespace database::sql

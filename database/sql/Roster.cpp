@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Roster.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include <QString>
+
+#include "database/Csv.h"
+#include "database/Usernames.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Classes.h"
+#include "database/sql/People.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using core::ErrorCode;
+
+const std::string kDoing = "import the class list";
+constexpr std::array<const char*, 5> kColumns{"username", "given_name", "family_name", "role", "class"};
+constexpr std::size_t kMostRows = 20'000;
+
+std::string trimmed(const std::string& text)
+{
+    return QString::fromStdString(text).simplified().toStdString();
+}
+
+struct Line
+{
+    int number = 0;
+    NewPerson who;
+    std::vector<std::string> classes;
+};
+
+/// Where each column stands in the file.
+using Places = std::map<std::string, std::size_t>;
+
+core::Result<Places> placesOf(const CsvRow& head)
+{
+    Places places;
+    for (std::size_t at = 0; at < head.fields.size(); ++at) {
+        const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
+        if (name.empty())
+            continue;
+        if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
+            return core::unexpected(ErrorCode::BadStructure,
+                                    "line 1: there is a column \"" + name +
+                                        "\"; the columns are username, given_name, family_name, role and class");
+        if (!places.emplace(name, at).second)
+            return core::unexpected(ErrorCode::BadStructure, "line 1: the column \"" + name + "\" is there twice");
+    }
+    if (places.count("username") == 0)
+        return core::unexpected(ErrorCode::BadStructure,
+                                "line 1: the column \"username\" is missing; the first line names the columns");
+    return places;
+}
+
+class RosterReader
+{
+public:
+    RosterReader(const Places& places, std::vector<RosterFault>& faults) : m_places(places), m_faults(faults) {}
+
+    std::optional<Line> read(const CsvRow& row)
+    {
+        const std::size_t before = m_faults.size();
+        Line line;
+        line.number = row.line;
+        if (row.fields.size() > widest())
+            fault(row, "", "has more fields than the first line names");
+        line.who = {at(row, "username"), at(row, "given_name"), at(row, "family_name"), Role::Student};
+        if (const auto name = normalUsername(line.who.username); !name)
+            fault(row, "username", name.error().detail);
+        else if (!m_seen.emplace(*name, row.line).second)
+            fault(row, "username", "stands in line " + std::to_string(m_seen[*name]) + " already");
+        else
+            line.who.username = *name;
+        if (const std::string role = QString::fromStdString(at(row, "role")).toLower().toStdString(); !role.empty()) {
+            const auto known = roleOf(role);
+            if (known && *known != Role::Guest)
+                line.who.role = *known;
+            else
+                fault(row, "role", "is none of student, instructor, admin");
+        }
+        for (const QString& name : QString::fromStdString(at(row, "class")).split('|', Qt::SkipEmptyParts))
+            line.classes.push_back(name.trimmed().toStdString());
+        return m_faults.size() == before ? std::optional(line) : std::nullopt;
+    }
+
+private:
+    [[nodiscard]] std::size_t widest() const
+    {
+        std::size_t most = 0;
+        for (const auto& [name, place] : m_places)
+            most = std::max(most, place + 1);
+        return most;
+    }
+    [[nodiscard]] std::string at(const CsvRow& row, const char* column) const
+    {
+        const auto place = m_places.find(column);
+        return place != m_places.end() && place->second < row.fields.size() ? trimmed(row.fields[place->second])
+                                                                            : std::string();
+    }
+    void fault(const CsvRow& row, const std::string& column, const std::string& what)
+    {
+        m_faults.push_back({row.line, column, what});
+    }
+
+    const Places& m_places;
+    std::vector<RosterFault>& m_faults;
+    std::map<std::string, int> m_seen;
+};
+
+/// What is known of the name already.
+struct Known
+{
+    Person person;
+    bool isThere = false;
+};
+
+core::Result<Known> known(const School& school, const std::string& username)
+{
+    Known found;
+    if (auto read = forEach(school.db, "SELECT id, uid, given_name, family_name, role FROM people WHERE username = ?",
+                            kDoing, {text(username)},
+                            [&](const QSqlQuery& row) {
+                                found.isThere = true;
+                                found.person.id = {row.value(0).toLongLong()};
+                                found.person.uid = textOf(row, 1);
+                                found.person.givenName = textOf(row, 2);
+                                found.person.familyName = textOf(row, 3);
+                                found.person.role = roleOf(textOf(row, 4)).value_or(Role::Student);
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return found;
+}
+
+core::Result<RosterPerson> take(const School& school, const Session& session, const Line& line, const Known& before)
+{
+    RosterPerson result{
+        line.who.username, trimmed(line.who.givenName + ' ' + line.who.familyName), !before.isThere, {}};
+    PersonId id = before.person.id;
+    if (!before.isThere) {
+        const auto entered = enter(school, session.uid(), line.who, {});
+        if (!entered)
+            return tl::unexpected(entered.error());
+        id = entered->id;
+        auto code = giveCode(school, *entered);
+        if (!code)
+            return tl::unexpected(code.error());
+        result.code = std::move(*code);
+    } else if (!result.fullName.empty() &&
+               (before.person.givenName != line.who.givenName || before.person.familyName != line.who.familyName)) {
+        if (auto renamed =
+                execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kDoing,
+                        {text(line.who.givenName), text(line.who.familyName), static_cast<qlonglong>(id.value)});
+            !renamed)
+            return tl::unexpected(renamed.error());
+        if (auto noted =
+                note(school, session.uid(), "person.change", "person:" + before.person.uid, {{"renamed", true}});
+            !noted)
+            return tl::unexpected(noted.error());
+    }
+    for (const std::string& name : line.classes) {
+        const auto ofClass = classNamed(school, session.uid(), name);
+        if (!ofClass)
+            return tl::unexpected(ofClass.error());
+        if (auto put = putInto(school, session.uid(), *ofClass, id); !put)
+            return tl::unexpected(put.error());
+    }
+    return result;
+}
+
+/// What undoes a dry run: no failure, and nothing that anybody sees.
+constexpr const char* kDryRun = "a dry run";
+
+}  // namespace
+
+core::Result<RosterOutcome> importRoster(const School& school, const Session& session, std::string_view csv,
+                                         bool dryRun)
+{
+    for (const Operation operation : {Operation::AddPerson, Operation::ChangePerson, Operation::ChangeClasses})
+        if (auto who = admit(school, session, operation); !who)
+            return tl::unexpected(who.error());
+    const auto rows = readCsv(csv);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    if (rows->empty())
+        return core::unexpected(ErrorCode::FileEmpty, "the file is empty; its first line names the columns username, "
+                                                      "given_name, family_name, role and class");
+    if (rows->size() > kMostRows)
+        return core::unexpected(ErrorCode::FileTooLarge,
+                                "the file has more than " + std::to_string(kMostRows) + " lines; split it");
+    const auto places = placesOf(rows->front());
+    if (!places)
+        return tl::unexpected(places.error());
+    RosterOutcome outcome;
+    RosterReader reader(*places, outcome.faults);
+    std::vector<Line> lines;
+    for (auto row = rows->begin() + 1; row != rows->end(); ++row)
+        if (auto line = reader.read(*row))
+            lines.push_back(std::move(*line));
+    auto done = inTransaction(school.db, kDoing, [&]() -> core::Status {
+        for (const Line& line : lines) {
+            const auto before = known(school, line.who.username);
+            if (!before)
+                return tl::unexpected(before.error());
+            if (before->isThere && places->count("role") > 0 && before->person.role != line.who.role) {
+                outcome.faults.push_back({line.number, "role",
+                                          "is \"" + std::string(roleName(before->person.role)) +
+                                              "\" here; a class list does not change what somebody is"});
+                continue;
+            }
+            auto person = take(school, session, line, *before);
+            if (person)
+                outcome.people.push_back(std::move(*person));
+            else if (person.error().code == ErrorCode::OutOfRange)
+                outcome.faults.push_back({line.number, "", person.error().detail});
+            else
+                return tl::unexpected(person.error());
+        }
+        if (dryRun || !outcome.faults.empty())
+            return core::unexpected(ErrorCode::NotAllowed, kDryRun);
+        return {};
+    });
+    if (!done && done.error().detail != kDryRun)
+        return tl::unexpected(done.error());
+    if (!done)
+        for (RosterPerson& person : outcome.people)
+            person.code.clear();
+    if (!outcome.faults.empty())
+        outcome.people.clear();
+    std::sort(outcome.faults.begin(), outcome.faults.end(),
+              [](const RosterFault& a, const RosterFault& b) { return a.line < b.line; });
+    return outcome;
+}
+
+}  // namespace database::sql

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Sample.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QSqlError>
+#include <QSqlQuery>
+
+#include "core/base/Rng.h"
+#include "database/Passwords.h"
+#include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Classes.h"
+#include "database/sql/People.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+const std::string kDoing = "make up a school";
+constexpr std::int64_t kAttemptsAtOnce = 5000;
+constexpr int kPassMarkTenths = 750;
+constexpr int kDays = 180;
+constexpr std::array kGiven{"Ada", "Ben", "Chloe", "Dan", "Emi", "Finn", "Grace", "Hugo", "Ines", "Jun", "Kim", "Lea"};
+constexpr std::array kFamily{"Abe",  "Bauer", "Costa",  "Diaz", "Endo",  "Fischer", "Garcia",
+                             "Hart", "Ito",   "Jansen", "Kato", "Lopez", "Meyer",   "Nowak"};
+constexpr std::array kCriteria{std::pair("outline", 200), std::pair("depth", 300), std::pair("floor", 200),
+                               std::pair("walls", 200), std::pair("time", 100)};
+
+struct Student
+{
+    PersonId id;
+    std::string uid;
+    double talent = 0.0;    ///< of his first attempt, 0 .. 1
+    double learning = 0.0;  ///< how soon he gets better
+    std::vector<int> done;  ///< attempts at each lesson
+};
+
+class SampleMaker
+{
+public:
+    SampleMaker(const School& school, const Session& admin, const SampleSize& size,
+                const std::vector<std::string>& lessons)
+        : m_school(school), m_admin(admin), m_size(size), m_lessons(lessons), m_rng(size.seed)
+    {}
+
+    core::Status make(const std::function<void(std::int64_t)>& progress)
+    {
+        auto entered = inTransaction(m_school.db, kDoing, [this] { return enterPeople(); });
+        for (std::int64_t done = 0; entered && done < m_size.attempts;) {
+            const std::int64_t next = std::min(m_size.attempts, done + kAttemptsAtOnce);
+            entered = inTransaction(m_school.db, kDoing, [&] { return addAttempts(done, next); });
+            done = next;
+            if (entered && progress)
+                progress(done);
+        }
+        if (!entered)
+            return entered;
+        return inTransaction(m_school.db, kDoing, [this] { return countStandings(); });
+    }
+
+private:
+    double uniform() { return m_rng.uniform(); }
+    std::size_t pick(std::size_t count) { return static_cast<std::size_t>(m_rng.below(static_cast<int>(count))); }
+
+    core::Status enterPeople()
+    {
+        ClassId ofClass;
+        for (int k = 0; k < m_size.students; ++k) {
+            if (k % m_size.classSize == 0) {
+                const std::string teacherName = QStringLiteral("teacher%1").arg(k / m_size.classSize + 1).toStdString();
+                const auto made = classNamed(m_school, m_admin.uid(),
+                                             QStringLiteral("Class %1").arg(k / m_size.classSize + 1).toStdString());
+                const auto teacher =
+                    enter(m_school, m_admin.uid(), {teacherName, "Tess", "Teacher", Role::Instructor}, {});
+                if (!made || !teacher)
+                    return tl::unexpected(made ? teacher.error() : made.error());
+                ofClass = *made;
+                if (auto put = putInto(m_school, m_admin.uid(), ofClass, teacher->id); !put)
+                    return put;
+            }
+            const std::string name = QStringLiteral("s%1").arg(k + 1, 4, 10, QLatin1Char('0')).toStdString();
+            const auto student =
+                enter(m_school, m_admin.uid(),
+                      {name, kGiven.at(pick(kGiven.size())), kFamily.at(pick(kFamily.size())), Role::Student}, {});
+            if (!student)
+                return tl::unexpected(student.error());
+            if (auto put = putInto(m_school, m_admin.uid(), ofClass, student->id); !put)
+                return put;
+            m_students.push_back({student->id, student->uid, 0.3 + 0.5 * uniform(), 0.03 + 0.3 * uniform(),
+                                  std::vector<int>(m_lessons.size())});
+        }
+        return {};
+    }
+
+    AttemptRecord attemptOf(Student& student, std::size_t lesson, std::int64_t number)
+    {
+        const int before = student.done[lesson]++;
+        const double skill = 1.0 - (1.0 - student.talent) * std::exp(-student.learning * before);
+        AttemptRecord record;
+        record.uid = newUid();
+        record.person = student.id;
+        record.personUid = student.uid;
+        const double share = static_cast<double>(number) / static_cast<double>(m_size.attempts);
+        record.finishedUtc = m_school.nowUtc()
+                                 .addSecs(static_cast<qint64>(-86400.0 * kDays * (1.0 - share)))
+                                 .toString(Qt::ISODate)
+                                 .toStdString();
+        record.tooth = "36";
+        record.lessonId = m_lessons[lesson];
+        record.lessonHash = std::string(64, '1');
+        record.rubricHash = std::string(64, '2');
+        int total = 1000;
+        for (const auto& [id, weight] : kCriteria) {
+            const double loss = std::clamp((1.0 - skill) * (0.5 + 1.2 * uniform()), 0.0, 1.0);
+            const int lost = static_cast<int>(std::lround(loss * weight));
+            record.criteria.push_back({id, lost, weight});
+            total -= lost;
+        }
+        record.scoreTenths = total;
+        record.passMarkTenths = kPassMarkTenths;
+        record.passed = total >= kPassMarkTenths;
+        record.expectedTenths = std::clamp(total + static_cast<int>(200.0 * (uniform() - 0.4)), 0, 1000);
+        record.durationMs = static_cast<std::int64_t>(120'000.0 + 480'000.0 * (1.1 - skill) * (0.6 + 0.8 * uniform()));
+        record.scoreSheetJson = "{\"format\":2,\"sample\":true}";
+        record.stateHash = record.uid.substr(0, 16);
+        record.device = "pointer";
+        record.method = "continuous";
+        record.grid = 150;
+        record.viewMode = "flat";
+        record.seed = std::to_string(m_size.seed);
+        record.preset = "natural v1";
+        record.program = "sample";
+        record.meanForceMn = static_cast<int>(600.0 + 900.0 * uniform());
+        record.peakForceMn = record.meanForceMn * 2 + static_cast<int>(800.0 * (1.0 - skill));
+        return record;
+    }
+
+    core::Status addAttempts(std::int64_t from, std::int64_t to)
+    {
+        AttemptWriter writer(m_school);
+        for (std::int64_t k = from; k < to; ++k) {
+            Student& student = m_students[pick(m_students.size())];
+            if (auto added = writer.add(attemptOf(student, pick(m_lessons.size()), k)); !added)
+                return added;
+        }
+        return writer.seal();
+    }
+
+    core::Status countStandings()
+    {
+        return execute(
+            m_school.db,
+            "INSERT INTO standings (person_id, lesson_id, attempts, best_tenths, passed, last_utc) SELECT "
+            "person_id, lesson_id, COUNT(*), MAX(score_tenths), MAX(passed), MAX(finished_utc) FROM attempts "
+            "GROUP BY person_id, lesson_id",
+            kDoing);
+    }
+
+    const School& m_school;
+    const Session& m_admin;
+    const SampleSize& m_size;
+    const std::vector<std::string>& m_lessons;
+    core::Rng m_rng;
+    std::vector<Student> m_students;
+};
+
+}  // namespace
+
+core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
+                        const std::vector<std::string>& lessons, const std::function<void(std::int64_t)>& progress)
+{
+    for (const Operation operation : {Operation::AddPerson, Operation::ChangeClasses})
+        if (auto who = admit(school, admin, operation); !who)
+            return tl::unexpected(who.error());
+    const auto somebody = ask(school.db, "SELECT 1 FROM people WHERE role <> 'admin' LIMIT 1", kDoing);
+    if (!somebody)
+        return tl::unexpected(somebody.error());
+    if (!somebody->isNull() || lessons.empty() || size.students < 1 || size.classSize < 1)
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                "a school is made up only where nobody but the admin is; name a new database");
+    return SampleMaker(school, admin, size, lessons).make(progress);
+}
+
+}  // namespace database::sql

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// A school that was made up, to see and to measure what a large one is like.
+struct SampleSize
+{
+    int students = 200;
+    std::int64_t attempts = 10'000;
+    int classSize = 35;
+    std::uint64_t seed = 1;
+};
+
+/// Fills a school that has its first admin and nothing else: students "s0001" ... in classes with a teacher each
+/// ("teacher1" ...), assignments, and attempts at these lessons in which students get better, faster and more sure,
+/// each in his own measure. The same seed gives the same school but for uids.
+/// @param lessons  ids
+[[nodiscard]] core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
+                                      const std::vector<std::string>& lessons,
+                                      const std::function<void(std::int64_t attempts)>& progress = {});
+
+}  // namespace database::sql

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/PresetFile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QRegularExpression>
+
+#include "core/base/WholeFile.h"
+#include "core/settings/StabilityBound.h"
+#include "lessons/JsonFiles.h"
+#include "lessons/JsonKeys.h"
+
+namespace lessons {
+namespace {
+
+using core::settings::FeelPreset;
+using Field = core::NumberField<FeelPreset>;
+
+const QString kKind = QStringLiteral("cusp-hardness-preset");
+constexpr const char* kBothCaries = "caries";
+
+QString groupOf(const Field& field)
+{
+    const QString id = QLatin1String(field.id);
+    return id.contains(u'.') ? id.section(u'.', 0, 0) : QString();
+}
+
+QByteArray keyOf(const Field& field)
+{
+    return QByteArray(field.id).mid(QByteArray(field.id).indexOf('.') + 1);
+}
+
+void takeNumber(JsonKeys& keys, const Field& field, FeelPreset& preset)
+{
+    preset.*field.value =
+        keys.number(keyOf(field).constData(), field.minimum, field.maximum, field.unit, preset.*field.value);
+}
+
+void takeNumbers(JsonKeys& keys, FeelPreset& preset)
+{
+    using core::settings::Substance;
+    if (auto both = keys.object(kBothCaries)) {
+        for (const Substance one : {Substance::SoftCaries, Substance::FirmCaries}) {
+            takeNumber(*both, core::settings::rateField(one), preset);
+            takeNumber(*both, core::settings::thresholdField(one), preset);
+        }
+        both->nameTheRest();
+    }
+    std::map<QString, std::optional<JsonKeys>> groups;
+    for (const Field& field : core::settings::feelFields()) {
+        const QString group = groupOf(field);
+        if (group.isEmpty()) {
+            takeNumber(keys, field, preset);
+            continue;
+        }
+        auto found = groups.find(group);
+        if (found == groups.end())
+            found = groups.emplace(group, keys.object(group.toUtf8().constData())).first;
+        if (found->second)
+            takeNumber(*found->second, field, preset);
+    }
+    for (auto& [name, group] : groups)
+        if (group)
+            group->nameTheRest();
+}
+
+/// A name stands in one line of a table.
+bool isOneLine(const std::string& name)
+{
+    return std::none_of(name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; });
+}
+
+}  // namespace
+
+ReadPreset readPresetText(const QByteArray& json, const QString& file)
+{
+    ReadPreset read;
+    read.file = file;
+    const auto complain = [&](const QString& what) {
+        read.faults.push_back({file, {}, what, true});
+        return read;
+    };
+    if (json.size() > kLargestPresetBytes)
+        return complain(QStringLiteral("has %1; a hardness preset has at most %2")
+                            .arg(sizeWords(json.size()), sizeWords(kLargestPresetBytes)));
+    const auto whole = parseObject(json, file, read.faults);
+    if (!whole)
+        return read;
+    JsonKeys keys(*whole, file, {}, read.faults);
+    if (const qint64 format = keys.whole("format", 1, kNewestPresetVersion, kPresetFormat); format > kPresetFormat)
+        return complain(QStringLiteral("is of format %1, from a newer Cusp; this one reads %2. Update Cusp to use it")
+                            .arg(format)
+                            .arg(kPresetFormat));
+    if (keys.has("kind") && keys.text("kind") != kKind.toStdString())
+        return complain(QStringLiteral("is no hardness preset; choose a file that Cusp has exported"));
+    FeelPreset preset;
+    preset.name = keys.has("name") ? keys.visibleText("name", kLongestPresetName)
+                                   : QFileInfo(file).completeBaseName().left(kLongestPresetName).toStdString();
+    if (preset.name.empty() || !isOneLine(preset.name))
+        keys.fault("name", QStringLiteral("must be one line of 1 to %1 characters").arg(kLongestPresetName));
+    preset.version = static_cast<int>(keys.whole("version", 1, kNewestPresetVersion, 1));
+    preset.notes = keys.visibleText("notes", kLongestPresetNotes);
+    takeNumbers(keys, preset);
+    keys.nameTheRest();
+    if (anyGrave(read.faults))
+        return read;
+    if (const core::Status held = core::settings::checkStability(preset); !held)
+        return complain(QString::fromStdString(held.error().detail));
+    read.preset = hashed(std::move(preset));
+    return read;
+}
+
+ReadPreset readPreset(const QString& path)
+{
+    ReadPreset read;
+    read.file = path;
+    const auto complain = [&](const QString& what) {
+        read.faults.push_back({path, {}, what, true});
+        return read;
+    };
+    if (!QFileInfo::exists(path))
+        return complain(QStringLiteral("is not there; check the name"));
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return complain(QStringLiteral("cannot be read; name a file that you may read"));
+    const QByteArray json = file.read(kLargestPresetBytes + 1);
+    return readPresetText(json, path);
+}
+
+core::Status checkPreset(const FeelPreset& preset)
+{
+    // What can be written can be read back.
+    const ReadPreset read = readPresetText(QJsonDocument(toJson(preset)).toJson(), QString::fromStdString(preset.name));
+    if (read.preset)
+        return {};
+    const auto grave =
+        std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
+    return core::unexpected(core::ErrorCode::OutOfRange,
+                            ((grave->key.isEmpty() ? QString() : grave->key + u' ') + grave->what).toStdString());
+}
+
+QJsonObject toJson(const FeelPreset& preset)
+{
+    QJsonObject object{{"format", kPresetFormat},
+                       {"kind", kKind},
+                       {"name", QString::fromStdString(preset.name)},
+                       {"version", preset.version}};
+    if (!preset.notes.empty())
+        object.insert(QStringLiteral("notes"), QString::fromStdString(preset.notes));
+    for (const Field& field : core::settings::feelFields()) {
+        const QString group = groupOf(field);
+        const QString key = QString::fromLatin1(keyOf(field));
+        const double value = preset.*field.value;
+        if (group.isEmpty()) {
+            object.insert(key, value);
+        } else {
+            QJsonObject inside = object.value(group).toObject();
+            inside.insert(key, value);
+            object.insert(group, inside);
+        }
+    }
+    return object;
+}
+
+std::string hashOf(const FeelPreset& preset)
+{
+    return QCryptographicHash::hash(QJsonDocument(toJson(preset)).toJson(QJsonDocument::Compact),
+                                    QCryptographicHash::Sha256)
+        .toHex()
+        .toStdString();
+}
+
+FeelPreset hashed(FeelPreset preset)
+{
+    preset.hash = hashOf(preset);
+    return preset;
+}
+
+core::Status writePreset(const QString& file, const FeelPreset& preset)
+{
+    return core::writeWhole(std::filesystem::path(file.toStdU16String()),
+                            QJsonDocument(toJson(preset)).toJson().toStdString(), "The hardness preset");
+}
+
+const std::vector<FeelPreset>& shippedPresets()
+{
+    static const std::vector<FeelPreset> kShipped{hashed({})};
+    return kShipped;
+}
+
+PresetUsed presetUsed(const std::string& label, bool isChanged)
+{
+    static const QRegularExpression kLabel(QStringLiteral("^(.*) v([0-9]{1,7})(?: #([0-9a-f]{8}))?(, changed)?$"),
+                                           QRegularExpression::DotMatchesEverythingOption);
+    const QString text = QString::fromStdString(label);
+    const auto parts = kLabel.match(text);
+    if (!parts.hasMatch())
+        return {text, 0, {}, isChanged};
+    return {parts.captured(1), parts.captured(2).toInt(), parts.captured(3), isChanged || !parts.captured(4).isEmpty()};
+}
+
+PresetUsed presetUsed(const core::recording::Recording& recording)
+{
+    return presetUsed(recording.settings().hardness.name, recording.isRetuned());
+}
+
+}  // namespace lessons

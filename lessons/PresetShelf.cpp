@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/PresetShelf.h"
+
+#include <algorithm>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace lessons {
+namespace {
+
+using core::settings::FeelPreset;
+
+constexpr int kTries = 16;
+/// Files of a folder that are looked at: nobody makes so many, and a folder of strangers shall not be read for hours.
+constexpr qsizetype kMostPresets = 2000;
+
+/// What a file may be called anywhere, and which two different names do not share.
+QString fileNameOf(const FeelPreset& preset)
+{
+    QString plain;
+    for (const QChar c : QString::fromStdString(preset.name).toLower())
+        plain += c.isLetterOrNumber() && c.unicode() < 128 ? c : QChar(u'-');
+    return QStringLiteral("%1-v%2-%3.%4")
+        .arg(plain)
+        .arg(preset.version)
+        .arg(QString::fromStdString(preset.hash).left(8), QLatin1String(kPresetSuffix));
+}
+
+bool before(const ReadPreset& a, const ReadPreset& b)
+{
+    if (a.preset.has_value() != b.preset.has_value())
+        return a.preset.has_value();
+    if (!a.preset)
+        return a.file < b.file;
+    if (a.preset->name != b.preset->name)
+        return a.preset->name < b.preset->name;
+    return a.preset->version > b.preset->version;
+}
+
+}  // namespace
+
+std::vector<ReadPreset> PresetFolder::list() const
+{
+    std::vector<ReadPreset> all;
+    for (const FeelPreset& shipped : shippedPresets())
+        all.push_back({{}, shipped, {}});
+    const QDir folder(m_folder);
+    const QStringList names =
+        folder.entryList({QStringLiteral("*.") + QLatin1String(kPresetSuffix)}, QDir::Files, QDir::Name);
+    for (const QString& name : names.mid(0, kMostPresets)) {
+        ReadPreset read = readPreset(folder.filePath(name));
+        const auto isSameVersion = [&](const ReadPreset& other) {
+            return read.preset && other.preset && other.preset->name == read.preset->name &&
+                   other.preset->version == read.preset->version;
+        };
+        const auto other = std::find_if(all.begin(), all.end(), isSameVersion);
+        if (other != all.end() && other->preset->hash == read.preset->hash)
+            continue;
+        if (other != all.end()) {
+            read.faults.push_back({read.file, QStringLiteral("version"),
+                                   QStringLiteral("there is another %1 of version %2; give this one another number")
+                                       .arg(QString::fromStdString(read.preset->name))
+                                       .arg(read.preset->version),
+                                   true});
+            read.preset.reset();
+        }
+        all.push_back(std::move(read));
+    }
+    std::stable_sort(all.begin(), all.end(), before);
+    return all;
+}
+
+core::Result<FeelPreset> PresetFolder::save(FeelPreset preset)
+{
+    int wanted = preset.version;
+    if (!QDir().mkpath(m_folder))
+        return core::unexpected(core::ErrorCode::FileUnwritable, "The folder of presets " + m_folder.toStdString() +
+                                                                     " cannot be made; check the rights.");
+    for (int attempt = 0; attempt < kTries; ++attempt) {
+        int newest = 0;
+        bool isTaken = wanted <= 0;
+        for (const ReadPreset& other : list()) {
+            if (!other.preset || other.preset->name != preset.name)
+                continue;
+            const bool isNewest = other.preset->version > newest;  // they come newest first
+            newest = std::max(newest, other.preset->version);
+            preset.version = other.preset->version;
+            if ((wanted > 0 ? preset.version == wanted : isNewest) && hashOf(preset) == other.preset->hash)
+                return *other.preset;
+            isTaken = isTaken || other.preset->version == wanted;
+        }
+        preset.version = isTaken ? newest + 1 : wanted;
+        if (auto sound = checkPreset(preset); !sound)
+            return tl::unexpected(sound.error());
+        preset = hashed(std::move(preset));
+        const QString file = QDir(m_folder).filePath(fileNameOf(preset));
+        const QString part = file + QStringLiteral(".part");
+        if (auto written = writePreset(part, preset); !written)
+            return tl::unexpected(written.error());
+        if (QFile::rename(part, file))  // which puts nothing over a file that is there
+            return preset;
+        QFile::remove(part);
+        if (!QFileInfo::exists(file))
+            break;
+        wanted = 0;
+    }
+    return core::unexpected(core::ErrorCode::FileUnwritable, "The hardness preset could not be kept in " +
+                                                                 m_folder.toStdString() + "; check the rights.");
+}
+
+QString presetsFolder()
+{
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("presets"));
+}
+
+core::Result<FeelPreset> findPreset(const PresetShelf& shelf, const QString& name)
+{
+    QStringList known;
+    for (const ReadPreset& read : shelf.list()) {
+        if (!read.preset)
+            continue;
+        const QString own = QString::fromStdString(read.preset->name);
+        if (name == own || name == QStringLiteral("%1 v%2").arg(own).arg(read.preset->version))
+            return *read.preset;
+        if (!known.contains(own))
+            known << own;
+    }
+    return core::unexpected(core::ErrorCode::UnknownName,
+                            QStringLiteral("There is no hardness preset '%1'; there are %2.")
+                                .arg(name.left(80), known.join(QStringLiteral(", ")))
+                                .toStdString());
+}
+
+}  // namespace lessons

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "app/Application.h"
+#include "core/recording/Replay.h"
+#include "lessons/LessonReader.h"
+#include "lessons/PresetFile.h"
+#include "tests/support/OpenGlMain.h"
+#include "ui/console/Console.h"
+#include "ui/presets/PresetsPage.h"
+#include "ui/presets/TrialCard.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/tooth/ToothView.h"
+
+/// How drilling feels, from the page and the console down to the servo and the recording.
+class TestFeel : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup() { m_application.reset(); }
+
+    void aPresetIsTriedOnABlockAndKept();
+    void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth();
+    void twoPresetsAreComparedBlind();
+    void anExamFeelsAsItShould();
+
+private:
+    template <class T>
+    T* child(const char* name = "") const
+    {
+        return m_application->window().findChild<T*>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    [[nodiscard]] ui::presets::PresetsPage& page() const { return *child<ui::presets::PresetsPage>(); }
+    void start();
+    void waitForTooth(const QString& title) const
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(m_application->window().windowTitle().startsWith(title), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+        QTest::qWait(100);
+    }
+    [[nodiscard]] core::recording::Recording recording() const;
+    [[nodiscard]] QString answer(const QString& command) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<app::Application> m_application;
+};
+
+void TestFeel::init()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    m_folder = std::make_unique<QTemporaryDir>();
+    qputenv("XDG_DATA_HOME", m_folder->path().toLocal8Bit());
+}
+
+void TestFeel::start()
+{
+    app::WindowOptions options;
+    options.source = {36};
+    options.database = m_folder->filePath("grades.sqlite");
+    m_application = app::Application::make(options).value();
+    m_application->show();
+    waitForTooth("Tooth 36");
+}
+
+core::recording::Recording TestFeel::recording() const
+{
+    const QString path = m_folder->filePath("now.cusprec");
+    QFile::remove(path);
+    emit m_application->window().recordingSaveRequested(path);
+    if (!QTest::qWaitFor([&] { return QFile::exists(path); }, 30000))
+        qFatal("no recording");
+    return core::recording::readRecording(path.toStdString()).value();
+}
+
+QString TestFeel::answer(const QString& command) const
+{
+    auto* output = child<QPlainTextEdit>("consoleOutput");
+    output->clear();
+    child<ui::console::Console>()->execute(command);
+    return output->toPlainText().section('\n', 1);
+}
+
+void TestFeel::aPresetIsTriedOnABlockAndKept()
+{
+    start();
+    QVERIFY(recording().settings().hardness.name.starts_with("natural v1 #"));
+    actions().presets->trigger();
+    QTRY_VERIFY(page().isVisible());
+    QTest::mouseClick(child<QPushButton>("presetTry"), Qt::LeftButton);
+    waitForTooth("Practice block");
+    auto* card = child<ui::presets::TrialCard>();
+    QVERIFY(card->isVisible());
+    QVERIFY(!recording().isRetuned());
+    // A slider is felt at once: it is on the recording, and replays to the bit.
+    auto* enamel = card->findChild<QSlider*>("dial0");
+    enamel->setValue(enamel->maximum());
+    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
+    const auto replayed = core::recording::replay(recording());
+    QVERIFY(replayed && replayed->agreesWithWitness);
+    QTest::mouseClick(card->findChild<QPushButton*>("trialBack"), Qt::LeftButton);
+    QTRY_VERIFY(page().isVisible());
+    QCOMPARE(page().draft().enamelRate, 0.175);
+    QTest::mouseClick(child<QPushButton>("presetSave"), Qt::LeftButton);
+    QCOMPARE(page().draft().version, 2);
+    QVERIFY(child<ui::shell::MessageBar>()->sentence().contains("natural, version 2"));
+    QTest::mouseClick(child<QPushButton>("presetUse"), Qt::LeftButton);
+    emit m_application->window().toothChosen(26);
+    waitForTooth("Tooth 26");
+    QVERIFY(!card->isVisible());
+    QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
+    QCOMPARE(recording().settings().hardness.material[1].rateMm3PerNs, 0.175);
+    // The next start finds what is in use.
+    m_application.reset();
+    start();
+    QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
+    emit m_application->window().presetUseWanted(lessons::shippedPresets().front());
+}
+
+void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
+{
+    start();
+    actions().console->trigger();
+    QTRY_VERIFY(child<ui::console::Console>()->isVisible());
+    QVERIFY(answer("set hardness.enamel.rate 5").contains("= 5 mm"));
+    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
+    QVERIFY(lessons::presetUsed(recording()).isChanged);
+    emit m_application->window().toothChosen(26);
+    waitForTooth("Tooth 26");
+    const core::recording::Recording next = recording();
+    QVERIFY(!next.isRetuned());
+    QCOMPARE(next.settings().hardness.material[1].rateMm3PerNs, 5.0);
+    QVERIFY((lessons::presetUsed(next) == lessons::PresetUsed{"natural", 1, {}, true}));
+    QVERIFY2(answer("save mine").contains("mine, version 1"), qPrintable(answer("help")));
+    QVERIFY(answer("reset").contains("as the preset says"));
+    emit m_application->window().toothChosen(36);
+    waitForTooth("Tooth 36");
+    QVERIFY(!lessons::presetUsed(recording()).isChanged);
+    QVERIFY(answer("load mine").contains("mine, version 1"));
+    emit m_application->window().toothChosen(26);
+    waitForTooth("Tooth 26");
+    QCOMPARE(lessons::presetUsed(recording()).name, QString("mine"));
+    QVERIFY(!lessons::presetUsed(recording()).isChanged);
+    QTest::keyClick(child<QLineEdit>("consoleLine"), Qt::Key_Escape);
+    QTRY_VERIFY(!child<ui::console::Console>()->isVisible());
+}
+
+void TestFeel::twoPresetsAreComparedBlind()
+{
+    start();
+    core::settings::FeelPreset hard;
+    hard.name = "hard";
+    hard.enamelRate = 0.2;
+    emit m_application->window().presetSaveWanted(hard);
+    actions().presets->trigger();
+    child<QComboBox>("presetOther")->setCurrentIndex(child<QComboBox>("presetOther")->findText("natural v1"));
+    child<QSpinBox>("presetTrials")->setValue(2);
+    QTest::mouseClick(child<QPushButton>("presetCompare"), Qt::LeftButton);
+    waitForTooth("Practice block");
+    auto* card = child<ui::presets::TrialCard>();
+    QVERIFY(card->isVisible() && !card->tuned());
+    QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
+    QTest::mouseClick(card->findChild<QPushButton*>("trialB"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
+    QTest::mouseClick(card->findChild<QPushButton*>("trialSaysA"), Qt::LeftButton);
+    QTest::mouseClick(card->findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
+    QVERIFY(card->findChild<QPushButton*>("trialCsv")->isVisible());
+    QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1 time"));
+}
+
+void TestFeel::anExamFeelsAsItShould()
+{
+    start();
+    QVERIFY(answer("set force.friction 0.2").contains("0.2"));
+    QFile file(m_folder->filePath("exam.lesson.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
+    file.close();
+    const auto lesson = lessons::readLesson(file.fileName()).lesson;
+    QVERIFY(lesson.has_value());
+    emit m_application->window().lessonChosen(*lesson);
+    QTRY_VERIFY_WITH_TIMEOUT(answer("set force.friction 0.3").contains("In an exam"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+    QTest::qWait(100);
+    const core::recording::Recording exam = recording();
+    QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
+    QVERIFY(!lessons::presetUsed(exam).isChanged);
+    QVERIFY(!exam.isRetuned());
+}
+
+int main(int argc, char** argv)
+{
+    return support::openGlMain<TestFeel>(argc, argv);
+}
+#include "tst_feel.moc"

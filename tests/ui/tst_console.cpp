@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QWidget>
+#include <cmath>
+
+#include "core/settings/StabilityBound.h"
+#include "ui/console/Console.h"
+#include "ui/console/Registration.h"
+#include "ui/console/WatchPanel.h"
+#include "ui/settings/SettingsPage.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/Theme.h"
+
+using namespace ui;
+using core::settings::FeelPreset;
+
+namespace {
+
+/// A console on what the window registers, with a feel of its own.
+struct Room
+{
+    QWidget window;
+    FeelPreset feel;
+    std::string refusal;
+    QAction wet;
+    core::session::ServoState servo;
+    console::PeriodMeter meter;
+    core::settings::Parameters parameters;
+    console::WatchPanel panel{parameters, &window};
+    console::Console console{parameters, panel, &window};
+
+    Room()
+    {
+        wet.setCheckable(true);
+        wet.setText("Wet tooth");
+        wet.setStatusTip("Let the tooth shine");
+        console::registerFeel(
+            parameters, [this] { return feel; }, [] { return FeelPreset{}; },
+            [this](const FeelPreset& next) {
+                if (refusal.empty())
+                    feel = next;
+                return refusal;
+            });
+        console::registerSwitch(parameters, "view.wet", &wet);
+        console::registerLive(
+            parameters, [this] { return servo; }, meter);
+        window.resize(900, 600);
+        console.resize(900, 300);
+        window.show();
+        console.open();
+    }
+    QLineEdit& line() { return *console.findChild<QLineEdit*>("consoleLine"); }
+    /// What a command answers.
+    QString answer(const QString& command)
+    {
+        auto* output = console.findChild<QPlainTextEdit*>("consoleOutput");
+        output->clear();
+        console.execute(command);
+        return output->toPlainText().section('\n', 1);
+    }
+};
+
+}  // namespace
+
+class TestConsole : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void everyNumberOfAPresetIsAParameter();
+    void commandsAnswer_data();
+    void commandsAnswer();
+    void whatIsFeltIsSetAndSetBack();
+    void theOwnerMayRefuse();
+    void theBoundHoldsHereToo();
+    void tabCompletes_data();
+    void tabCompletes();
+    void keysRecallAndClose();
+    void watchesAndPlots();
+    void presetsAreKeptAndFelt();
+    void periodsAreThoseOfTheTrail();
+    void settingsPageIsTheRegistry();
+    void settingsSayWhatIsRefused();
+};
+
+void TestConsole::initTestCase()
+{
+    shell::applyTheme(*qApp, shell::ThemeChoice::Light);
+}
+
+void TestConsole::everyNumberOfAPresetIsAParameter()
+{
+    Room room;
+    for (const char* name : {"hardness.enamel.rate", "hardness.enamel.threshold", "hardness.soft_caries.rate",
+                             "hardness.plastic.threshold", "hardness.axial_share", "force.stiffness", "force.damping",
+                             "force.fast_damping", "force.friction", "force.limit"}) {
+        const auto* parameter = room.parameters.find(name);
+        QVERIFY2(parameter != nullptr, name);
+        QVERIFY2(!parameter->help().empty() && !parameter->label().empty(), name);
+        QVERIFY2(!parameter->isLive(), name);
+    }
+    std::size_t felt = room.parameters.beginningWith("hardness.").size();
+    felt += room.parameters.beginningWith("force.").size();
+    QCOMPARE(felt, core::settings::feelFields().size());
+    for (const auto* live : room.parameters.beginningWith("live."))
+        QVERIFY(live->isLive() && !live->help().empty());
+}
+
+void TestConsole::commandsAnswer_data()
+{
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("get") << "get force.stiffness"
+                         << "force.stiffness = 2 N/mm   (0.2 to 20 N/mm)";
+    QTest::newRow("the name alone") << "force.stiffness"
+                                    << "force.stiffness = 2 N/mm";
+    QTest::newRow("set") << "set force.stiffness 2.5"
+                         << "force.stiffness = 2.5 N/mm";
+    QTest::newRow("name and value") << "force.stiffness 2.5"
+                                    << "force.stiffness = 2.5 N/mm";
+    QTest::newRow("out of range") << "set force.stiffness 100"
+                                  << "force.stiffness takes 0.2 to 20 N/mm.";
+    QTest::newRow("no number") << "set force.stiffness hard"
+                               << "\"hard\" is no number.";
+    QTest::newRow("not a number") << "set force.stiffness nan"
+                                  << "force.stiffness takes";
+    QTest::newRow("no value") << "set force.stiffness"
+                              << "set NAME VALUE";
+    QTest::newRow("unknown parameter") << "set nobody 1"
+                                       << "There is no parameter \"nobody\".";
+    QTest::newRow("live") << "set live.force 1"
+                          << "live.force is a live value";
+    QTest::newRow("a switch") << "set view.wet on"
+                              << "view.wet = on";
+    QTest::newRow("half a switch") << "set view.wet 0.5"
+                                   << "view.wet takes 0 (off) or 1 (on).";
+    QTest::newRow("list") << "list stiff"
+                          << "force.stiffness";
+    QTest::newRow("list of none") << "list xyz"
+                                  << "No parameter's name holds \"xyz\".";
+    QTest::newRow("nothing to read") << "get live.depth"
+                                     << "live.depth = –";
+    QTest::newRow("unknown command") << "paint it"
+                                     << "There is no command \"paint\".";
+    QTest::newRow("no name") << "watch"
+                             << "\"watch\" wants a name";
+    QTest::newRow("help") << "help"
+                          << "plot NAME";
+}
+
+void TestConsole::commandsAnswer()
+{
+    QFETCH(QString, command);
+    QFETCH(QString, says);
+    Room room;
+    const QString said = room.answer(command);
+    QVERIFY2(said.contains(says), qPrintable(said));
+}
+
+void TestConsole::whatIsFeltIsSetAndSetBack()
+{
+    Room room;
+    room.feel = {};
+    room.feel.hash = std::string(64, 'a');
+    room.answer("set hardness.enamel.rate 1.25");
+    QCOMPARE(room.feel.enamelRate, 1.25);
+    QVERIFY(room.feel.hash.empty());  // no longer what its version says
+    // A stiffness that only holds with more damping goes back with it, in whatever order they stand.
+    room.answer("set force.damping 15");
+    room.answer("set force.stiffness 5.5");
+    QCOMPARE(room.feel.stiffnessNPerMm, 5.5);
+    const QString said = room.answer("reset");
+    QVERIFY2(said.contains("as the preset says"), qPrintable(said));
+    QVERIFY(room.feel == FeelPreset{});
+    room.answer("set hardness.enamel.rate 1.25");
+    QVERIFY(room.answer("reset hardness.enamel.rate").contains("hardness.enamel.rate = 0.7"));
+}
+
+void TestConsole::theOwnerMayRefuse()
+{
+    Room room;
+    room.refusal = "In an exam, what is felt stays as it is.";
+    QVERIFY(room.answer("set force.stiffness 1").contains("In an exam"));
+    QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
+    room.wet.setEnabled(false);
+    QVERIFY(room.answer("set view.wet 1").contains("cannot be changed"));
+    QVERIFY(!room.wet.isChecked());
+}
+
+void TestConsole::theBoundHoldsHereToo()
+{
+    Room room;
+    const QString said = room.answer("set force.stiffness 9");
+    QVERIFY2(said.contains("5.37 N/mm"), qPrintable(said));
+    QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
+}
+
+void TestConsole::tabCompletes_data()
+{
+    QTest::addColumn<QString>("begun");
+    QTest::addColumn<QString>("becomes");
+    QTest::newRow("a command") << "pl"
+                               << "plot ";
+    QTest::newRow("as far as it is clear") << "set force.s"
+                                           << "set force.stiffness ";
+    QTest::newRow("two of them") << "get force.f"
+                                 << "get force.f";
+    QTest::newRow("a group") << "get hard"
+                             << "get hardness.";
+    QTest::newRow("nothing to add") << "get xyz"
+                                    << "get xyz";
+    QTest::newRow("no name behind the value") << "set force.stiffness 2"
+                                              << "set force.stiffness 2";
+}
+
+void TestConsole::tabCompletes()
+{
+    QFETCH(QString, begun);
+    QFETCH(QString, becomes);
+    Room room;
+    QCOMPARE(room.console.completed(begun), becomes);
+    QTest::keyClicks(&room.line(), begun);
+    if (begun != becomes) {
+        QTest::keyClick(&room.line(), Qt::Key_Tab);
+        QCOMPARE(room.line().text(), becomes);
+    }
+}
+
+void TestConsole::keysRecallAndClose()
+{
+    Room room;
+    QSignalSpy close(&room.console, &console::Console::closeWanted);
+    for (const char* command : {"get force.limit", "help"}) {
+        QTest::keyClicks(&room.line(), command);
+        QTest::keyClick(&room.line(), Qt::Key_Return);
+    }
+    QTest::keyClick(&room.line(), Qt::Key_Up);
+    QCOMPARE(room.line().text(), QString("help"));
+    QTest::keyClick(&room.line(), Qt::Key_Up);
+    QTest::keyClick(&room.line(), Qt::Key_Up);
+    QCOMPARE(room.line().text(), QString("get force.limit"));
+    QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().contains("8 N"));
+    QTest::keyClick(&room.line(), Qt::Key_Down);
+    QTest::keyClick(&room.line(), Qt::Key_Down);
+    QVERIFY(room.line().text().isEmpty());
+    QTest::keyClick(&room.line(), Qt::Key_QuoteLeft);
+    QTest::keyClick(&room.line(), Qt::Key_Escape);
+    QCOMPARE(close.size(), 2);
+    QVERIFY(room.line().text().isEmpty());
+}
+
+void TestConsole::watchesAndPlots()
+{
+    Room room;
+    room.answer("watch force.stiffness");
+    room.answer("plot live.force");
+    QCOMPARE(room.panel.names(), (QStringList{"force.stiffness", "live.force"}));
+    QVERIFY(room.panel.isVisible());
+    QVERIFY(room.panel.testAttribute(Qt::WA_TransparentForMouseEvents));
+    room.panel.forget("live.force");
+    QVERIFY(room.panel.watch("live.force", true));
+    // Ten seconds of it and no more.
+    const double begin = 1.0e6;
+    for (int k = 0; k <= 300; ++k) {
+        room.servo.forceN = glm::dvec3(0.0, 0.0, 0.01 * k);
+        room.panel.sample(begin + 0.1 * k);
+    }
+    const auto values = room.panel.plotted("live.force");
+    QCOMPARE(values.size(), std::size_t{101});
+    QVERIFY(std::abs(values.front() - 2.0) < 1.0e-9 && std::abs(values.back() - 3.0) < 1.0e-9);
+    QVERIFY(!room.panel.grab().isNull());
+    for (const char* name :
+         {"live.rpm", "live.removed", "live.depth", "live.missed", "live.period_p50", "live.period_p99"})
+        room.answer(QStringLiteral("watch %1").arg(name));
+    QVERIFY(room.answer("watch force.limit").contains("There is room for 8"));
+    room.answer("unwatch live.depth");
+    QVERIFY(!room.panel.names().contains("live.depth"));
+    room.answer("unwatch");
+    QVERIFY(room.panel.names().isEmpty() && !room.panel.isVisible());
+}
+
+void TestConsole::presetsAreKeptAndFelt()
+{
+    Room room;
+    QVERIFY(room.answer("save mine").contains("not to be had"));
+    QStringList asked;
+    room.console.setPresets(
+        [&](const QString& name) {
+            asked << "save " + name;
+            return QString("kept");
+        },
+        [&](const QString& name) {
+            asked << "load " + name;
+            return QString("felt");
+        });
+    QVERIFY(room.answer("save second year").contains("kept"));
+    QVERIFY(room.answer("load natural v1").contains("felt"));
+    QCOMPARE(asked, (QStringList{"save second year", "load natural v1"}));
+}
+
+void TestConsole::periodsAreThoseOfTheTrail()
+{
+    console::PeriodMeter meter;
+    QVERIFY(std::isnan(meter.percentileUs(0.5)));
+    core::session::ServoState state;
+    std::int64_t now = 1'000'000'000;
+    std::size_t next = 0;
+    // 16 poses at a time, of which half have been seen before; one period in fifty is three times as long.
+    int tick = 0;
+    for (int frame = 0; frame < 200; ++frame) {
+        for (int k = 0; k < 8; ++k) {
+            now += ++tick % 50 == 0 ? 3'000'000 : 1'000'000;
+            state.trail[next++ % state.trail.size()].takenNs = now;
+        }
+        meter.take(state);
+        meter.take(state);
+    }
+    QCOMPARE(meter.percentileUs(0.5), 1000.0);
+    QCOMPARE(meter.percentileUs(0.97), 1000.0);
+    QCOMPARE(meter.percentileUs(0.99), 3000.0);
+}
+
+void TestConsole::settingsPageIsTheRegistry()
+{
+    Room room;
+    shell::Actions actions(&room.window);
+    settings::SettingsPage page(actions, room.parameters, &room.window);
+    page.resize(900, 600);
+    page.show();
+    for (const auto* parameter : room.parameters.matching({})) {
+        const auto* input = page.findChild<QWidget*>(QString::fromStdString(parameter->name));
+        QCOMPARE(input != nullptr, !parameter->isLive());
+        if (input != nullptr)
+            QVERIFY2(!input->accessibleName().isEmpty(), parameter->name.c_str());
+    }
+    auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
+    QCOMPARE(stiffness->value(), 2.0);
+    QCOMPARE(stiffness->maximum(), 20.0);
+    stiffness->setValue(2.5);
+    QCOMPARE(room.feel.stiffnessNPerMm, 2.5);
+    QTest::mouseClick(page.findChild<QToolButton*>("reset force.stiffness"), Qt::LeftButton);
+    QCOMPARE(stiffness->value(), 2.0);
+    page.findChild<QCheckBox*>("view.wet")->click();
+    QVERIFY(room.wet.isChecked());
+    room.answer("set force.stiffness 1.5");
+    page.refresh();
+    QCOMPARE(stiffness->value(), 1.5);
+    auto* search = page.findChild<QLineEdit*>("settingsSearch");
+    search->setText("friction");
+    QVERIFY(!stiffness->isVisible());
+    QVERIFY(page.findChild<QWidget*>("force.friction")->isVisible());
+    search->clear();
+    QVERIFY(stiffness->isVisible());
+}
+
+void TestConsole::settingsSayWhatIsRefused()
+{
+    Room room;
+    shell::Actions actions(&room.window);
+    settings::SettingsPage page(actions, room.parameters, &room.window);
+    page.show();
+    auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
+    auto* fault = page.findChild<QLabel*>("settingsFault");
+    stiffness->setValue(9.0);
+    QVERIFY2(fault->isVisible() && fault->text().contains("5.37 N/mm"), qPrintable(fault->text()));
+    QCOMPARE(stiffness->value(), 2.0);  // as it is
+    stiffness->setValue(2.2);
+    QVERIFY(!fault->isVisible());
+}
+
+QTEST_MAIN(TestConsole)
+#include "tst_console.moc"

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QWidget>
+#include <cmath>
+
+#include "core/settings/StabilityBound.h"
+#include "ui/presets/BlindTrial.h"
+#include "ui/presets/FeedChart.h"
+#include "ui/presets/PresetsPage.h"
+#include "ui/presets/SimpleFeel.h"
+#include "ui/presets/TrialCard.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/Theme.h"
+
+using namespace ui;
+using core::settings::FeelPreset;
+using presets::BlindTrial;
+using presets::Dial;
+using presets::Dials;
+
+Q_DECLARE_METATYPE(core::settings::FeelPreset)
+
+namespace {
+
+FeelPreset named(const char* name, int version, double enamelRate)
+{
+    FeelPreset preset;
+    preset.name = name;
+    preset.version = version;
+    preset.enamelRate = enamelRate;
+    return lessons::hashed(preset);
+}
+
+/// The page on a small shelf, shown.
+struct Room
+{
+    QWidget window;
+    shell::Actions actions{&window};
+    presets::PresetsPage page{actions, &window};
+
+    Room()
+    {
+        page.resize(1280, 760);
+        window.resize(1280, 760);
+        page.setPresets(shelf(), lessons::shippedPresets().front());
+        window.show();
+    }
+    static std::vector<lessons::ReadPreset> shelf()
+    {
+        return {{"/a", named("hard", 2, 0.4), {}},
+                {"/b", named("hard", 1, 0.5), {}},
+                {{}, lessons::shippedPresets().front(), {}},
+                {"/bad.cusppreset", {}, {{"/bad.cusppreset", {}, "is empty", true}}}};
+    }
+    template <class T>
+    T* find(const char* name)
+    {
+        T* found = page.findChild<T*>(name);
+        if (found == nullptr)
+            qFatal("no %s", name);
+        return found;
+    }
+};
+
+Dials dials(Dial which, double turn)
+{
+    Dials all{};
+    all.at(static_cast<std::size_t>(which)) = turn;
+    return all;
+}
+
+}  // namespace
+
+class TestPresetsPage : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void dialsTurnWhatTheySay();
+    void noDialGoesBeyondTheBound();
+    void binomialIsExact_data();
+    void binomialIsExact();
+    void blindTrialCountsWhatWasBehindTheLetters();
+    void listsEveryVersionAndWhatIsWrong();
+    void aChangedNumberCanBeTriedAndKept();
+    void whatIsNotHeldCanNeitherBeTriedNorKept();
+    void anOlderVersionIsRestored();
+    void slidersAndNumbersAreOnePreset();
+    void aCopyHasAnotherName();
+    void comparesWithTheChosenOne();
+    void trialCardTunesAndTellsApart();
+    void chartTellsTheFeed();
+    void everyControlHasAName();
+};
+
+void TestPresetsPage::initTestCase()
+{
+    qRegisterMetaType<FeelPreset>();
+    shell::applyTheme(*qApp, shell::ThemeChoice::Light);
+}
+
+void TestPresetsPage::dialsTurnWhatTheySay()
+{
+    const FeelPreset base;
+    QVERIFY(presets::turned(base, {}) == base);
+    QCOMPARE(presets::turned(base, dials(Dial::Enamel, 1.0)).enamelRate, 0.175);
+    QCOMPARE(presets::turned(base, dials(Dial::Enamel, -1.0)).enamelRate, 2.8);
+    const FeelPreset harder = presets::turned(base, dials(Dial::Caries, 0.5));
+    QCOMPARE(harder.softCariesRate, 2.5);
+    QCOMPARE(harder.firmCariesRate, 1.6);
+    QCOMPARE(harder.dentinRate, base.dentinRate);
+    QCOMPARE(presets::turned(base, dials(Dial::Touch, 1.0)).enamelFromN, 0.6);
+    QCOMPARE(presets::turned(base, dials(Dial::Wall, -1.0)).stiffnessNPerMm, 1.0);
+}
+
+void TestPresetsPage::noDialGoesBeyondTheBound()
+{
+    for (const double damping : {0.0, 3.0, 20.0})
+        for (const double stiffness : {0.3, 1.0, 2.0}) {
+            FeelPreset base;
+            base.dampingNSPerM = damping;
+            base.fastDampingNSPerM = damping;
+            base.stiffnessNPerMm = stiffness;
+            const FeelPreset stiffest = presets::turned(base, dials(Dial::Wall, 1.0));
+            if (core::settings::checkStability(base))
+                QVERIFY(core::settings::checkStability(stiffest));
+            else
+                QCOMPARE(stiffest.stiffnessNPerMm, base.stiffnessNPerMm);
+        }
+}
+
+void TestPresetsPage::binomialIsExact_data()
+{
+    QTest::addColumn<int>("hits");
+    QTest::addColumn<int>("of");
+    QTest::addColumn<double>("p");
+    QTest::newRow("none") << 0 << 1 << 1.0;
+    QTest::newRow("even") << 4 << 8 << 1.0;
+    QTest::newRow("all of eight") << 8 << 8 << 2.0 / 256.0;
+    QTest::newRow("none of eight") << 0 << 8 << 2.0 / 256.0;
+    QTest::newRow("seven of eight") << 7 << 8 << 18.0 / 256.0;
+    QTest::newRow("two of ten") << 2 << 10 << 112.0 / 1024.0;
+}
+
+void TestPresetsPage::binomialIsExact()
+{
+    QFETCH(int, hits);
+    QFETCH(int, of);
+    QFETCH(double, p);
+    QVERIFY(std::abs(presets::binomialP(hits, of) - p) < 1.0e-9);
+}
+
+void TestPresetsPage::blindTrialCountsWhatWasBehindTheLetters()
+{
+    const FeelPreset first = named("a, \"b\"", 1, 0.5);
+    const FeelPreset second = named("plain", 2, 0.7);
+    int asA = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        BlindTrial trial(first, second, 10, seed);
+        while (!trial.isOver()) {
+            const bool firstIsA = trial.behind(BlindTrial::Answer::A) == first;
+            QVERIFY(trial.behind(BlindTrial::Answer::B) == (firstIsA ? second : first));
+            asA += firstIsA ? 1 : 0;
+            if (trial.trial() <= 8)
+                trial.answer(firstIsA ? BlindTrial::Answer::A : BlindTrial::Answer::B);
+            else
+                trial.answer(BlindTrial::Answer::NoDifference);
+        }
+        trial.answer(BlindTrial::Answer::A);  // it is over
+        const BlindTrial::Outcome outcome = trial.outcome();
+        QCOMPARE(outcome.first, 8);
+        QCOMPARE(outcome.second, 0);
+        QCOMPARE(outcome.neither, 2);
+        QVERIFY(std::abs(outcome.p - 2.0 / 256.0) < 1.0e-9);
+        const QList<QByteArray> lines = trial.csv().trimmed().split('\n');
+        QCOMPARE(lines.size(), 11);
+        QCOMPARE(lines.front(), QByteArray("trial,behind_a,behind_b,answer,chosen"));
+        QVERIFY2(lines[1].contains("\"a, \"\"b\"\" v1 #"), lines[1]);
+        QVERIFY2(lines[10].endsWith("no difference,"), lines[10]);
+    }
+    QVERIFY(asA > 150 && asA < 250);  // of 400
+}
+
+void TestPresetsPage::listsEveryVersionAndWhatIsWrong()
+{
+    Room room;
+    auto* list = room.find<QListWidget>("presetList");
+    QCOMPARE(list->count(), 4);
+    QVERIFY(list->item(0)->text().contains("version 2"));
+    QVERIFY(list->item(2)->text().contains("shipped") && list->item(2)->text().contains("in use"));
+    QVERIFY(!(list->item(3)->flags() & Qt::ItemIsSelectable) && list->item(3)->text().contains("is empty"));
+    QCOMPARE(list->currentRow(), 2);  // what is in use
+    QVERIFY(!room.find<QPushButton>("presetUse")->isEnabled());
+    list->setCurrentRow(1);
+    QVERIFY(room.page.draft() == named("hard", 1, 0.5));
+    QSignalSpy use(&room.page, &presets::PresetsPage::useWanted);
+    QTest::mouseClick(room.find<QPushButton>("presetUse"), Qt::LeftButton);
+    QCOMPARE(use.size(), 1);
+}
+
+void TestPresetsPage::aChangedNumberCanBeTriedAndKept()
+{
+    Room room;
+    QSignalSpy tried(&room.page, &presets::PresetsPage::tryWanted);
+    QSignalSpy saved(&room.page, &presets::PresetsPage::saveWanted);
+    QVERIFY(!room.find<QPushButton>("presetSave")->isEnabled());
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    room.find<QDoubleSpinBox>("enamel.rate_mm3_per_ns")->setValue(0.6);
+    QCOMPARE(room.page.draft().enamelRate, 0.6);
+    QVERIFY(room.find<QLabel>("presetVersion")->text().contains("changed from natural, version 1"));
+    QTest::mouseClick(room.find<QPushButton>("presetTry"), Qt::LeftButton);
+    QCOMPARE(tried.size(), 1);
+    QCOMPARE(tried[0][0].value<FeelPreset>().enamelRate, 0.6);
+    QVERIFY(!room.find<QPushButton>("presetExport")->isEnabled());  // only what has a version leaves the house
+    QTest::mouseClick(room.find<QPushButton>("presetSave"), Qt::LeftButton);
+    QCOMPARE(saved[0][0].value<FeelPreset>().version, 0);
+    QCOMPARE(saved[0][0].value<FeelPreset>().name, std::string("natural"));
+}
+
+void TestPresetsPage::whatIsNotHeldCanNeitherBeTriedNorKept()
+{
+    Room room;
+    QVERIFY(room.find<QLabel>("presetBound")->text().startsWith("Holds"));
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    room.find<QDoubleSpinBox>("force.stiffness_n_per_mm")->setValue(8.0);
+    const QString said = room.find<QLabel>("presetBound")->text();
+    QVERIFY2(said.contains("5.37 N/mm") && said.contains("8.00"), qPrintable(said));
+    QVERIFY(!room.find<QPushButton>("presetTry")->isEnabled());
+    QVERIFY(!room.find<QPushButton>("presetSave")->isEnabled());
+    room.find<QDoubleSpinBox>("force.stiffness_n_per_mm")->setValue(3.0);
+    QVERIFY(room.find<QPushButton>("presetSave")->isEnabled());
+    room.find<QDoubleSpinBox>("force.limit_n")->setValue(12.0);
+    QVERIFY(room.find<QLabel>("presetBound")->text().contains("8.9 N"));
+    QVERIFY(!room.find<QPushButton>("presetSave")->isEnabled());
+}
+
+void TestPresetsPage::anOlderVersionIsRestored()
+{
+    Room room;
+    room.find<QListWidget>("presetList")->setCurrentRow(1);
+    auto* save = room.find<QPushButton>("presetSave");
+    QVERIFY(save->isEnabled() && save->text().startsWith("Restore"));
+    room.find<QListWidget>("presetList")->setCurrentRow(0);
+    QVERIFY(!save->isEnabled());
+}
+
+void TestPresetsPage::slidersAndNumbersAreOnePreset()
+{
+    Room room;
+    auto* slider = room.find<QSlider>("dial0");
+    slider->setValue(slider->maximum());
+    QCOMPARE(room.page.draft().enamelRate, 0.175);
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    QCOMPARE(room.find<QDoubleSpinBox>("enamel.rate_mm3_per_ns")->value(), 0.175);
+    room.find<QDoubleSpinBox>("dentin.rate_mm3_per_ns")->setValue(1.0);
+    QTest::mouseClick(room.find<QPushButton>("presetSimple"), Qt::LeftButton);
+    QCOMPARE(slider->value(), 0);  // from here on
+    slider->setValue(slider->minimum());
+    QCOMPARE(room.page.draft().enamelRate, 0.7);
+    QCOMPARE(room.page.draft().dentinRate, 1.0);
+}
+
+void TestPresetsPage::aCopyHasAnotherName()
+{
+    Room room;
+    QSignalSpy saved(&room.page, &presets::PresetsPage::saveWanted);
+    QTest::mouseClick(room.find<QPushButton>("presetCopy"), Qt::LeftButton);
+    QCOMPARE(room.page.draft().name, std::string("natural copy"));
+    QTest::keyClicks(room.find<QLineEdit>("presetName"), "mine");
+    QTest::mouseClick(room.find<QPushButton>("presetSave"), Qt::LeftButton);
+    QCOMPARE(saved[0][0].value<FeelPreset>().name, std::string("mine"));
+    room.find<QLineEdit>("presetName")->selectAll();
+    QTest::keyClick(room.find<QLineEdit>("presetName"), Qt::Key_Delete);
+    QVERIFY(!room.find<QPushButton>("presetSave")->isEnabled());
+}
+
+void TestPresetsPage::comparesWithTheChosenOne()
+{
+    Room room;
+    QSignalSpy compared(&room.page, &presets::PresetsPage::compareWanted);
+    auto* other = room.find<QComboBox>("presetOther");
+    QCOMPARE(other->count(), 3);  // what cannot be read is no choice
+    other->setCurrentIndex(1);
+    QTest::mouseClick(room.find<QPushButton>("presetCompare"), Qt::LeftButton);
+    QCOMPARE(compared[0][0].value<FeelPreset>().name, std::string("natural"));
+    QVERIFY(compared[0][1].value<FeelPreset>() == named("hard", 1, 0.5));
+    QCOMPARE(compared[0][2].toInt(), 8);
+}
+
+void TestPresetsPage::trialCardTunesAndTellsApart()
+{
+    QWidget window;
+    presets::TrialCard card(&window);
+    window.resize(600, 600);
+    window.show();
+    QSignalSpy felt(&card, &presets::TrialCard::felt);
+    QSignalSpy fresh(&card, &presets::TrialCard::freshBlockWanted);
+    QSignalSpy csv(&card, &presets::TrialCard::csvWanted);
+    card.tune(FeelPreset{});
+    card.findChild<QSlider*>("dial0")->setValue(10);
+    QCOMPARE(felt.size(), 1);
+    QVERIFY(felt[0][0].value<FeelPreset>().enamelRate < 0.7);
+    QVERIFY(card.tuned()->enamelRate < 0.7);
+    QTest::mouseClick(card.findChild<QPushButton*>("trialReset"), Qt::LeftButton);
+    QVERIFY(*card.tuned() == FeelPreset{});
+
+    felt.clear();
+    const FeelPreset first = named("hard", 1, 0.3);
+    const FeelPreset second = named("soft", 1, 0.9);
+    card.compare(BlindTrial(first, second, 4, 3));
+    QVERIFY(!card.tuned());
+    for (int trial = 0; trial < 4; ++trial) {
+        const auto a = felt.back()[0].value<FeelPreset>();
+        QTest::mouseClick(card.findChild<QPushButton*>("trialB"), Qt::LeftButton);
+        QVERIFY(!(felt.back()[0].value<FeelPreset>() == a));
+        // Nothing in the window tells which is which.
+        for (const QLabel* label : card.findChildren<QLabel*>())
+            QVERIFY2(!label->isVisible() || !(label->text().contains("hard") || label->text().contains("soft ")),
+                     qPrintable(label->text()));
+        QTest::mouseClick(card.findChild<QPushButton*>(a == first ? "trialSaysA" : "trialSaysB"), Qt::LeftButton);
+    }
+    QCOMPARE(fresh.size(), 3);
+    const QString said = card.findChild<QLabel*>("trialWords")->text();
+    QVERIFY2(said.contains("chosen 4 time") && said.contains("0.125"), qPrintable(said));
+    QTest::mouseClick(card.findChild<QPushButton*>("trialCsv"), Qt::LeftButton);
+    QCOMPARE(csv.size(), 1);
+}
+
+void TestPresetsPage::chartTellsTheFeed()
+{
+    presets::FeedChart chart(nullptr);
+    FeelPreset preset;
+    chart.setPreset(preset, preset);
+    const QString before = chart.words(1.0);
+    QVERIFY2(before.contains("Enamel 0.8 mm/s"), qPrintable(before));
+    preset.enamelRate = 2.0;
+    chart.setPreset(preset, FeelPreset{});
+    QVERIFY2(chart.words(1.0).contains("Enamel 2.2 mm/s"), qPrintable(chart.words(1.0)));
+    QVERIFY2(chart.words(0.1).contains("Enamel 0.0 mm/s"), qPrintable(chart.words(0.1)));
+}
+
+void TestPresetsPage::everyControlHasAName()
+{
+    Room room;
+    presets::TrialCard card(&room.window);
+    for (QWidget* root : {static_cast<QWidget*>(&room.page), static_cast<QWidget*>(&card)})
+        for (QWidget* widget : root->findChildren<QWidget*>())
+            if ((widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->objectName().startsWith("qt_"))
+                QVERIFY2(!widget->accessibleName().isEmpty(),
+                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+}
+
+QTEST_MAIN(TestPresetsPage)
+#include "tst_presets_page.moc"

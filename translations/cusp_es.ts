@@ -1,0 +1,5145 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en_US">
+<context>
+    <name>Block</name>
+    <message>
+        <source>Practice block: line</source>
+        <translation>Bloque de práctica: línea</translation>
+    </message>
+    <message>
+        <source>Practice block: circle</source>
+        <translation>Bloque de práctica: círculo</translation>
+    </message>
+    <message>
+        <source>Practice block: cross</source>
+        <translation>Bloque de práctica: cruz</translation>
+    </message>
+    <message>
+        <source>Practice block: square</source>
+        <translation>Bloque de práctica: cuadrado</translation>
+    </message>
+    <message>
+        <source>Practice block: dovetail</source>
+        <translation>Bloque de práctica: cola de milano</translation>
+    </message>
+    <message>
+        <source>Practice block: staircase</source>
+        <translation>Bloque de práctica: escalera</translation>
+    </message>
+    <message>
+        <source>Practice block: letter I</source>
+        <translation>Bloque de práctica: letra I</translation>
+    </message>
+    <message>
+        <source>Practice block: letter T</source>
+        <translation>Bloque de práctica: letra T</translation>
+    </message>
+    <message>
+        <source>Practice block: three layers</source>
+        <translation>Bloque de práctica: tres capas</translation>
+    </message>
+</context>
+<context>
+    <name>Breach</name>
+    <message>
+        <source>The pulp is open</source>
+        <translation>La pulpa está abierta</translation>
+    </message>
+    <message>
+        <source>There is a hole through the tooth</source>
+        <translation>Hay un orificio que atraviesa el diente</translation>
+    </message>
+    <message>
+        <source>Deeper than %1 mm</source>
+        <translation>Más profundo que %1 mm</translation>
+    </message>
+    <message>
+        <source>The marginal ridge is thinner than %1 mm</source>
+        <translation>La cresta marginal mide menos de %1 mm</translation>
+    </message>
+    <message>
+        <source>Cut where nothing was to be cut</source>
+        <translation>Se talló donde no había nada que tallar</translation>
+    </message>
+    <message>
+        <source>Pressed with %1 N, allowed are %2 N</source>
+        <translation>Se presionó con %1 N; se permiten %2 N</translation>
+    </message>
+    <message>
+        <source>The bur has run in the air for %1 s</source>
+        <translation>La fresa giró en el aire durante %1 s</translation>
+    </message>
+    <message>
+        <source>Cut with a bur that this lesson does not allow</source>
+        <translation>Se talló con una fresa que esta lección no permite</translation>
+    </message>
+    <message>
+        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
+        <translation>Una pulpa abierta suele morir: los odontoblastos cortados no se recuperan. Mire el corte y conserve medio milímetro de dentina.</translation>
+    </message>
+    <message>
+        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <translation>Un diente perforado suele perderse. Vigile la profundidad en el corte.</translation>
+    </message>
+    <message>
+        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
+        <translation>Lo que es más profundo de lo necesario debilita el diente y se acerca a la pulpa. El corte muestra a qué profundidad está.</translation>
+    </message>
+    <message>
+        <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
+        <translation>Una cresta marginal delgada se rompe bajo carga. Detenga antes el borde exterior de la fresa.</translation>
+    </message>
+    <message>
+        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <translation>El tejido sano no vuelve a crecer. La línea discontinua del corte muestra lo que hay que tallar.</translation>
+    </message>
+    <message>
+        <source>About 1 N cuts best; more heats the pulp, stalls the turbine and slips. Let the bur do the work.</source>
+        <translation>Alrededor de 1 N es lo que mejor corta; más calienta la pulpa, frena la turbina y resbala. Deje trabajar a la fresa.</translation>
+    </message>
+    <message>
+        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
+        <translation>Una fresa que gira sin vigilancia hiere labios y mejillas. Deténgala cuando no esté tallando.</translation>
+    </message>
+    <message>
+        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
+        <translation>Otra forma deja otra cavidad. Elija una fresa que la lección nombre.</translation>
+    </message>
+    <message>
+        <source>The tooth beside was touched by the turning bur</source>
+        <translation>La fresa en marcha tocó el diente adyacente</translation>
+    </message>
+    <message>
+        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <translation>Una muesca en el diente adyacente retiene placa y se caria. No salga del contorno; N muestra los dientes adyacentes.</translation>
+    </message>
+</context>
+<context>
+    <name>Bur</name>
+    <message>
+        <source>Round, No. 2</source>
+        <translation>Redonda, n.º 2</translation>
+    </message>
+    <message>
+        <source>Pear, No. 330</source>
+        <translation>Pera, n.º 330</translation>
+    </message>
+    <message>
+        <source>Long pear, No. 245</source>
+        <translation>Pera larga, n.º 245</translation>
+    </message>
+    <message>
+        <source>Straight fissure, No. 57</source>
+        <translation>Fisura recta, n.º 57</translation>
+    </message>
+</context>
+<context>
+    <name>Criterion</name>
+    <message>
+        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
+        <translation>Esmalte y dentina al lado de la caries y debajo de ella. Lo que queda justo encima de la caries debe quitarse y no se cuenta.</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>no medido</translation>
+    </message>
+    <message>
+        <source>%1 − %2 free</source>
+        <extracomment>%1 is a value, %2 what of it costs nothing: &quot;3.20 − 1.00 free&quot;</extracomment>
+        <translation>%1 − %2 sin coste</translation>
+    </message>
+    <message>
+        <source>at least %1 %2</source>
+        <translation>al menos %1 %2</translation>
+    </message>
+    <message>
+        <source>up to %1 %2</source>
+        <translation>hasta %1 %2</translation>
+    </message>
+    <message>
+        <source>Not measured, so the attempt fails: %1 points that were left</source>
+        <translation>No se midió, así que el intento no se aprueba: %1 puntos que quedaban</translation>
+    </message>
+    <message>
+        <source>Not measured, so it earns none of its %1 points</source>
+        <translation>No se midió, así que no da ninguno de sus %1 puntos</translation>
+    </message>
+    <message>
+        <source>%1: nothing lost</source>
+        <translation>%1: nada perdido</translation>
+    </message>
+    <message>
+        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
+        <translation>Se permite %1; no se aprueba el intento y se pierden los %2 puntos que quedaban</translation>
+    </message>
+    <message>
+        <source>%1 %2 too far off; a worse error decides</source>
+        <translation>%1 %2 de desviación de más; decide un error mayor</translation>
+    </message>
+    <message>
+        <source>%1; beyond it all of its %2 points are lost</source>
+        <translation>%1; más allá se pierden todos sus %2 puntos</translation>
+    </message>
+    <message>
+        <source>(%1) / %2 %3 × %4 points</source>
+        <translation>(%1) / %2 %3 × %4 puntos</translation>
+    </message>
+    <message>
+        <source>%1, no more than all of them</source>
+        <translation>%1, no más que todos</translation>
+    </message>
+    <message>
+        <source>%1 has reached %2</source>
+        <extracomment>%1: the name of a measure, %2: a figure with its unit</extracomment>
+        <translation>%1 haya alcanzado %2</translation>
+    </message>
+    <message>
+        <source>None of its %1 points are earned before %2</source>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation>No se gana ninguno de sus %1 puntos hasta que %2</translation>
+    </message>
+    <message>
+        <source>%1 of the decay is out</source>
+        <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
+        <translation>se haya quitado el %1 de la caries</translation>
+    </message>
+    <message>
+        <source>%1 of the ideal is cut</source>
+        <translation>se haya tallado el %1 del ideal</translation>
+    </message>
+    <message>
+        <source>%1 of the shape is cut</source>
+        <translation>se haya tallado el %1 de la forma</translation>
+    </message>
+</context>
+<context>
+    <name>Direction</name>
+    <message>
+        <source>distal</source>
+        <translation>distal</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>mesial</translation>
+    </message>
+    <message>
+        <source>labial</source>
+        <translation>vestibular</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>vestibular</translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation>palatino</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>lingual</translation>
+    </message>
+    <message>
+        <source>distolabial</source>
+        <translation>distovestibular</translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation>distovestibular</translation>
+    </message>
+    <message>
+        <source>distopalatal</source>
+        <translation>distopalatino</translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation>distolingual</translation>
+    </message>
+    <message>
+        <source>mesiolabial</source>
+        <translation>mesiovestibular</translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation>mesiovestibular</translation>
+    </message>
+    <message>
+        <source>mesiopalatal</source>
+        <translation>mesiopalatino</translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation>mesiolingual</translation>
+    </message>
+    <message>
+        <source>Mesio-distal</source>
+        <translation>Mesiodistal</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>A lo largo de x</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>A lo largo de y</translation>
+    </message>
+    <message>
+        <source>Labio-palatal</source>
+        <translation>Vestibulopalatino</translation>
+    </message>
+    <message>
+        <source>Labio-lingual</source>
+        <translation>Vestibulolingual</translation>
+    </message>
+    <message>
+        <source>Bucco-palatal</source>
+        <translation>Vestibulopalatino</translation>
+    </message>
+    <message>
+        <source>Bucco-lingual</source>
+        <translation>Vestibulolingual</translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message>
+        <source>The file is not there. Was it moved or renamed?</source>
+        <translation>El archivo no está. ¿Se movió o cambió de nombre?</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you may open it.</source>
+        <translation>El archivo no se puede leer. Compruebe que es un archivo y que tiene permiso para abrirlo.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation>El archivo no se puede escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
+        <translation>Este archivo lo escribió un Cusp más nuevo. Actualice Cusp para abrirlo.</translation>
+    </message>
+    <message>
+        <source>There is no surface in this file. Choose a scan of a tooth.</source>
+        <translation>En este archivo no hay ninguna superficie. Elija el escaneo de un diente.</translation>
+    </message>
+    <message>
+        <source>Cusp does not know what is asked for by this name.</source>
+        <translation>Cusp no conoce nada con este nombre.</translation>
+    </message>
+    <message>
+        <source>A value lies outside what Cusp can work with.</source>
+        <translation>Un valor está fuera de lo que Cusp puede manejar.</translation>
+    </message>
+    <message>
+        <source>It was made on another tooth, or with another decay, than this lesson&apos;s. Ask who made the lesson.</source>
+        <translation>Se hizo en otro diente que el de esta lección, o con otra caries. Pregunte a quien hizo la lección.</translation>
+    </message>
+    <message>
+        <source>Export it again, or choose another scan.</source>
+        <translation>Expórtelo de nuevo o elija otro escaneo.</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was made, or choose another one.</source>
+        <translation>Cópielo de nuevo desde donde se hizo o elija otro.</translation>
+    </message>
+    <message>
+        <source>Put a copy of it back, or move it away: Cusp then begins a new one.</source>
+        <translation>Reponga una copia o muévalo a otro sitio: Cusp empezará entonces uno nuevo.</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The file is no recording of Cusp.</source>
+        <translation>El archivo no es una grabación de Cusp.</translation>
+    </message>
+    <message>
+        <source>The file is no database of Cusp.</source>
+        <translation>El archivo no es una base de datos de Cusp.</translation>
+    </message>
+    <message>
+        <source>The file is not what its name says. Scans are OBJ, STL or PLY.</source>
+        <translation>El archivo no es lo que dice su nombre. Los escaneos son OBJ, STL o PLY.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>El archivo está vacío.</translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation>El archivo termina demasiado pronto.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Export it with fewer triangles.</source>
+        <translation>El archivo es demasiado grande. Expórtelo con menos triángulos.</translation>
+    </message>
+    <message>
+        <source>The file is too large.</source>
+        <translation>El archivo es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>Where a number belongs, the file holds something else.</source>
+        <translation>Donde debería haber un número, el archivo contiene otra cosa.</translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together.</source>
+        <translation>El contenido del archivo no concuerda.</translation>
+    </message>
+    <message>
+        <source>The scan cannot be opened. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se puede abrir el escaneo. %1</translation>
+    </message>
+    <message>
+        <source>The tooth cannot be made. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se puede crear el diente. %1</translation>
+    </message>
+    <message>
+        <source>The recording cannot be played. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se puede reproducir la grabación. %1</translation>
+    </message>
+    <message>
+        <source>The recording was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>La grabación no se guardó. %1</translation>
+    </message>
+    <message>
+        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Las calificaciones no se conservarán; aun así puede tallar y recibir calificación. %1</translation>
+    </message>
+    <message>
+        <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
+        <translation>Su archivo se conserva siete días, en la carpeta «discarded».</translation>
+    </message>
+    <message>
+        <source>Ask who made the lesson, or choose another one.</source>
+        <translation>Pregunte a quien hizo la lección o elija otra.</translation>
+    </message>
+    <message>
+        <source>This Cusp did not write the file, or an older one did.</source>
+        <translation>El archivo no lo escribió este Cusp, o lo escribió uno más antiguo.</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se puede dar la lección; lo que había en la mesa sigue ahí. %1</translation>
+    </message>
+    <message>
+        <source>The work cannot be marked; it is as it was. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se puede calificar el trabajo; está como estaba. %1</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
+        <translation>Este intento no se conserva en el disco mientras trabaja: si el ordenador falla, se pierde. Libere espacio en el disco o guarde la grabación de vez en cuando.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Este intento no se conserva en el disco mientras trabaja. %1</translation>
+    </message>
+    <message>
+        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Un intento que no se terminó no se puede reanudar. %1</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet that could be a reference.</source>
+        <translation>Todavía no se ha tallado nada que pueda ser una referencia.</translation>
+    </message>
+    <message>
+        <source>The reference was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>La referencia no se guardó. %1</translation>
+    </message>
+    <message>
+        <source>Another program is writing to it. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en él. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
+        <translation>El servidor de la escuela no responde. Cusp lo intenta de nuevo por sí solo.</translation>
+    </message>
+    <message>
+        <source>Your role does not allow it.</source>
+        <translation>Su función no lo permite.</translation>
+    </message>
+    <message>
+        <source>Name or password is wrong.</source>
+        <translation>El nombre o la contraseña no son correctos.</translation>
+    </message>
+    <message>
+        <source>Too many logins have failed. Wait a moment and try again.</source>
+        <translation>Ha fallado el inicio de sesión demasiadas veces. Espere un momento e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Choose a password first.</source>
+        <translation>Elija primero una contraseña.</translation>
+    </message>
+</context>
+<context>
+    <name>ExerciseMarks</name>
+    <message>
+        <source>height, mm</source>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <translation>altura, mm</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>width of the isthmus</source>
+        <translation>anchura del istmo</translation>
+    </message>
+    <message>
+        <source>depth of the pulpal floor</source>
+        <translation>profundidad del piso pulpar</translation>
+    </message>
+    <message>
+        <source>width of the dovetail</source>
+        <translation>anchura de la cola de milano</translation>
+    </message>
+    <message>
+        <source>extension into the grooves</source>
+        <translation>extensión a los surcos</translation>
+    </message>
+    <message>
+        <source>marginal ridge that is left</source>
+        <translation>cresta marginal que queda</translation>
+    </message>
+    <message>
+        <source>ridge across the tooth that is left on each side</source>
+        <translation>cresta transversal que queda a cada lado</translation>
+    </message>
+    <message>
+        <source>divergence of the end walls</source>
+        <translation>divergencia de las paredes extremas</translation>
+    </message>
+    <message>
+        <source>radius of the bur</source>
+        <translation>radio de la fresa</translation>
+    </message>
+    <message>
+        <source>radius between floor and wall</source>
+        <translation>radio entre piso y pared</translation>
+    </message>
+    <message>
+        <source>floor along the junction</source>
+        <translation>piso a lo largo de la unión amelodentinaria</translation>
+    </message>
+    <message>
+        <source>depth of the floor in dentin</source>
+        <translation>profundidad del piso en dentina</translation>
+    </message>
+    <message>
+        <source>depth of the gingival floor</source>
+        <translation>profundidad del piso gingival</translation>
+    </message>
+    <message>
+        <source>depth of the axial wall</source>
+        <translation>profundidad de la pared axial</translation>
+    </message>
+    <message>
+        <source>width of the box</source>
+        <translation>anchura del cajón</translation>
+    </message>
+    <message>
+        <source>lean of the access walls</source>
+        <translation>inclinación de las paredes del acceso</translation>
+    </message>
+    <message>
+        <source>margin around the chamber</source>
+        <translation>margen alrededor de la cámara</translation>
+    </message>
+    <message>
+        <source>block&apos;s side</source>
+        <translation>lado del bloque</translation>
+    </message>
+    <message>
+        <source>block&apos;s height</source>
+        <translation>altura del bloque</translation>
+    </message>
+    <message>
+        <source>thickness of the enamel layer</source>
+        <translation>grosor de la capa de esmalte</translation>
+    </message>
+    <message>
+        <source>width of the channel</source>
+        <translation>anchura del canal</translation>
+    </message>
+    <message>
+        <source>depth of the channel</source>
+        <translation>profundidad del canal</translation>
+    </message>
+    <message>
+        <source>length of the shape</source>
+        <translation>longitud de la forma</translation>
+    </message>
+    <message>
+        <source>flare of the dovetail</source>
+        <translation>apertura de la cola de milano</translation>
+    </message>
+    <message>
+        <source>number of steps</source>
+        <translation>número de escalones</translation>
+    </message>
+    <message>
+        <source>radius of inner corners</source>
+        <translation>radio de los ángulos internos</translation>
+    </message>
+</context>
+<context>
+    <name>Handpiece</name>
+    <message>
+        <source>Turbine</source>
+        <translation>Turbina</translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <extracomment>A red-ring contra-angle: electric motor, geared up</extracomment>
+        <translation>Eléctrica</translation>
+    </message>
+    <message>
+        <source>Low-speed</source>
+        <translation>Lenta</translation>
+    </message>
+</context>
+<context>
+    <name>Health</name>
+    <message>
+        <source>The handpiece is gone: no force. Plug it in again.</source>
+        <translation>La pieza de mano ya no está: no hay fuerza. Conéctela de nuevo.</translation>
+    </message>
+    <message>
+        <source>The computer was too slow: the recording has a gap.</source>
+        <translation>El ordenador fue demasiado lento: la grabación tiene un hueco.</translation>
+    </message>
+    <message>
+        <source>The computer is slow: the picture lags behind.</source>
+        <translation>El ordenador es lento: la imagen va con retraso.</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>Fuerza en su límite</translation>
+    </message>
+    <message>
+        <source>The bur is inside the tooth: lift it out, then it works.</source>
+        <translation>La fresa está dentro del diente: sáquela y volverá a funcionar.</translation>
+    </message>
+    <message>
+        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
+        <translation>La pieza de mano responde tarde: el diente se nota más blando.</translation>
+    </message>
+    <message>
+        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
+        <translation>La pieza de mano devuelve su mano sobre el diente. Oponga resistencia y la soltará.</translation>
+    </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation>El contorno retiene su mano: Q la suelta.</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation>Diente intacto</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Intacto de nuevo</translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation>%1 mm³ %2</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>ahora</translation>
+    </message>
+</context>
+<context>
+    <name>Lesson</name>
+    <message>
+        <source>Practice block</source>
+        <translation>Bloque de práctica</translation>
+    </message>
+    <message>
+        <source>Ideal preparations</source>
+        <translation>Preparaciones ideales</translation>
+    </message>
+    <message>
+        <source>Removing decay</source>
+        <translation>Eliminación de caries</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>corte</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>medidor de profundidad</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>radiografía</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>colores de profundidad</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>espejo</translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation>preparación ideal</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>todas</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>%1: fails the attempt</source>
+        <translation>%1: intento no aprobado</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <translation>%1: %2 puntos</translation>
+    </message>
+    <message>
+        <source>bur that changes colour</source>
+        <translation>fresa que cambia de color</translation>
+    </message>
+    <message>
+        <source>guided hand</source>
+        <translation>mano guiada</translation>
+    </message>
+    <message>
+        <source>%1, give or take %2, costs nothing</source>
+        <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
+        <translation>%1, más o menos %2, no cuesta nada</translation>
+    </message>
+    <message>
+        <source>From %1 up costs nothing</source>
+        <translation>Desde %1 no cuesta nada</translation>
+    </message>
+    <message>
+        <source>Up to %1 costs nothing</source>
+        <translation>Hasta %1 no cuesta nada</translation>
+    </message>
+    <message>
+        <source> (more, where the decay is larger)</source>
+        <translation> (más, donde la caries es mayor)</translation>
+    </message>
+    <message>
+        <source>beyond it the attempt fails</source>
+        <translation>más allá no se aprueba el intento</translation>
+    </message>
+    <message>
+        <source>beyond it all %1 points are lost</source>
+        <translation>más allá se pierden los %1 puntos</translation>
+    </message>
+    <message>
+        <source>%1 off, all %2 points are lost</source>
+        <translation>con %1 de desviación se pierden los %2 puntos</translation>
+    </message>
+    <message>
+        <source>at %1 all %2 points are lost</source>
+        <translation>en %1 se pierden los %2 puntos</translation>
+    </message>
+    <message>
+        <source>from %1 on all %2 points are lost</source>
+        <translation>desde %1 se pierden los %2 puntos</translation>
+    </message>
+    <message>
+        <source>The first minutes</source>
+        <translation>Los primeros minutos</translation>
+    </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation>contorno %1 mm hacia cada lado</translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation>piso %1 mm más alto o más bajo</translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation>paredes %1°, es decir, %2 mm en 1,5 mm de profundidad</translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation>piso plano con %1 mm</translation>
+    </message>
+    <message>
+        <source> as soon as %1</source>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation> en cuanto %1</translation>
+    </message>
+</context>
+<context>
+    <name>Login</name>
+    <message>
+        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
+        <translation>El nombre o la contraseña no son correctos. Inténtelo de nuevo o pida un código de un solo uso a un administrador.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Too many logins have failed. Wait %n second(s) and try again.</source>
+        <translation>
+            <numerusform>Ha fallado el inicio de sesión demasiadas veces. Espere %n segundo e inténtelo de nuevo.</numerusform>
+            <numerusform>Ha fallado el inicio de sesión demasiadas veces. Espere %n segundos e inténtelo de nuevo.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
+        <translation>Un nombre solo tiene letras, cifras y . _ - @. Una contraseña tiene ocho caracteres o más y no es el nombre.</translation>
+    </message>
+    <message>
+        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
+        <translation>Entretanto se ha registrado a alguien aquí. Inicie sesión como administrador.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
+        <translation>El servidor de la escuela no responde. Inténtelo de nuevo o practique sin iniciar sesión.</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>decay</source>
+        <translation>caries</translation>
+    </message>
+    <message>
+        <source>enamel</source>
+        <translation>esmalte</translation>
+    </message>
+    <message>
+        <source>dentin</source>
+        <translation>dentina</translation>
+    </message>
+    <message>
+        <source>pulp</source>
+        <translation>pulpa</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <extracomment>One letter for decay (caries); must differ from those of enamel, dentin and pulp.</extracomment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <extracomment>One letter for enamel</extracomment>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>One letter for dentin</extracomment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>One letter for pulp</extracomment>
+        <translation>P</translation>
+    </message>
+</context>
+<context>
+    <name>Pad</name>
+    <message>
+        <source>Left</source>
+        <extracomment>Three pads of a practice block, side by side</extracomment>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+</context>
+<context>
+    <name>Scan</name>
+    <message>
+        <source>Taken as millimetres the scan is %1 mm long, more than a tooth.</source>
+        <translation>Tomado en milímetros, el escaneo mide %1 mm de largo, más que un diente.</translation>
+    </message>
+    <message>
+        <source>The file names no unit. As centimetres it is %1 mm long, so centimetres were taken.</source>
+        <translation>El archivo no indica unidad. En centímetros mide %1 mm de largo, así que se tomaron centímetros.</translation>
+    </message>
+    <message>
+        <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
+        <translation>El archivo no indica unidad. En metros mide %1 mm de largo, así que se tomaron metros.</translation>
+    </message>
+    <message>
+        <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
+        <translation>En ninguna unidad habitual tiene el escaneo el tamaño de un diente, así que se le dio una longitud de %1 mm.</translation>
+    </message>
+    <message>
+        <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
+        <translation>La forma no muestra dónde está la corona. Si el diente está tumbado, expórtelo con la corona hacia +z.</translation>
+    </message>
+    <message>
+        <source>The scan has openings; they were closed.</source>
+        <translation>El escaneo tiene aberturas; se cerraron.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without an area were left out.</source>
+        <translation>
+            <numerusform>Se omitió %n triángulo sin área.</numerusform>
+            <numerusform>Se omitieron %n triángulos sin área.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>%n triángulo está dos veces.</numerusform>
+            <numerusform>%n triángulos están dos veces.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) more than two triangles meet.</source>
+        <translation>
+            <numerusform>En %n arista se juntan más de dos triángulos.</numerusform>
+            <numerusform>En %n aristas se juntan más de dos triángulos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) neighbouring triangles disagree which side is outside.</source>
+        <translation>
+            <numerusform>En %n arista los triángulos vecinos no coinciden en qué lado es el exterior.</numerusform>
+            <numerusform>En %n aristas los triángulos vecinos no coinciden en qué lado es el exterior.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan was inside out and has been turned.</source>
+        <translation>El escaneo estaba del revés y se le ha dado la vuelta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scan has %n separate part(s); the outermost surface counts.</source>
+        <translation>
+            <numerusform>El escaneo tiene %n parte; cuenta la superficie más externa.</numerusform>
+            <numerusform>El escaneo tiene %n partes separadas; cuenta la superficie más externa.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Section</name>
+    <message>
+        <source>surface before anything was cut</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
+        <translation>superficie antes de tallar</translation>
+    </message>
+    <message>
+        <source>The plane does not meet the tooth here.</source>
+        <translation>El plano no toca aquí el diente.</translation>
+    </message>
+    <message>
+        <source>surface before</source>
+        <extracomment>The same, where a second line stands beside it</extracomment>
+        <translation>superficie anterior</translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation>preparación ideal</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <extracomment>In the key of a picture: what may be cut or left without losing points</extracomment>
+        <translation>dentro de la tolerancia</translation>
+    </message>
+    <message>
+        <source>costs points</source>
+        <extracomment>In the key of a picture: farther out, all points of this criterion are lost</extracomment>
+        <translation>cuesta puntos</translation>
+    </message>
+</context>
+<context>
+    <name>Surface</name>
+    <message>
+        <source>M</source>
+        <extracomment>Letters for sides of teeth, one or two each. Mesial</extracomment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>Letter for the distal side</extracomment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>La</source>
+        <extracomment>Letters for the labial side (towards the lip), then for the buccal one (towards the cheek)</extracomment>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>Letters for the palatal side, then for the lingual one</extracomment>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <extracomment>Letters for the incisal edge, then for the occlusal surface</extracomment>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>O</translation>
+    </message>
+</context>
+<context>
+    <name>TimeLine</name>
+    <message>
+        <source>section</source>
+        <translation>corte</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>medidor de profundidad</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>radiografía</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>colores de profundidad</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>espejo</translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation>ideal</translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation>Ninguna ayuda en uso</translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation>Ayudas en uso: %1</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>Deshecho</translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation>Rehecho</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>Intacto de nuevo</translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation>Fresa %1: %2</translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation>Nota %1</translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation>Se llevó la mano de vuelta</translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
+        <translation>Reanudado</translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation>color de la fresa</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>retenida dentro del contorno</translation>
+    </message>
+    <message>
+        <source>%1 pad: said to be %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1: se dijo %2</translation>
+    </message>
+    <message>
+        <source>Handpiece: %1</source>
+        <translation>Pieza de mano: %1</translation>
+    </message>
+    <message>
+        <source>Point %1 touched</source>
+        <translation>Punto %1 tocado</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>Calificado</translation>
+    </message>
+</context>
+<context>
+    <name>Tooth</name>
+    <message>
+        <source>upper right</source>
+        <translation>superior derecho</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>superior izquierdo</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>inferior izquierdo</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>inferior derecho</translation>
+    </message>
+    <message>
+        <source>%1 central incisor</source>
+        <translation>incisivo central %1</translation>
+    </message>
+    <message>
+        <source>%1 lateral incisor</source>
+        <translation>incisivo lateral %1</translation>
+    </message>
+    <message>
+        <source>%1 canine</source>
+        <translation>canino %1</translation>
+    </message>
+    <message>
+        <source>%1 first premolar</source>
+        <translation>primer premolar %1</translation>
+    </message>
+    <message>
+        <source>%1 second premolar</source>
+        <translation>segundo premolar %1</translation>
+    </message>
+    <message>
+        <source>%1 first molar</source>
+        <translation>primer molar %1</translation>
+    </message>
+    <message>
+        <source>%1 second molar</source>
+        <translation>segundo molar %1</translation>
+    </message>
+    <message>
+        <source>%1 third molar</source>
+        <translation>tercer molar %1</translation>
+    </message>
+    <message>
+        <source>Tooth %1</source>
+        <translation>Diente %1</translation>
+    </message>
+    <message>
+        <source>Tooth without a name</source>
+        <translation>Diente sin nombre</translation>
+    </message>
+</context>
+<context>
+    <name>ViewMarks</name>
+    <message>
+        <source>depth, mm</source>
+        <translation>profundidad, mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <extracomment>A length in millimetres</extracomment>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as it should be</source>
+        <translation>como debe ser</translation>
+    </message>
+    <message>
+        <source>%1 too deep</source>
+        <extracomment>%1 is a length: the tooth is cut deeper than it should be</extracomment>
+        <translation>%1 de más</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <extracomment>%1 is a length: so much is still to be taken away</extracomment>
+        <translation>faltan %1</translation>
+    </message>
+    <message>
+        <source>off the ideal, mm</source>
+        <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
+        <translation>desviación del ideal, mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::Application</name>
+    <message>
+        <source>Making tooth %1 …</source>
+        <translation>Creando el diente %1 …</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1 …</translation>
+    </message>
+    <message>
+        <source>The tooth is whole, and yours to drill.</source>
+        <translation>El diente está intacto y es suyo para tallar.</translation>
+    </message>
+    <message>
+        <source>This is your own work again, as you left it.</source>
+        <translation>Aquí está de nuevo su propio trabajo, tal como lo dejó.</translation>
+    </message>
+    <message>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation>El diente aún no está listo. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation>Todavía no se ha tallado nada, así que no hay nada que calificar.</translation>
+    </message>
+    <message>
+        <source>Making a practice block …</source>
+        <translation>Creando un bloque de práctica …</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>Preparando la lección …</translation>
+    </message>
+    <message>
+        <source>Taking up the attempt …</source>
+        <translation>Reanudando el intento …</translation>
+    </message>
+    <message>
+        <source>Your attempt goes on where it was left.</source>
+        <translation>Su intento continúa donde lo dejó.</translation>
+    </message>
+    <message>
+        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation>Este intento se hizo con otro dispositivo, así que no se puede continuar. Se conserva.</translation>
+    </message>
+    <message>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation>La referencia se guardó como %1. Una lección la nombra, o elíjala en el editor de una lección sobre este diente.</translation>
+    </message>
+    <message>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation>Este ejercicio aún no ha empezado, así que no hay nada que calificar.</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>El experto</translation>
+    </message>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation>El paquete no se desempaquetó, así que su lección no se puede cambiar. %1</translation>
+    </message>
+    <message>
+        <source>A simulated hand does the lesson …</source>
+        <translation>Una mano simulada hace la lección …</translation>
+    </message>
+    <message>
+        <source>The simulated hand</source>
+        <translation>La mano simulada</translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, so a simulated hand shows it.</source>
+        <translation>Ningún docente ha grabado esta lección, así que la muestra una mano simulada.</translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <translation>Ningún docente ha grabado esta lección, y una mano simulada no la consigue.</translation>
+    </message>
+    <message>
+        <source>No pad has been named yet: say beneath the view what each is made of.</source>
+        <translation>Aún no se ha nombrado ningún campo: diga debajo de la vista de qué está hecho cada uno.</translation>
+    </message>
+    <message>
+        <source>The attempt is no longer there.</source>
+        <translation>El intento ya no está.</translation>
+    </message>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation>El próximo diente se nota así.</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>No se conservó: %1</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation>No se importó: %1</translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation>El ajuste se exportó como %1.</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation>No se exportó: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::ChartPanel</name>
+    <message>
+        <source>Save as picture (PNG) …</source>
+        <translation>Guardar como imagen (PNG) …</translation>
+    </message>
+    <message>
+        <source>Save as drawing (SVG) …</source>
+        <translation>Guardar como dibujo (SVG) …</translation>
+    </message>
+    <message>
+        <source>Save as table (CSV) …</source>
+        <translation>Guardar como tabla (CSV) …</translation>
+    </message>
+    <message>
+        <source>Save this chart</source>
+        <translation>Guardar este gráfico</translation>
+    </message>
+    <message>
+        <source>Save the chart &quot;%1&quot;</source>
+        <translation>Guardar el gráfico «%1»</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Guardar el gráfico</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation>%1 no se pudo escribir (%2). Pruebe con otra carpeta.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::Table</name>
+    <message>
+        <source>series</source>
+        <translation>serie</translation>
+    </message>
+    <message>
+        <source>class, lower quartile</source>
+        <translation>grupo, cuartil inferior</translation>
+    </message>
+    <message>
+        <source>class, median</source>
+        <translation>grupo, mediana</translation>
+    </message>
+    <message>
+        <source>class, upper quartile</source>
+        <translation>grupo, cuartil superior</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::Console</name>
+    <message>
+        <source>Console</source>
+        <translation>Consola</translation>
+    </message>
+    <message>
+        <source>Answers of the console</source>
+        <translation>Respuestas de la consola</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Type a command; Tab completes, &quot;help&quot; explains</source>
+        <translation>Escriba una orden; Tab completa, «help» explica</translation>
+    </message>
+    <message>
+        <source>Parameters can be looked at and turned here while you drill. &quot;help&quot; lists the commands.</source>
+        <translation>Aquí se pueden ver los parámetros y cambiarlos mientras fresa. «help» enumera las órdenes.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; wants a name behind it.</source>
+        <translation>«%1» necesita un nombre detrás.</translation>
+    </message>
+    <message>
+        <source>Write &quot;set NAME VALUE&quot;, as in &quot;set force.stiffness 1.5&quot;.</source>
+        <translation>Escriba «set NOMBRE VALOR», como en «set force.stiffness 1.5».</translation>
+    </message>
+    <message>
+        <source>Presets are not to be had here.</source>
+        <translation>Aquí no hay ajustes de dureza disponibles.</translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation>list [TEXTO]       los parámetros cuyo nombre contiene el texto
+get NOMBRE         su valor, intervalo y qué hace
+set NOMBRE VALOR   lo fija
+reset [NOMBRE]     lo devuelve a su valor, o todo lo que se siente
+watch NOMBRE       lo muestra sobre la vista
+plot NOMBRE        dibuja sus últimos diez segundos sobre la vista
+unwatch [NOMBRE]   lo quita, o lo quita todo
+save NOMBRE        conserva lo que se siente como ajuste de dureza
+load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
+        <translation>No hay ninguna orden «%1». «help» enumera las que hay.</translation>
+    </message>
+    <message>
+        <source>No parameter&apos;s name holds &quot;%1&quot;.</source>
+        <translation>Ningún parámetro contiene «%1» en su nombre.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>All that is felt is as the preset says.</source>
+        <translation>Todo lo que se siente es como dice el ajuste.</translation>
+    </message>
+    <message>
+        <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
+        <translation>Hay sitio para %1. Quite uno con «unwatch NOMBRE».</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::Words</name>
+    <message>
+        <source>on</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>a live value, to be read, watched or plotted</source>
+        <translation>un valor en vivo, para leer, vigilar o dibujar</translation>
+    </message>
+    <message>
+        <source>0 (off) or 1 (on)</source>
+        <translation>0 (no) o 1 (sí)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <extracomment>%1 and %2 are numbers, %2 with a unit</extracomment>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot;. Type &quot;list&quot; for those there are.</source>
+        <translation>No hay ningún parámetro «%1». Escriba «list» para ver los que hay.</translation>
+    </message>
+    <message>
+        <source>%1 is a live value: it can be watched and plotted, not set.</source>
+        <translation>%1 es un valor en vivo: se puede vigilar y dibujar, no fijar.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2.</source>
+        <translation>%1 admite %2.</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureza</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Ratón y teclas</translation>
+    </message>
+    <message>
+        <source>Live values</source>
+        <translation>Valores en vivo</translation>
+    </message>
+    <message>
+        <source>This cannot be changed here and now.</source>
+        <translation>Esto no se puede cambiar aquí y ahora.</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Presión</translation>
+    </message>
+    <message>
+        <source>How hard the mouse button presses the bur against the tooth.</source>
+        <translation>Con cuánta fuerza aprieta el botón del ratón la fresa contra el diente.</translation>
+    </message>
+    <message>
+        <source>Force that the hand is given.</source>
+        <translation>Fuerza que recibe la mano.</translation>
+    </message>
+    <message>
+        <source>Depth of the bur&apos;s tip below the uncut surface.</source>
+        <translation>Profundidad de la punta de la fresa bajo la superficie sin tallar.</translation>
+    </message>
+    <message>
+        <source>Volume removed since the tooth was taken, undone or not.</source>
+        <translation>Volumen eliminado desde que se tomó el diente, deshecho o no.</translation>
+    </message>
+    <message>
+        <source>Turns of the bur under its load.</source>
+        <translation>Vueltas de la fresa bajo su carga.</translation>
+    </message>
+    <message>
+        <source>Periods of the servo that were missed since the start.</source>
+        <translation>Periodos del servo perdidos desde el inicio.</translation>
+    </message>
+    <message>
+        <source>Time between two ticks of the servo: half of the last second&apos;s were shorter.</source>
+        <translation>Tiempo entre dos ciclos del servo: la mitad de los del último segundo fueron más cortos.</translation>
+    </message>
+    <message>
+        <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
+        <translation>Tiempo entre dos ciclos del servo: 99 de cada 100 del último segundo fueron más cortos.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::SectionView</name>
+    <message>
+        <source>Section through the bur</source>
+        <translation>Corte a través de la fresa</translation>
+    </message>
+    <message>
+        <source>Picture of the section</source>
+        <translation>Imagen del corte</translation>
+    </message>
+    <message>
+        <source>Cut the tooth in this direction, through the bur</source>
+        <translation>Cortar el diente en esta dirección, a través de la fresa</translation>
+    </message>
+    <message>
+        <source>Section along y</source>
+        <translation>Corte a lo largo de y</translation>
+    </message>
+    <message>
+        <source>Section along x</source>
+        <translation>Corte a lo largo de x</translation>
+    </message>
+    <message>
+        <source>Angle of the section, degrees</source>
+        <translation>Ángulo del corte, grados</translation>
+    </message>
+    <message>
+        <source>Turn the section about the bur (Shift+X: by 15 degrees)</source>
+        <translation>Girar el corte alrededor de la fresa (Mayúsculas+X: 15 grados)</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Depth below the old surface</source>
+        <translation>Bajo la superficie anterior</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was, straight up.</source>
+        <translation>A qué distancia está la punta por debajo de la superficie original, en vertical.</translation>
+    </message>
+    <message>
+        <source>Dentin left over the pulp</source>
+        <translation>Dentina sobre la pulpa</translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there.</source>
+        <translation>Dentina sana entre el tallado y la pulpa, justo debajo de la punta. Una raya: allí no hay pulpa.</translation>
+    </message>
+    <message>
+        <source>Straight down from the tip of the bur. A dash: no pulp there.</source>
+        <translation>En vertical hacia abajo desde la punta de la fresa. Una raya: allí no hay pulpa.</translation>
+    </message>
+    <message>
+        <source>The shortest way in any direction, also out of the plane of the picture.</source>
+        <translation>El camino más corto en cualquier dirección, también fuera del plano de la imagen.</translation>
+    </message>
+    <message>
+        <source>Section: %1</source>
+        <translation>Corte: %1</translation>
+    </message>
+    <message>
+        <source>Tip straight down to the pulp</source>
+        <translation>Punta a pulpa, en vertical</translation>
+    </message>
+    <message>
+        <source>Tip to the nearest pulp</source>
+        <translation>Punta a la pulpa más cercana</translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::XrayPage</name>
+    <message>
+        <source>X-ray</source>
+        <translation>Radiografía</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>One tooth</source>
+        <translation>Un diente</translation>
+    </message>
+    <message>
+        <source>The whole tooth with its root</source>
+        <translation>El diente entero con su raíz</translation>
+    </message>
+    <message>
+        <source>Bitewing</source>
+        <translation>Aleta de mordida</translation>
+    </message>
+    <message>
+        <source>Beam from the side</source>
+        <translation>Haz desde el lado</translation>
+    </message>
+    <message>
+        <source>Turns the beam about the tooth</source>
+        <translation>Gira el haz alrededor del diente</translation>
+    </message>
+    <message>
+        <source>Beam from above</source>
+        <translation>Haz desde arriba</translation>
+    </message>
+    <message>
+        <source>Tilts the beam; 0 is level</source>
+        <translation>Inclina el haz; 0 es horizontal</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>More radiation: a darker film with less grain</source>
+        <translation>Más radiación: una película más oscura con menos grano</translation>
+    </message>
+    <message>
+        <source>Simulated: a parallel beam, no scatter, no bone and no gums.</source>
+        <translation>Simulada: haz paralelo, sin dispersión, hueso ni encía.</translation>
+    </message>
+    <message>
+        <source>Save the picture …</source>
+        <translation>Guardar imagen …</translation>
+    </message>
+    <message>
+        <source>Save both films side by side as a PNG file</source>
+        <translation>Guardar ambas películas, una junto a otra, en un archivo PNG</translation>
+    </message>
+    <message>
+        <source>X-ray: %1</source>
+        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>Radiografía: %1</translation>
+    </message>
+    <message>
+        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
+        <translation>La corona entre sus dos vecinos. Son dientes sanos hechos por Cusp, y se tocan.</translation>
+    </message>
+    <message>
+        <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
+        <translation>Nada en un escaneo indica qué lado es mesial, así que no tiene vecinos.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryCharts</name>
+    <message>
+        <source>Attempt %1, %2</source>
+        <extracomment>%1: a count; %2: date and time</extracomment>
+        <translation>Intento %1, %2</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Intento</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>The newest %1 of %2 attempts</source>
+        <translation>Los %1 intentos más recientes de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n intento</numerusform>
+            <numerusform>%n intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1 puntos, aprobado</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1 puntos, no aprobado</translation>
+    </message>
+    <message>
+        <source>(machine: %1)</source>
+        <translation>(máquina: %1)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: which attempt; %2: what it came to</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>Mitad central</translation>
+    </message>
+    <message>
+        <source>Class median</source>
+        <translation>Mediana del grupo</translation>
+    </message>
+    <message>
+        <source>Attempt %1: median %3, middle half %4 to %5, %2 people</source>
+        <extracomment>Of a class; %1: a count of attempts, %2: of people, %3 to %5: points</extracomment>
+        <translation>Intento %1: mediana %3, mitad central de %4 a %5, %2 personas</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Aprobado</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>No aprobado</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Nota de aprobado</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt its score is here, and then how it goes on.</source>
+        <translation>Tras el primer intento calificado, aquí está su puntuación, y luego cómo evoluciona.</translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation>Perdido, % de lo que cuenta</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Criterio</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of its points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation>%1: %2 % de sus puntos perdidos</translation>
+    </message>
+    <message>
+        <source>What costs points</source>
+        <translation>Qué cuesta puntos</translation>
+    </message>
+    <message numerus="yes">
+        <source>Average of the last %n attempt(s)</source>
+        <translation>
+            <numerusform>Media de %n intento</numerusform>
+            <numerusform>Media de los últimos %n intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here which criterion costs most.</source>
+        <translation>Tras el primer intento calificado verá aquí qué criterio cuesta más.</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minutos</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <extracomment>%1: &quot;12:07&quot;</extracomment>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how long it took.</source>
+        <translation>Tras el primer intento calificado verá aquí cuánto duró.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Máxima</translation>
+    </message>
+    <message>
+        <source>mean %1 N, highest %2 N while cutting</source>
+        <translation>media %1 N, máxima %2 N al tallar</translation>
+    </message>
+    <message>
+        <source>Newtons</source>
+        <translation>Newtons</translation>
+    </message>
+    <message>
+        <source>Force while cutting</source>
+        <translation>Fuerza al tallar</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how hard the bur was pressed.</source>
+        <translation>Tras el primer intento calificado verá aquí con cuánta fuerza se presionó la fresa.</translation>
+    </message>
+    <message>
+        <source>%1 in %2 min</source>
+        <translation>%1 en %2 min</translation>
+    </message>
+    <message>
+        <source>Class median, time</source>
+        <translation>Mediana del grupo, tiempo</translation>
+    </message>
+    <message>
+        <source>Class median, points</source>
+        <translation>Mediana del grupo, puntos</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>Rapidez y precisión</translation>
+    </message>
+    <message>
+        <source>Good and quick is at the top left</source>
+        <translation>Lo bueno y rápido está arriba a la izquierda</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here time against points.</source>
+        <translation>Tras el primer intento calificado verá aquí el tiempo frente a los puntos.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryModel</name>
+    <message>
+        <source>passed</source>
+        <translation>aprobado</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>no aprobado</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1</source>
+        <translation>Dada por un docente. La puntuación de la máquina: %1</translation>
+    </message>
+    <message>
+        <source>Mean and highest force while cutting</source>
+        <translation>Fuerza media y máxima al tallar</translation>
+    </message>
+    <message>
+        <source>%1, given by an instructor; the machine&apos;s score: %2</source>
+        <translation>%1, dada por un docente; la puntuación de la máquina: %2</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <extracomment>Column of a table of attempts</extracomment>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <extracomment>Newtons</extracomment>
+        <translation>Fuerza, N</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryPage</name>
+    <message>
+        <source>Criteria</source>
+        <translation>Criterios</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>Rapidez y precisión</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Todas las lecciones</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: a lesson; %2: how many attempts</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n intento</numerusform>
+            <numerusform>%n intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of this attempt no recording was kept.</source>
+        <translation>De este intento no se conservó ninguna grabación.</translation>
+    </message>
+    <message>
+        <source>See again how it was done</source>
+        <translation>Ver de nuevo cómo se hizo</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>Sus intentos</translation>
+    </message>
+    <message>
+        <source>Attempts of %1</source>
+        <translation>Intentos de %1</translation>
+    </message>
+    <message>
+        <source>Show the attempts at this lesson</source>
+        <translation>Mostrar los intentos de esta lección</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Intentos</translation>
+    </message>
+    <message>
+        <source>Open grade</source>
+        <translation>Abrir la calificación</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>No attempts yet</source>
+        <translation>Aún no hay intentos</translation>
+    </message>
+    <message>
+        <source>%1 has no attempts yet</source>
+        <translation>%1 aún no tiene intentos</translation>
+    </message>
+    <message>
+        <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
+        <translation>Aquí encontrará cada intento calificado: su puntuación, qué costó puntos, tiempo y fuerza, y cómo evoluciona de intento en intento. Haga una lección y pida que se califique.</translation>
+    </message>
+    <message>
+        <source>As soon as an attempt has been graded it is here.</source>
+        <translation>En cuanto se califique un intento, estará aquí.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::LoginPage</name>
+    <message>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
+    </message>
+    <message>
+        <source>Log in, so that your attempts are kept.</source>
+        <translation>Inicie sesión para que sus intentos se conserven.</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Choose a password</source>
+        <translation>Elegir una contraseña</translation>
+    </message>
+    <message>
+        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
+        <translation>El código de un solo uso es correcto. A partir de ahora iniciará sesión con una contraseña propia: ocho caracteres o más.</translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation>Establecer la contraseña</translation>
+    </message>
+    <message>
+        <source>Welcome to Cusp</source>
+        <translation>Le damos la bienvenida a Cusp</translation>
+    </message>
+    <message>
+        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
+        <translation>Todavía no hay nadie registrado aquí. Cree la escuela: usted será su administrador, quien registra a docentes y estudiantes. O practique ahora; entonces no se conserva nada.</translation>
+    </message>
+    <message>
+        <source>Create the school</source>
+        <translation>Crear la escuela</translation>
+    </message>
+    <message>
+        <source>Locked by %1</source>
+        <extracomment>%1: the name a user logs in with</extracomment>
+        <translation>Bloqueado por %1</translation>
+    </message>
+    <message>
+        <source>The work on the table is as it was left.</source>
+        <translation>El trabajo en la mesa está como se dejó.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Somebody else logs in</source>
+        <translation>Otra persona inicia sesión</translation>
+    </message>
+    <message>
+        <source>Practise now</source>
+        <translation>Practicar ahora</translation>
+    </message>
+    <message>
+        <source>Practise without login</source>
+        <translation>Practicar sin iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Name to log in with</source>
+        <translation>Nombre para iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Given name</source>
+        <translation>Nombre de pila</translation>
+    </message>
+    <message>
+        <source>Family name</source>
+        <translation>Apellidos</translation>
+    </message>
+    <message>
+        <source>Password or one-time code</source>
+        <translation>Contraseña o código de un solo uso</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Contraseña</translation>
+    </message>
+    <message>
+        <source>The password again</source>
+        <translation>La contraseña otra vez</translation>
+    </message>
+    <message>
+        <source>Drill and be graded; nothing is kept</source>
+        <translation>Tallar y recibir calificación; no se conserva nada</translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type the second one again.</source>
+        <translation>Las dos contraseñas difieren. Escriba la segunda otra vez.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::Words</name>
+    <message>
+        <source>Free practice</source>
+        <translation>Práctica libre</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>hoy</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>ayer</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::FeedChart</name>
+    <message>
+        <source>Feed over force</source>
+        <translation>Avance según la fuerza</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm/s</source>
+        <extracomment>%1 is a material, %2 a speed</extracomment>
+        <translation>%1 %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Straight down with %1 N</source>
+        <translation>En vertical hacia abajo con %1 N</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Fuerza, N</translation>
+    </message>
+    <message>
+        <source>Feed, mm/s</source>
+        <translation>Avance, mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::PresetTable</name>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Tasa</translation>
+    </message>
+    <message>
+        <source>Cuts from</source>
+        <extracomment>The force from which on a material is cut</extracomment>
+        <translation>Umbral</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>De %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::PresetsPage</name>
+    <message>
+        <source>Hardness presets</source>
+        <translation>Ajustes de dureza</translation>
+    </message>
+    <message>
+        <source>Hardness presets and their versions</source>
+        <translation>Ajustes de dureza y sus versiones</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importar …</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Importar un ajuste</translation>
+    </message>
+    <message>
+        <source>Read a preset from a file and keep it here</source>
+        <translation>Leer un ajuste de un archivo y conservarlo aquí</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportar …</translation>
+    </message>
+    <message>
+        <source>Export this version</source>
+        <translation>Exportar esta versión</translation>
+    </message>
+    <message>
+        <source>Write the chosen version to a file, for another school</source>
+        <translation>Escribir la versión elegida en un archivo, para otra escuela</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Nombre del ajuste</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>Notes: what it is for</source>
+        <translation>Notas: para qué sirve</translation>
+    </message>
+    <message>
+        <source>Simple</source>
+        <translation>Sencillo</translation>
+    </message>
+    <message>
+        <source>A few sliders</source>
+        <translation>Unos pocos controles</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>Todos los números</translation>
+    </message>
+    <message>
+        <source>Every number with its range</source>
+        <translation>Cada número con su intervalo</translation>
+    </message>
+    <message>
+        <source>Feed of</source>
+        <translation>Avance de</translation>
+    </message>
+    <message>
+        <source>Bur whose feed is drawn</source>
+        <translation>Fresa cuyo avance se dibuja</translation>
+    </message>
+    <message>
+        <source>Try on a block</source>
+        <translation>Probar en un bloque</translation>
+    </message>
+    <message>
+        <source>Drill a block of enamel, dentin and soft caries with it</source>
+        <translation>Fresar con él un bloque de esmalte, dentina y caries blanda</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Duplicate under another name</source>
+        <translation>Duplicar con otro nombre</translation>
+    </message>
+    <message>
+        <source>Begin a preset of another name with these numbers</source>
+        <translation>Empezar un ajuste con otro nombre y estos números</translation>
+    </message>
+    <message>
+        <source>Use for practice</source>
+        <translation>Usar para practicar</translation>
+    </message>
+    <message>
+        <source>Use this version for practice</source>
+        <translation>Usar esta versión para practicar</translation>
+    </message>
+    <message>
+        <source>Every tooth feels like this, unless its lesson says otherwise</source>
+        <translation>Todos los dientes se notan así, salvo que su lección diga otra cosa</translation>
+    </message>
+    <message>
+        <source>Compare blind with</source>
+        <translation>Comparar a ciegas con</translation>
+    </message>
+    <message>
+        <source>Preset to compare with</source>
+        <translation>Ajuste con el que comparar</translation>
+    </message>
+    <message>
+        <source>Number of trials</source>
+        <translation>Número de pruebas</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <extracomment>After a number: &quot;8 trials&quot;</extracomment>
+        <translation>pruebas</translation>
+    </message>
+    <message>
+        <source>Compare A and B</source>
+        <translation>Comparar A y B</translation>
+    </message>
+    <message>
+        <source>Drill with both, behind letters, and say which feels more like a tooth</source>
+        <translation>Fresar con ambos, ocultos tras letras, y decir cuál se parece más a un diente</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>versión %1</translation>
+    </message>
+    <message>
+        <source>shipped</source>
+        <translation>incluido</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>en uso</translation>
+    </message>
+    <message>
+        <source>changed from %1</source>
+        <translation>cambiado a partir de %1</translation>
+    </message>
+    <message>
+        <source>Restore as the newest version</source>
+        <translation>Restaurar como versión más reciente</translation>
+    </message>
+    <message>
+        <source>Save as a new version</source>
+        <translation>Guardar como versión nueva</translation>
+    </message>
+    <message>
+        <source>A version is never changed: this becomes another</source>
+        <translation>Una versión no se cambia nunca: esta pasa a ser otra</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>%1 is the name of a preset that is duplicated</extracomment>
+        <translation>%1, copia</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::SimplePanel</name>
+    <message>
+        <source>Enamel</source>
+        <translation>Esmalte</translation>
+    </message>
+    <message>
+        <source>softer</source>
+        <translation>más blando</translation>
+    </message>
+    <message>
+        <source>harder</source>
+        <translation>más duro</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>Dentina</translation>
+    </message>
+    <message>
+        <source>Caries</source>
+        <translation>Caries</translation>
+    </message>
+    <message>
+        <source>Plastic tooth</source>
+        <translation>Diente de plástico</translation>
+    </message>
+    <message>
+        <source>Touch that cuts</source>
+        <extracomment>How hard one must press before anything comes away</extracomment>
+        <translation>Toque que corta</translation>
+    </message>
+    <message>
+        <source>lighter</source>
+        <translation>más ligero</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>más fuerte</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <extracomment>What an uncut tooth feels like under the bur</extracomment>
+        <translation>Pared</translation>
+    </message>
+    <message>
+        <source>stiffer</source>
+        <translation>más rígido</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <extracomment>A slider: what it is about, and the words at its ends</extracomment>
+        <translation>%1, de %2 a %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::TrialCard</name>
+    <message>
+        <source>Feel A</source>
+        <translation>Sentir A</translation>
+    </message>
+    <message>
+        <source>Feel B</source>
+        <translation>Sentir B</translation>
+    </message>
+    <message>
+        <source>Drill with the preset behind A from now on</source>
+        <translation>Fresar desde ahora con el ajuste que hay detrás de A</translation>
+    </message>
+    <message>
+        <source>Drill with the preset behind B from now on</source>
+        <translation>Fresar desde ahora con el ajuste que hay detrás de B</translation>
+    </message>
+    <message>
+        <source>A does</source>
+        <extracomment>Which of two presets feels more like a tooth</extracomment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B does</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>No difference</source>
+        <translation>Sin diferencia</translation>
+    </message>
+    <message>
+        <source>All as it was</source>
+        <translation>Todo como estaba</translation>
+    </message>
+    <message>
+        <source>Set all sliders back to the preset</source>
+        <translation>Devolver todos los controles al ajuste</translation>
+    </message>
+    <message>
+        <source>Save as CSV …</source>
+        <translation>Guardar como CSV …</translation>
+    </message>
+    <message>
+        <source>Save the comparison as CSV</source>
+        <translation>Guardar la comparación como CSV</translation>
+    </message>
+    <message>
+        <source>Back to the presets</source>
+        <translation>Volver a los ajustes</translation>
+    </message>
+    <message>
+        <source>Drill: each slider is felt at once.</source>
+        <translation>Frese: cada control se nota al instante.</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <extracomment>%1 of %2 trials</extracomment>
+        <translation>Prueba %1 de %2</translation>
+    </message>
+    <message>
+        <source>Drill with A and with B, as often as you like. Which feels more like a tooth?</source>
+        <translation>Frese con A y con B cuantas veces quiera. ¿Cuál se parece más a un diente?</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>Comparado</translation>
+    </message>
+    <message>
+        <source>%1: chosen %2 times. %3: chosen %4 times.</source>
+        <extracomment>%1 and %3 are presets, %2 and %4 counts</extracomment>
+        <translation>%1: elegido %2 veces. %3: elegido %4 veces.</translation>
+    </message>
+    <message>
+        <source>No difference: %1 times.</source>
+        <translation>Sin diferencia: %1 veces.</translation>
+    </message>
+    <message>
+        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
+        <translation>Quien solo adivina se aparta al menos tanto del empate con una probabilidad de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::Words</name>
+    <message>
+        <source>Soft caries</source>
+        <translation>Caries blanda</translation>
+    </message>
+    <message>
+        <source>Firm caries</source>
+        <translation>Caries firme</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>Esmalte</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>Dentina</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>Pulpa</translation>
+    </message>
+    <message>
+        <source>Plastic tooth</source>
+        <extracomment>What the teeth of a typodont are made of</extracomment>
+        <translation>Diente de plástico</translation>
+    </message>
+    <message>
+        <source>%1: rate</source>
+        <extracomment>%1 is a material of a tooth</extracomment>
+        <translation>%1: tasa</translation>
+    </message>
+    <message>
+        <source>%1: from</source>
+        <translation>%1: umbral</translation>
+    </message>
+    <message>
+        <source>Share along the bur</source>
+        <translation>Parte a lo largo de la fresa</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortiguación</translation>
+    </message>
+    <message>
+        <source>Damping of fast motion</source>
+        <translation>Amortiguación del movimiento rápido</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Fricción</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Límite de fuerza</translation>
+    </message>
+    <message>
+        <source>Volume that a newton beyond the threshold takes away in a second, pushing sideways.</source>
+        <translation>Volumen que un newton por encima del umbral elimina en un segundo, empujando de lado.</translation>
+    </message>
+    <message>
+        <source>A lighter touch leaves no mark.</source>
+        <translation>Un toque más ligero no deja marca.</translation>
+    </message>
+    <message>
+        <source>What is left of the rate when the bur is pushed along its axis.</source>
+        <translation>Lo que queda de la tasa cuando la fresa se empuja a lo largo de su eje.</translation>
+    </message>
+    <message>
+        <source>Of the spring between hand and bur: how hard a wall feels.</source>
+        <translation>Del muelle entre la mano y la fresa: cuán dura se nota una pared.</translation>
+    </message>
+    <message>
+        <source>What calms the hand at rest. Too much is felt as a buzz.</source>
+        <translation>Lo que calma la mano en reposo. Demasiado se nota como un zumbido.</translation>
+    </message>
+    <message>
+        <source>What calms a fast hand besides, as when the bur is thrown at the tooth.</source>
+        <translation>Lo que además calma una mano rápida, como cuando la fresa se lanza contra el diente.</translation>
+    </message>
+    <message>
+        <source>Of the bur that slides on the tooth.</source>
+        <translation>De la fresa que se desliza sobre el diente.</translation>
+    </message>
+    <message>
+        <source>The largest force that is ever given to the hand.</source>
+        <translation>La mayor fuerza que llega a recibir la mano.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>A range: %1 to %2, %3 is a unit</extracomment>
+        <translation>%1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <extracomment>%1 is the name of a hardness preset, %2 its version</extracomment>
+        <translation>%1, versión %2</translation>
+    </message>
+    <message>
+        <source>%1, changed by hand</source>
+        <extracomment>After the name of a hardness preset whose numbers were changed during the attempt</extracomment>
+        <translation>%1, cambiado a mano</translation>
+    </message>
+    <message>
+        <source>The force limit is %1 N, and the device gives at most %2 N: lower it.</source>
+        <translation>El límite de fuerza es %1 N y el dispositivo da como máximo %2 N: bájelo.</translation>
+    </message>
+    <message>
+        <source>Holds: a light hand at %1 ms of delay is steady up to %2 N/mm, and this is %3.</source>
+        <translation>Aguanta: una mano ligera con %1 ms de retardo es estable hasta %2 N/mm, y esto es %3.</translation>
+    </message>
+    <message>
+        <source>Would tremble: a light hand at %1 ms of delay is steady up to %2 N/mm, and this is %3.</source>
+        <translation>Temblaría: una mano ligera con %1 ms de retardo es estable hasta %2 N/mm, y esto es %3.</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness, or damp more.</source>
+        <translation>Baje la rigidez o amortigüe más.</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness.</source>
+        <translation>Baje la rigidez.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation>Historial de cambios</translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation>Ir a un momento: haga clic en él o pulse Intro</translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation>Cada pasada suya aparece aquí como una imagen pequeña. Haga clic en una para volver a ella; lo que vino después se conserva como una rama propia.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation>Está viendo una grabación</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Detener la grabación</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>Dejar de mirar y volver a su propio trabajo (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation>Velocidad de la reproducción: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation>Izquierda y derecha van de pasada en pasada; Inicio y Fin, al principio y al final.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
+        <translation>Pasada %1, %2 s, %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::settings::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>Configuración</translation>
+    </message>
+    <message>
+        <source>Search the settings</source>
+        <translation>Buscar en la configuración</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Borrar la búsqueda</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>De %1.</translation>
+    </message>
+    <message>
+        <source>Set it back</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Set back: %1</source>
+        <extracomment>%1 is the name of a setting</extracomment>
+        <translation>Restablecer: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::Actions</name>
+    <message>
+        <source>Drill</source>
+        <translation>Fresar</translation>
+    </message>
+    <message>
+        <source>Drill on or off</source>
+        <translation>Fresa en marcha o parada</translation>
+    </message>
+    <message>
+        <source>Let the bur turn, or stop it</source>
+        <translation>Hacer girar la fresa o detenerla</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Take back the last stroke</source>
+        <translation>Deshacer la última pasada</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Make the stroke again that was taken back</source>
+        <translation>Rehacer la pasada que se deshizo</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Empezar de nuevo</translation>
+    </message>
+    <message>
+        <source>Make the tooth whole again; undo brings your work back</source>
+        <translation>Dejar el diente intacto de nuevo; deshacer recupera su trabajo</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Calificar</translation>
+    </message>
+    <message>
+        <source>Measure what you have cut and explain the grade</source>
+        <translation>Medir lo que ha tallado y explicar la calificación</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Pieza de mano</translation>
+    </message>
+    <message>
+        <source>Take this bur</source>
+        <translation>Tomar esta fresa</translation>
+    </message>
+    <message>
+        <source>Other hand</source>
+        <translation>Otra mano</translation>
+    </message>
+    <message>
+        <source>Tooth and files</source>
+        <translation>Diente y archivos</translation>
+    </message>
+    <message>
+        <source>Choose a tooth</source>
+        <translation>Elegir un diente</translation>
+    </message>
+    <message>
+        <source>Show the arches and choose one of 16 teeth</source>
+        <translation>Mostrar las arcadas y elegir uno de 16 dientes</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Abrir un escaneo</translation>
+    </message>
+    <message>
+        <source>Open the scan of a tooth: OBJ, STL or PLY</source>
+        <translation>Abrir el escaneo de un diente: OBJ, STL o PLY</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Guardar la grabación</translation>
+    </message>
+    <message>
+        <source>Save every movement of this attempt to a file</source>
+        <translation>Guardar cada movimiento de este intento en un archivo</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Abrir una grabación</translation>
+    </message>
+    <message>
+        <source>Watch a saved attempt again</source>
+        <translation>Volver a ver un intento guardado</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>View from the start</source>
+        <translation>Vista inicial</translation>
+    </message>
+    <message>
+        <source>Turn the tooth back to where it began</source>
+        <translation>Volver el diente a como estaba al principio</translation>
+    </message>
+    <message>
+        <source>Side panel</source>
+        <translation>Panel lateral</translation>
+    </message>
+    <message>
+        <source>Show the figures, or put them away</source>
+        <translation>Mostrar las medidas u ocultarlas</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Pantalla completa</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation>Llenar toda la pantalla</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas y ratón</translation>
+    </message>
+    <message>
+        <source>Show what every key does</source>
+        <translation>Mostrar qué hace cada tecla</translation>
+    </message>
+    <message>
+        <source>Back to the tooth</source>
+        <translation>Volver al diente</translation>
+    </message>
+    <message>
+        <source>Close what lies over the tooth; nothing is lost</source>
+        <translation>Cerrar lo que tapa el diente; no se pierde nada</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Close Cusp</source>
+        <translation>Cerrar Cusp</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>Tooltip: what it does, then its key</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation>Pausar la reproducción</translation>
+    </message>
+    <message>
+        <source>Hold the recording where it is, or let it go on</source>
+        <translation>Detener la grabación donde está o dejar que siga</translation>
+    </message>
+    <message>
+        <source>Resume the replay</source>
+        <translation>Reanudar la reproducción</translation>
+    </message>
+    <message>
+        <source>Hold the handpiece from the other side; the view stays</source>
+        <translation>Sostener la pieza de mano desde el otro lado; la vista no cambia</translation>
+    </message>
+    <message>
+        <source>Lead the handpiece home</source>
+        <translation>Devolver la pieza de mano</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand back over the tooth</source>
+        <translation>Dejar que la pieza de mano lleve su mano de vuelta sobre el diente</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Turn round</source>
+        <translation>Dar la vuelta</translation>
+    </message>
+    <message>
+        <source>Look from the other side: half a circle</source>
+        <translation>Mirar desde el otro lado: media vuelta</translation>
+    </message>
+    <message>
+        <source>Dental mirror</source>
+        <extracomment>The small round mirror on a handle</extracomment>
+        <translation>Espejo dental</translation>
+    </message>
+    <message>
+        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
+        <translation>Tomar el espejo o dejarlo; arrastre el cristal, con Mayúsculas para inclinarlo</translation>
+    </message>
+    <message>
+        <source>Light on the handpiece</source>
+        <translation>Luz en la pieza de mano</translation>
+    </message>
+    <message>
+        <source>Let the handpiece light the cavity</source>
+        <translation>Dejar que la pieza de mano ilumine la cavidad</translation>
+    </message>
+    <message>
+        <source>Colours of depth</source>
+        <translation>Colores de profundidad</translation>
+    </message>
+    <message>
+        <source>Colour the cut by its depth and tell it under the pointer</source>
+        <translation>Colorear el tallado por su profundidad e indicarla bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Where the hand is</source>
+        <translation>Dónde está la mano</translation>
+    </message>
+    <message>
+        <source>Show faintly where the hand holds the bur</source>
+        <translation>Mostrar tenuemente dónde sostiene la mano la fresa</translation>
+    </message>
+    <message>
+        <source>Colours for every eye</source>
+        <translation>Colores para todos los ojos</translation>
+    </message>
+    <message>
+        <source>Give each tissue a colour and a pattern that nobody confuses</source>
+        <translation>Dar a cada tejido un color y una trama que nadie confunde</translation>
+    </message>
+    <message>
+        <source>Wet tooth</source>
+        <extracomment>The tooth as if it were wet</extracomment>
+        <translation>Diente húmedo</translation>
+    </message>
+    <message>
+        <source>Let the tooth shine as if it were wet</source>
+        <translation>Dejar que el diente brille como si estuviera húmedo</translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation>Imagen estéreo</translation>
+    </message>
+    <message>
+        <source>One picture for each eye</source>
+        <translation>Una imagen para cada ojo</translation>
+    </message>
+    <message>
+        <source>Set up the stereo picture …</source>
+        <translation>Configurar la imagen estéreo …</translation>
+    </message>
+    <message>
+        <source>Choose glasses or screen and fit it to your eyes</source>
+        <translation>Elegir gafas o pantalla y ajustarla a sus ojos</translation>
+    </message>
+    <message>
+        <source>Turn left and right over</source>
+        <translation>Invertir izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>For a half-silvered mirror over the hand</source>
+        <translation>Para un espejo semirreflectante sobre la mano</translation>
+    </message>
+    <message>
+        <source>Turn up and down over</source>
+        <translation>Invertir arriba y abajo</translation>
+    </message>
+    <message>
+        <source>For a screen that lies upside down over the hand</source>
+        <translation>Para una pantalla colocada boca abajo sobre la mano</translation>
+    </message>
+    <message>
+        <source>Save a picture …</source>
+        <translation>Guardar una imagen …</translation>
+    </message>
+    <message>
+        <source>Save what the view shows as a PNG</source>
+        <translation>Guardar lo que muestra la vista como PNG</translation>
+    </message>
+    <message>
+        <source>Less motion</source>
+        <translation>Menos movimiento</translation>
+    </message>
+    <message>
+        <source>No gliding, no spinning bur</source>
+        <translation>Sin deslizamientos ni fresa girando</translation>
+    </message>
+    <message>
+        <source>Whole mouth</source>
+        <translation>Boca completa</translation>
+    </message>
+    <message>
+        <source>Choose a tooth in the whole mouth, or go back to the flat arches</source>
+        <translation>Elegir un diente en la boca completa o volver a las arcadas planas</translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation>Ver el interior</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Show a live cut through the bur, or put it away</source>
+        <translation>Mostrar un corte en vivo a través de la fresa u ocultarlo</translation>
+    </message>
+    <message>
+        <source>Turn the section</source>
+        <translation>Girar el corte</translation>
+    </message>
+    <message>
+        <source>Turn the cut about the bur by 15 degrees</source>
+        <translation>Girar el corte 15 grados alrededor de la fresa</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Radiografía</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now</source>
+        <translation>Mostrar radiografías del diente, antes y ahora</translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
+        <translation>Esta lección no lo permite.</translation>
+    </message>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation>Dientes adyacentes</translation>
+    </message>
+    <message>
+        <source>Show the teeth beside this one, and the gum</source>
+        <translation>Mostrar los dientes junto a este, y la encía</translation>
+    </message>
+    <message>
+        <source>Colours against the ideal</source>
+        <translation>Colores frente al ideal</translation>
+    </message>
+    <message>
+        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
+        <translation>Colorear lo que es demasiado profundo y lo que falta, e indicarlo bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lecciones</translation>
+    </message>
+    <message>
+        <source>Choose what to practise</source>
+        <translation>Elegir qué practicar</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation>Mostrar a qué se puede volver, con todas las ramas, u ocultarlo</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Reproducción</translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation>Una pasada atrás</translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation>Volver al final de la pasada anterior y detenerse allí</translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation>Una pasada adelante</translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation>Ir al final de la pasada siguiente y detenerse allí</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>Al principio</translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation>Ir al principio de la grabación</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Al final</translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation>Ir al final de la grabación</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Más lento</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation>Reproducir la grabación más despacio, hasta una décima parte</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Más rápido</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation>Reproducir la grabación más deprisa, hasta 16 veces</translation>
+    </message>
+    <message>
+        <source>Take this handpiece</source>
+        <translation>Tomar esta pieza de mano</translation>
+    </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation>Colorear la fresa</translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation>Colorear la fresa según lo cerca que esté de lo que debe conservarse</translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation>Mano guiada</translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
+        <translation>Dejar que una fuerza suave retenga la mano dentro del contorno</translation>
+    </message>
+    <message>
+        <source>Edit the lesson …</source>
+        <translation>Editar la lección …</translation>
+    </message>
+    <message>
+        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
+        <translation>Cambiar el ideal y la calificación de la lección elegida en la lista</translation>
+    </message>
+    <message>
+        <source>Save this attempt as the reference …</source>
+        <translation>Guardar este intento como referencia …</translation>
+    </message>
+    <message>
+        <source>Keep what you have cut as the ideal that lessons ask for</source>
+        <translation>Conservar lo que ha tallado como el ideal que piden las lecciones</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>El intento del experto</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <translation>Ver cómo lo hace un experto; en una reproducción, junto a este intento</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>Otro al lado</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>Abrir otro intento junto a este, o cerrarlo</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>Dejarse guiar</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>Dejar que la pieza de mano guíe su mano a lo largo del intento; un empujón la suelta</translation>
+    </message>
+    <message>
+        <source>Hardness presets</source>
+        <translation>Ajustes de dureza</translation>
+    </message>
+    <message>
+        <source>Choose, try and change how drilling feels</source>
+        <translation>Elegir, probar y cambiar cómo se nota el fresado</translation>
+    </message>
+    <message>
+        <source>Log in, or lock this place and let somebody else log in</source>
+        <translation>Iniciar sesión, o bloquear este puesto y dejar que otra persona inicie sesión</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Consola</translation>
+    </message>
+    <message>
+        <source>Look at parameters and turn them while you drill, or put it away</source>
+        <translation>Ver parámetros y cambiarlos mientras fresa, u ocultarla</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Configuración</translation>
+    </message>
+    <message>
+        <source>Every setting with its range</source>
+        <translation>Cada opción con su intervalo</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchTooth</name>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 is the FDI number, %2 the tooth&apos;s name</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchView</name>
+    <message>
+        <source>Arches</source>
+        <translation>Arcadas</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurChooser</name>
+    <message>
+        <source>Burs</source>
+        <translation>Fresas</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BusyCard</name>
+    <message>
+        <source>Working</source>
+        <translation>Trabajando</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::DrillSwitch</name>
+    <message>
+        <source>Drill is on</source>
+        <translation>La fresa está en marcha</translation>
+    </message>
+    <message>
+        <source>Drill is off</source>
+        <translation>La fresa está parada</translation>
+    </message>
+    <message>
+        <source>Drill on</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Drill off</source>
+        <translation>Parada</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ForceBar</name>
+    <message>
+        <source>Force against the force that is set</source>
+        <translation>Fuerza respecto a la fuerza ajustada</translation>
+    </message>
+    <message>
+        <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
+        <translation>La marca es la fuerza ajustada. Una pared que presiona de lado se suma a ella.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HandpieceChooser</name>
+    <message>
+        <source>Handpieces</source>
+        <translation>Piezas de mano</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HelpOverlay</name>
+    <message>
+        <source>Move the bur</source>
+        <translation>Mover la fresa</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>ratón</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>flechas</translation>
+    </message>
+    <message>
+        <source>Push it against the tooth</source>
+        <translation>Apretarla contra el diente</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>botón izquierdo</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <source>Lift it</source>
+        <translation>Levantarla</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Re Pág</translation>
+    </message>
+    <message>
+        <source>Push harder, softer</source>
+        <translation>Apretar más, menos</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Control + rueda</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>Ctrl + arrows</source>
+        <translation>Control + flechas</translation>
+    </message>
+    <message>
+        <source>Come nearer, go back</source>
+        <translation>Acercarse, alejarse</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>rueda</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Over the tooth</source>
+        <translation>Sobre el diente</translation>
+    </message>
+    <message>
+        <source>Turn it back</source>
+        <translation>Volver la vista</translation>
+    </message>
+    <message>
+        <source>right double-click</source>
+        <translation>doble clic derecho</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Move it finely</source>
+        <translation>Moverla con precisión</translation>
+    </message>
+    <message>
+        <source>Shift + arrows</source>
+        <translation>Mayúsculas + flechas</translation>
+    </message>
+    <message>
+        <source>right or middle drag</source>
+        <translation>arrastre derecho/medio</translation>
+    </message>
+    <message>
+        <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
+        <translation>El arco turquesa junto a la fresa muestra con cuánta fuerza presiona; está lleno con la fuerza ajustada.</translation>
+    </message>
+    <message>
+        <source>Turn the handpiece</source>
+        <translation>Girar la pieza de mano</translation>
+    </message>
+    <message>
+        <source>the same with Shift</source>
+        <translation>lo mismo con Mayúsculas</translation>
+    </message>
+    <message>
+        <source>Move the mirror</source>
+        <translation>Mover el espejo</translation>
+    </message>
+    <message>
+        <source>drag its glass</source>
+        <translation>arrastrar el cristal</translation>
+    </message>
+    <message>
+        <source>Alt + arrows</source>
+        <translation>Alt + flechas</translation>
+    </message>
+    <message>
+        <source>Tilt the mirror</source>
+        <translation>Inclinar el espejo</translation>
+    </message>
+    <message>
+        <source>wheel over it</source>
+        <translation>rueda sobre él</translation>
+    </message>
+    <message>
+        <source>Bring it nearer</source>
+        <translation>Acercarlo</translation>
+    </message>
+    <message>
+        <source>Alt + Page Up</source>
+        <translation>Alt + Re Pág</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HistoryChart</name>
+    <message>
+        <source>Last grades, oldest first: %1</source>
+        <translation>Últimas notas, primero la más antigua: %1</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>aprobado desde %1</translation>
+    </message>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation>%1 según otra rúbrica</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
+    </message>
+    <message>
+        <source>The tooth is whole again.</source>
+        <translation>El diente está intacto de nuevo.</translation>
+    </message>
+    <message>
+        <source>Bring my work back</source>
+        <translation>Recuperar mi trabajo</translation>
+    </message>
+    <message>
+        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
+        <translation>Cusp aún está ocupado con lo anterior y no lo hizo. Inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 – Cusp</source>
+        <translation>%1 – Cusp</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>%n nota sobre este escaneo</numerusform>
+            <numerusform>%n notas sobre este escaneo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation>Escaneos de dientes (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Grabaciones (%1)</translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation>Esto no es ni un escaneo (OBJ, STL, PLY) ni una grabación. Suelte uno de ellos.</translation>
+    </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation>Esto es una reproducción. Deténgala para que se califique su propio trabajo.</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>La grabación se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The recording has come to its end.</source>
+        <translation>La grabación ha llegado a su fin.</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>Detener la reproducción</translation>
+    </message>
+    <message>
+        <source>Your work would be lost</source>
+        <translation>Su trabajo se perdería</translation>
+    </message>
+    <message>
+        <source>What you have cut would be lost.</source>
+        <translation>Lo que ha tallado se perdería.</translation>
+    </message>
+    <message>
+        <source>It has not been saved as a recording since you last cut.</source>
+        <translation>No se ha guardado como grabación desde la última vez que talló.</translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation>&amp;Guardar la grabación …</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Undo takes the stroke back.</source>
+        <translation>Deshacer anula la pasada.</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>Diente perforado</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa abierta</translation>
+    </message>
+    <message>
+        <source>Another unit</source>
+        <translation>Otra unidad</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Milímetros</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Centímetros</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metros</translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation>Dejarlo como está</translation>
+    </message>
+    <message>
+        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
+        <translation>Desde abajo no se talla nada: la fresa trabaja al otro lado del diente. Vuelva a girarlo o pulse V.</translation>
+    </message>
+    <message>
+        <source>The simulated handpiece is at work</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation>La pieza de mano simulada está trabajando</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation>La imagen se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>La imagen no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation>Guardar las radiografías</translation>
+    </message>
+    <message>
+        <source>Only a tooth with decay has an ideal preparation.</source>
+        <translation>Solo un diente con caries tiene una preparación ideal.</translation>
+    </message>
+    <message>
+        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
+        <translation>El tiempo de esta lección ha terminado. Siga cuanto quiera o pulse G.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
+        <translation>Este archivo no puede darse como lección, así que no hay nada que editar. Corrija primero lo que se indica.</translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation>Ideales capturados (%1)</translation>
+    </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Este intento</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>Opuso resistencia, así que su mano está libre. Pulse A para que se le guíe de nuevo.</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>La pieza de mano ya no está, así que su mano está libre.</translation>
+    </message>
+    <message>
+        <source>The exercise begins anew.</source>
+        <translation>El ejercicio empieza de nuevo.</translation>
+    </message>
+    <message>
+        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
+        <translation>Está en un examen, y el editor muestra el ideal de una lección. Termine primero el examen: pulse G para la calificación o tome otra lección.</translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1: un intento (%2) quedó sin terminar.</translation>
+    </message>
+    <message>
+        <source>Your lessons would be lost</source>
+        <translation>Sus lecciones se perderían</translation>
+    </message>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>Lo que ha cambiado en %n lección se perdería.</numerusform>
+            <numerusform>Lo que ha cambiado en %n lecciones se perdería.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Another attempt at the exam begins.</source>
+        <translation>Empieza otro intento del examen.</translation>
+    </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
+        <translation>Este examen ha terminado, pero aún no tiene calificación. Pulse G para obtenerla; después puede empezar otro intento.</translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation>El intento se descartó; se conserva siete días.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Recuperarlo</translation>
+    </message>
+    <message>
+        <source>Import a hardness preset</source>
+        <translation>Importar un ajuste de dureza</translation>
+    </message>
+    <message>
+        <source>Export the hardness preset</source>
+        <translation>Exportar el ajuste de dureza</translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation>Guardar la comparación</translation>
+    </message>
+    <message>
+        <source>The comparison was saved as %1.</source>
+        <translation>La comparación se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>La comparación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>The hardness preset was kept: %1.</source>
+        <translation>El ajuste de dureza se conservó: %1.</translation>
+    </message>
+    <message>
+        <source>Hardness presets (%1)</source>
+        <translation>Ajustes de dureza (%1)</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tablas (%1)</translation>
+    </message>
+    <message>
+        <source>It feels like %1 now.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Ahora se siente como %1.</translation>
+    </message>
+    <message>
+        <source>In an exam, what is felt stays as it is.</source>
+        <translation>En un examen, lo que se siente no cambia.</translation>
+    </message>
+    <message>
+        <source>This is a replay: it feels as it was recorded.</source>
+        <translation>Esto es una reproducción: se siente como se grabó.</translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: that comes to its end first.</source>
+        <translation>Se están comparando dos ajustes a ciegas: primero debe terminar esa comparación.</translation>
+    </message>
+    <message>
+        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
+        <translation>Esta lección trae su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Cerrar este mensaje (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::Mouth</name>
+    <message>
+        <source>Whole mouth</source>
+        <translation>Boca completa</translation>
+    </message>
+    <message>
+        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
+        <translation>Las flechas recorren la arcada; Intro toma el diente.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
+        <translation>Este ordenador no puede dibujar la boca completa. Las arcadas planas sirven igual.</translation>
+    </message>
+    <message>
+        <source>The teeth are being made …</source>
+        <translation>Se están creando los dientes …</translation>
+    </message>
+    <message>
+        <source>Chosen. Enter or a double click takes it.</source>
+        <translation>Elegido. Intro o un doble clic lo toma.</translation>
+    </message>
+    <message>
+        <source>Click to choose it.</source>
+        <translation>Haga clic para elegirlo.</translation>
+    </message>
+    <message>
+        <source>Only teeth of the left side can be drilled; %1 is its mirror image.</source>
+        <translation>Solo se pueden tallar dientes del lado izquierdo; %1 es su imagen especular.</translation>
+    </message>
+    <message>
+        <source>Right button turns, wheel zooms. From above or below you see one jaw.</source>
+        <translation>El botón derecho gira, la rueda amplía. Desde arriba o desde abajo se ve un maxilar.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::PracticeRoom</name>
+    <message>
+        <source>Tooth</source>
+        <translation>Diente</translation>
+    </message>
+    <message>
+        <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
+        <translation>Mueva el ratón sobre el diente y pulse el botón izquierdo para tallar; arrastrar con el derecho gira la vista; F1 muestra las teclas</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScoreBar</name>
+    <message>
+        <source>%1 of 100, pass mark %2</source>
+        <extracomment>A score bar for the screen reader</extracomment>
+        <translation>%1 de 100, aprobado desde %2</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>aprobado desde %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::SidePanel</name>
+    <message>
+        <source>Live figures and handpiece</source>
+        <translation>Medidas en vivo y pieza de mano</translation>
+    </message>
+    <message>
+        <source>Under the bur</source>
+        <translation>Bajo la fresa</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
+        <translation>Caries restante</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Eliminado</translation>
+    </message>
+    <message>
+        <source>Bur</source>
+        <translation>Fresa</translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation>Presionar con</translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation>Presionar con, newtons</translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth</source>
+        <translation>Con cuánta fuerza el ratón y las teclas aprietan la fresa contra el diente</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <comment>the bur touches nothing</comment>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>N, limited</source>
+        <extracomment>Unit of the force while the wanted force is beyond what the device may give</extracomment>
+        <translation>N, limitada</translation>
+    </message>
+    <message>
+        <source>&lt; 1</source>
+        <translation>&lt; 1</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
+        <translation>A qué distancia está la punta por debajo de la superficie original. En el borde del diente no se muestra nada, porque allí la vertical dice poco.</translation>
+    </message>
+    <message>
+        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <translation>Volumen de pulpa tallado. La calificación mira el área abierta, en mm².</translation>
+    </message>
+    <message>
+        <source>N, %1 sideways</source>
+        <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
+        <translation>N, %1 lateral</translation>
+    </message>
+    <message>
+        <source>beside the decay</source>
+        <translation>junto a la caries</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Pieza de mano</translation>
+    </message>
+    <message>
+        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
+        <translation>La pieza de mano se apoya en la corona: la fresa no llega más abajo.</translation>
+    </message>
+    <message>
+        <source>Dentin over pulp</source>
+        <translation>Dentina sobre pulpa</translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
+        <translation>Dentina sana entre el tallado y la pulpa, justo debajo de la punta. Se desean dos milímetros; menos de medio milímetro daña la pulpa.</translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation>Hasta el límite</translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation>A qué distancia está la cabeza de la fresa de lo que debe conservarse, hacia abajo o hacia los lados. A más de un milímetro no se muestra nada.</translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation>Vueltas de la fresa por minuto: una carga la frena hasta que se para</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation>Por tallar</translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
+        <translation>fuera del ideal</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::StereoCard</name>
+    <message>
+        <source>Distance of the eyes</source>
+        <translation>Distancia entre los ojos</translation>
+    </message>
+    <message>
+        <source>Plane of the screen</source>
+        <translation>Plano de la pantalla</translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation>Imagen estéreo</translation>
+    </message>
+    <message>
+        <source>Way to the eyes</source>
+        <translation>Forma de llegar a los ojos</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in colour</source>
+        <translation>Gafas rojo-cian, en color</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in grey</source>
+        <translation>Gafas rojo-cian, en gris</translation>
+    </message>
+    <message>
+        <source>Halves side by side</source>
+        <translation>Mitades una al lado de otra</translation>
+    </message>
+    <message>
+        <source>Halves one above the other</source>
+        <translation>Mitades una encima de otra</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Without stereo</source>
+        <translation>Sin estéreo</translation>
+    </message>
+    <message>
+        <source>1. How do the two pictures reach your eyes? Close one eye, then the other: each must see a single tooth.</source>
+        <translation>1. ¿Cómo llegan las dos imágenes a sus ojos? Cierre un ojo y luego el otro: cada uno debe ver un solo diente.</translation>
+    </message>
+    <message>
+        <source>2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it tires you.</source>
+        <translation>2. Separe los ojos hasta que las cúspides se alcen sobre las fisuras, y vuelva un poco atrás si le cansa.</translation>
+    </message>
+    <message>
+        <source>3. Move the tooth before or behind the screen until you see it without effort.</source>
+        <translation>3. Mueva el diente delante o detrás de la pantalla hasta que lo vea sin esfuerzo.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was before (Esc)</source>
+        <translation>Dejar todo como estaba antes (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ToothChooser</name>
+    <message>
+        <source>Choose a tooth</source>
+        <translation>Elegir un diente</translation>
+    </message>
+    <message>
+        <source>Drill this tooth</source>
+        <translation>Tallar este diente</translation>
+    </message>
+    <message>
+        <source>Put this tooth on the table (Enter)</source>
+        <translation>Poner este diente en la mesa (Intro)</translation>
+    </message>
+    <message>
+        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <translation>O talle un diente propio: un escaneo OBJ, STL o PLY. También puede soltar el archivo en cualquier lugar de esta ventana.</translation>
+    </message>
+    <message>
+        <source>Nothing chosen</source>
+        <translation>Nada elegido</translation>
+    </message>
+    <message>
+        <source>On the table now. Taking it again gives you a whole one.</source>
+        <translation>Ahora en la mesa. Si lo toma de nuevo, obtiene uno intacto.</translation>
+    </message>
+    <message>
+        <source>Click a tooth, or walk with the arrow keys.</source>
+        <translation>Haga clic en un diente o recórralos con las flechas.</translation>
+    </message>
+    <message>
+        <source>Flat arches</source>
+        <translation>Arcadas planas</translation>
+    </message>
+    <message>
+        <source>Whole mouth</source>
+        <translation>Boca completa</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ViewMenu</name>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>What is shown of the tooth, and how</source>
+        <translation>Qué se muestra del diente y cómo</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ConductNotes</name>
+    <message>
+        <source>No breach of the rules</source>
+        <translation>Ninguna infracción de las reglas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n breach(es) of the rules</source>
+        <translation>
+            <numerusform>%n infracción de las reglas</numerusform>
+            <numerusform>%n infracciones de las reglas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>Verlo suceder: reproducir el intento desde aquí</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>breaches</comment>
+        <translation>
+            <numerusform>%n más</numerusform>
+            <numerusform>%n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every breach</source>
+        <translation>Mostrar todas las infracciones</translation>
+    </message>
+    <message>
+        <source>%1 in all, %2 of it cutting</source>
+        <extracomment>Two times in minutes and seconds</extracomment>
+        <translation>%1 en total, %2 tallando</translation>
+    </message>
+    <message>
+        <source>force %1 N on the mean, %2 N at most</source>
+        <translation>fuerza media %1 N, máxima %2 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) taken back</source>
+        <translation>
+            <numerusform>%n paso deshecho</numerusform>
+            <numerusform>%n pasos deshechos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation>%1 sin medir</translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation>%1 nunca eliminados</translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation>%1 nunca ganados</translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation>%1 en %2, pasada %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation>El área abierta, vista desde arriba. El volumen tallado figura junto al diente, en mm³.</translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation>No se aprueba el intento y se pierden todos los puntos que quedan</translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation>Aquí se pueden perder como máximo %1 puntos</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation>%1: %2, %3 puntos</translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation>Mostrar dónde fue peor</translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation>Ninguna pasada lo causó: ver cómo terminó el intento</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>Verlo suceder: reproducir el intento desde aquí</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation>
+            <numerusform>%n más</numerusform>
+            <numerusform>%n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
+        <translation>Mostrar todos los momentos</translation>
+    </message>
+    <message>
+        <source>%1 too late</source>
+        <extracomment>%1: points of a score, for something that was done later than asked</extracomment>
+        <translation>%1 por tardar</translation>
+    </message>
+    <message>
+        <source>%1 too little done</source>
+        <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
+        <translation>%1 por trabajo insuficiente</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ExerciseCard</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Say that this pad is made of this; you can change it until you are graded</source>
+        <translation>Decir que este campo está hecho de esto; puede cambiarlo hasta que se califique</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
+        <translation>✓ correcto</translation>
+    </message>
+    <message>
+        <source>✗ it is %1</source>
+        <translation>✗ es %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n points touched</source>
+        <translation>
+            <numerusform>%n punto tocado</numerusform>
+            <numerusform>Los %n puntos tocados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched</source>
+        <translation>%1 de %2 puntos tocados</translation>
+    </message>
+    <message>
+        <source>Held for %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>Mantenida %1 s</translation>
+    </message>
+    <message>
+        <source>Hold %1 N for %2 s</source>
+        <translation>Mantener %1 N durante %2 s</translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
+        <translation>de %1 s</translation>
+    </message>
+    <message>
+        <source>This is what they are made of</source>
+        <translation>De esto están hechos</translation>
+    </message>
+    <message>
+        <source>Every pad has its name</source>
+        <translation>Cada campo tiene su nombre</translation>
+    </message>
+    <message>
+        <source>What is each pad made of?</source>
+        <translation>¿De qué está hecho cada campo?</translation>
+    </message>
+    <message>
+        <source>Graded. F2 leads to the next lesson.</source>
+        <translation>Calificado. F2 lleva a la lección siguiente.</translation>
+    </message>
+    <message>
+        <source>Well done. See how it is marked.</source>
+        <translation>Bien hecho. Vea cómo se califica.</translation>
+    </message>
+    <message>
+        <source>Sure? Then see how it is marked.</source>
+        <translation>¿Seguro? Entonces vea cómo se califica.</translation>
+    </message>
+    <message>
+        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
+        <translation>La fresa está girando: deténgala con la barra espaciadora. Aquí no hay que tallar nada.</translation>
+    </message>
+    <message>
+        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <translation>Haga girar la fresa con la barra espaciadora: parada, los tres se notan igual.</translation>
+    </message>
+    <message>
+        <source>Longest so far: %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>La más larga hasta ahora: %1 s</translation>
+    </message>
+    <message>
+        <source>Any order. Rings become discs.</source>
+        <translation>En cualquier orden. Los anillos se vuelven discos.</translation>
+    </message>
+    <message>
+        <source>Anywhere on the tooth.</source>
+        <translation>En cualquier lugar del diente.</translation>
+    </message>
+    <message>
+        <source>Press on each for a second, and compare.</source>
+        <translation>Presione un segundo en cada uno y compare.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Forecast</name>
+    <message>
+        <source>Before you see the score</source>
+        <translation>Antes de ver la puntuación</translation>
+    </message>
+    <message>
+        <source>How many points do you expect?</source>
+        <translation>¿Cuántos puntos espera?</translation>
+    </message>
+    <message>
+        <source>What cost you most?</source>
+        <translation>¿Qué le costó más?</translation>
+    </message>
+    <message>
+        <source>Show the score</source>
+        <translation>Mostrar la puntuación</translation>
+    </message>
+    <message>
+        <source>See how the work was marked (Enter)</source>
+        <translation>Ver cómo se calificó el trabajo (Intro)</translation>
+    </message>
+    <message>
+        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
+        <translation>%1. Se aprueba desde %2 de 100 puntos. Una puntuación enseña más cuando antes ha juzgado usted mismo su trabajo.</translation>
+    </message>
+    <message>
+        <source>Nothing in particular</source>
+        <translation>Nada en particular</translation>
+    </message>
+    <message>
+        <source>Set the points that you expect.</source>
+        <translation>Indique los puntos que espera.</translation>
+    </message>
+    <message>
+        <source>Choose what cost you most.</source>
+        <translation>Elija lo que más le costó.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation>El diente desde arriba, coloreado según lo que es demasiado profundo y lo que falta</translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation>como debe ser</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm demasiado profundo</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>faltan %1 mm</translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation>por tallar</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>demasiado profundo</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HoldGauge</name>
+    <message>
+        <source>Force against the band from %1 to %2 N</source>
+        <translation>Fuerza respecto a la banda de %1 a %2 N</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::IdealForm</name>
+    <message>
+        <source>What the ideal is</source>
+        <translation>Qué es el ideal</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>Tomar grabaciones como referencia …</translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation>Elegir un intento, o varios cuya media hay que tallar</translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation>El ideal es la propia caries: no hay nada que ajustar</translation>
+    </message>
+    <message>
+        <source>An exercise: nothing is to be cut</source>
+        <translation>Un ejercicio: no hay que tallar nada</translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>Preparación ideal</translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>Por regla</translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <translation>Capturado: %1</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation>de %1 a %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::InfractionCard</name>
+    <message>
+        <source>Take it back</source>
+        <translation>Deshacerlo</translation>
+    </message>
+    <message>
+        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <translation>Devolver el diente a como estaba antes; se puede rehacer (Intro)</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Leave it as it is and work on (Esc)</source>
+        <translation>Dejarlo como está y seguir trabajando (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonEditor</name>
+    <message>
+        <source>Lesson editor</source>
+        <translation>Editor de lecciones</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Título de la lección</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>Tomar grabaciones como referencia …</translation>
+    </message>
+    <message>
+        <source>On the tooth</source>
+        <translation>En el diente</translation>
+    </message>
+    <message>
+        <source>What the tolerances mean on the tooth</source>
+        <translation>Qué significan las tolerancias en el diente</translation>
+    </message>
+    <message>
+        <source>Past attempts</source>
+        <translation>Intentos anteriores</translation>
+    </message>
+    <message>
+        <source>How attempts would score under other tolerances</source>
+        <translation>Cómo puntuarían los intentos con otras tolerancias</translation>
+    </message>
+    <message>
+        <source>The lesson&apos;s file</source>
+        <translation>El archivo de la lección</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>The lesson as its file says it</source>
+        <translation>La lección tal como la dice su archivo</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>Guardar la lección</translation>
+    </message>
+    <message>
+        <source>Write the lesson into your folder (Ctrl+S)</source>
+        <translation>Escribir la lección en su carpeta (Control+S)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>Widen the tolerances until the ideal itself loses nothing</source>
+        <translation>Ampliar las tolerancias hasta que el propio ideal no pierda nada</translation>
+    </message>
+    <message>
+        <source>Fit the tolerances to the ideal</source>
+        <translation>Ajustar las tolerancias al ideal</translation>
+    </message>
+    <message>
+        <source>Lesson editor: %1</source>
+        <translation>Editor de lecciones: %1</translation>
+    </message>
+    <message>
+        <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
+        <translation>Una lección incluida: al guardarla se convierte en una propia, basada en ella.</translation>
+    </message>
+    <message>
+        <source>This lesson of yours is changed where it stands.</source>
+        <translation>Esta lección propia se cambia en su lugar.</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Aún sin guardar.</translation>
+    </message>
+    <message>
+        <source>This rubric has no criterion that can be drawn on the tooth.</source>
+        <translation>Esta rúbrica no tiene ningún criterio que se pueda dibujar en el diente.</translation>
+    </message>
+    <message>
+        <source>Costs nothing: %1.</source>
+        <translation>No cuesta nada: %1.</translation>
+    </message>
+    <message>
+        <source>The ideal is checked as soon as nothing is wrong.</source>
+        <translation>El ideal se comprueba en cuanto no haya nada mal.</translation>
+    </message>
+    <message>
+        <source>The ideal scores %1 on itself</source>
+        <translation>El ideal obtiene %1 frente a sí mismo</translation>
+    </message>
+    <message>
+        <source>The ideal scores only %1 on itself; it loses at: %2</source>
+        <translation>El ideal solo obtiene %1 frente a sí mismo; pierde en: %2</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Grabaciones (%1)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replaying %n recording(s) …</source>
+        <translation>
+            <numerusform>Reproduciendo %n grabación …</numerusform>
+            <numerusform>Reproduciendo %n grabaciones …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No reference was made: %1</source>
+        <translation>No se creó ninguna referencia: %1</translation>
+    </message>
+    <message>
+        <source>The reference is %1 beside your lessons.</source>
+        <translation>La referencia es %1, junto a sus lecciones.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>No guardado: %1</translation>
+    </message>
+    <message>
+        <source>Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances that are named, or press Fit.</source>
+        <translation>No guardado: quien tallara exactamente este ideal perdería puntos. Amplíe las tolerancias indicadas o pulse «Ajustar».</translation>
+    </message>
+    <message>
+        <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
+        <translation>No guardado: ya existe un archivo %1. Abra esa lección en su lugar.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Guardado como %1.</translation>
+    </message>
+    <message>
+        <source>An exercise has no ideal that could be checked.</source>
+        <translation>Un ejercicio no tiene ningún ideal que comprobar.</translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <extracomment>%1: where in the lesson, and what is wrong there</extracomment>
+        <translation>Error: %1</translation>
+    </message>
+    <message>
+        <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
+        <translation>No medido o no ganado en este ideal, así que ninguna tolerancia ayuda: %1. Califique según otra rúbrica.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonPicture</name>
+    <message>
+        <source>What the lesson asks for, as a picture</source>
+        <translation>Lo que pide la lección, en imagen</translation>
+    </message>
+    <message>
+        <source>This tooth cannot be made.</source>
+        <translation>No se puede crear este diente.</translation>
+    </message>
+    <message>
+        <source>The tooth is being made …</source>
+        <translation>Se está creando el diente …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonStrip</name>
+    <message>
+        <source>The step before</source>
+        <translation>El paso anterior</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>El paso siguiente</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Pista</translation>
+    </message>
+    <message>
+        <source>Show a hint for this step</source>
+        <translation>Mostrar una pista para este paso</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>A step of the work, and how many there are</extracomment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Time worked</source>
+        <translation>Tiempo trabajado</translation>
+    </message>
+    <message>
+        <source>Time left of %1</source>
+        <translation>Tiempo restante de %1</translation>
+    </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
+        <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación; R empieza otro intento.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonsPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lecciones</translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation>Buscar: una palabra o el número de un diente</translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation>Buscar en las lecciones</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Borrar la búsqueda</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Start this lesson</source>
+        <translation>Empezar esta lección</translation>
+    </message>
+    <message>
+        <source>Put the tooth of this lesson on the table (Enter)</source>
+        <translation>Poner el diente de esta lección en la mesa (Intro)</translation>
+    </message>
+    <message>
+        <source>Your own lessons …</source>
+        <translation>Sus propias lecciones …</translation>
+    </message>
+    <message>
+        <source>Open the folder that a teacher&apos;s lessons are read from</source>
+        <translation>Abrir la carpeta de la que se leen las lecciones de un docente</translation>
+    </message>
+    <message>
+        <source>Open the folder of your own lessons</source>
+        <translation>Abrir la carpeta de sus propias lecciones</translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <translation>examen</translation>
+    </message>
+    <message>
+        <source>Cannot be given</source>
+        <translation>No se puede dar</translation>
+    </message>
+    <message>
+        <source>No lesson fits the search</source>
+        <translation>Ninguna lección coincide con la búsqueda</translation>
+    </message>
+    <message>
+        <source>This file cannot be given as a lesson. The others work.</source>
+        <translation>Este archivo no puede darse como lección. Los demás funcionan.</translation>
+    </message>
+    <message>
+        <source>Search for another word, or clear the field.</source>
+        <translation>Busque otra palabra o vacíe el campo.</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Diente</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Practice: you are told what goes wrong</source>
+        <translation>Práctica: se le dice qué va mal</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Burs</source>
+        <translation>Fresas</translation>
+    </message>
+    <message>
+        <source>Aids</source>
+        <translation>Ayudas</translation>
+    </message>
+    <message>
+        <source>Marked by</source>
+        <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
+        <translation>Calificada por</translation>
+    </message>
+    <message>
+        <source>%1, passed from %2</source>
+        <translation>%1, aprobado desde %2</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>No modelado</translation>
+    </message>
+    <message>
+        <source>Your best</source>
+        <translation>Su mejor resultado</translation>
+    </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>aún sin intentar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 in %n attempt(s)</source>
+        <translation>
+            <numerusform>%1 en %n intento</numerusform>
+            <numerusform>%1 en %n intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>changed, not saved</source>
+        <extracomment>Of a lesson in a list: in the editor</extracomment>
+        <translation>cambiada, sin guardar</translation>
+    </message>
+    <message>
+        <source>best %1, passed</source>
+        <extracomment>For a screen reader: the best score of a lesson</extracomment>
+        <translation>mejor %1, aprobado</translation>
+    </message>
+    <message>
+        <source>best %1, not passed</source>
+        <translation>mejor %1, no aprobado</translation>
+    </message>
+    <message>
+        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
+        <translation>Examen: los fallos se anotan, no se dice nada hasta el final y no se deshace ningún paso</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::RubricForm</name>
+    <message>
+        <source>Marking</source>
+        <translation>Calificación</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Aprobado desde</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Nota de aprobado</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation>Tolerancia de: %1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>suspende</translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation>Peso de: %1</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation>Todos los pesos: %1 puntos</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
+        <translation>Todos los pesos: %1 puntos; deben sumar 100</translation>
+    </message>
+    <message>
+        <source>Targets and spans</source>
+        <translation>Objetivos y márgenes</translation>
+    </message>
+    <message>
+        <source>What each measure ought to be, and how far beyond the tolerance all points are lost</source>
+        <translation>Qué debe ser cada medida, y a qué distancia más allá de la tolerancia se pierden todos los puntos</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Target of: %1</source>
+        <translation>Objetivo de: %1</translation>
+    </message>
+    <message>
+        <source>all lost over</source>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <translation>todo perdido en</translation>
+    </message>
+    <message>
+        <source>Span of: %1</source>
+        <translation>Margen de: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation>Esperaba %1 puntos: exactamente.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation>Esperaba %1 puntos: %2 de más.</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation>Esperaba %1 puntos: %2 de menos.</translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation>Calificado según «%1», versión %2, contenido %3. No se miden socavados ni paredes de más de 90°: el modelo es un campo de alturas.</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Calificar</translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation>El diente terminado se mide de nuevo con la mitad y con el doble de columnas por lado. Eso indica cuánto depende el número de la cuadrícula. No dice nada de la mano, ni de lo que haría otro día.</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>Adónde fueron los puntos</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation>Buscando el momento de cada punto perdido …</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation>Buscando el momento de cada punto perdido</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>Sus intentos</translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>Calificación: %1</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation>de 100</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Aprobado</translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation>No aprobado: daño causado</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Aún no aprobado</translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation>Con la mitad de la cuadrícula %1, con el doble %2.</translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation>Con la mitad de la cuadrícula %1.</translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation>La nota de aprobado queda en medio: este resultado está dentro del ruido.</translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation>Fuera del ruido de la nota de aprobado.</translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation>El trabajo está en todas partes como debe ser</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm demasiado profundo</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>faltan %1 mm</translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <translation>%1: el peor lugar, %2</translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation>%1 no tiene lugar; lo más alejado del ideal: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>De los mejores resultados de %n persona de su grupo, el %1 % está por debajo de este.</numerusform>
+            <numerusform>De los mejores resultados de %n personas de su grupo, el %1 % está por debajo de este.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y aquí están los resultados de %n persona.</numerusform>
+            <numerusform>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y aquí están los resultados de %n personas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>otra rúbrica</translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation>Las calificaciones no se conservan; esta no estará aquí la próxima vez.</translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation>Esta es la primera calificación aquí.</translation>
+    </message>
+    <message>
+        <source>Nothing cost you a point.</source>
+        <translation>Nada le costó un punto.</translation>
+    </message>
+    <message>
+        <source>Most points went to: %1.</source>
+        <translation>Lo que más puntos costó: %1.</translation>
+    </message>
+    <message>
+        <source>What cost most you knew: %1.</source>
+        <translation>Usted sabía qué costó más: %1.</translation>
+    </message>
+    <message>
+        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
+        <translation>Usted creía que la mayoría de los puntos se fue en «%1»; se fue en «%2».</translation>
+    </message>
+    <message>
+        <source>%1: %2, not named</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
+        <translation>%1: %2, sin nombrar</translation>
+    </message>
+    <message>
+        <source>%1: %2, as you said</source>
+        <translation>%1: %2, como usted dijo</translation>
+    </message>
+    <message>
+        <source>%1: %2, you said %3</source>
+        <translation>%1: %2, usted dijo %3</translation>
+    </message>
+    <message>
+        <source>%1 has no place on the tooth</source>
+        <translation>%1 no tiene lugar en el diente</translation>
+    </message>
+    <message>
+        <source>%1: the worst place</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1: el peor lugar</translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <translation>Mantenida %1 de %2 s, con %3 N de desviación media</translation>
+    </message>
+    <message>
+        <source>All points were touched</source>
+        <translation>Se tocaron todos los puntos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <translation>%1 de %2 puntos tocados; el anillo marca uno que no lo fue</translation>
+    </message>
+    <message>
+        <source>Log in and keep it</source>
+        <translation>Iniciar sesión y conservarla</translation>
+    </message>
+    <message>
+        <source>Drilled with the hardness preset %1.</source>
+        <extracomment>%1 is a hardness preset with its version</extracomment>
+        <translation>Tallado con el ajuste de dureza %1.</translation>
+    </message>
+    <message>
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>Sin comparación con un grupo: hacen falta %1 personas, para que no se reconozca a nadie, y la suya es la única aquí.</translation>
+    </message>
+    <message>
+        <source>You are not logged in, so this grade is not kept.</source>
+        <translation>No ha iniciado sesión, así que esta calificación no se conserva.</translation>
+    </message>
+    <message>
+        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
+        <translation>Esta calificación se conserva en este ordenador. La base de datos de la escuela la recibe cuando se pueda acceder a ella.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepChart</name>
+    <message>
+        <source>Scores of past attempts over the tolerance</source>
+        <translation>Puntuaciones de intentos anteriores según la tolerancia</translation>
+    </message>
+    <message>
+        <source>At %1 times the tolerance %2 of %3 pass; median %4</source>
+        <extracomment>%1: a number, &quot;1.5&quot;; %2 of %3 attempts; %4: points</extracomment>
+        <translation>Con %1 veces la tolerancia aprueban %2 de %3; mediana %4</translation>
+    </message>
+    <message>
+        <source>Times the tolerance</source>
+        <translation>Múltiplo de la tolerancia</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Each attempt</source>
+        <translation>Cada intento</translation>
+    </message>
+    <message>
+        <source>%1: %2 points at %3 times the tolerance</source>
+        <translation>%1: %2 puntos con %3 veces la tolerancia</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>Mitad central</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Nota de aprobado</translation>
+    </message>
+    <message>
+        <source>Attempts that pass</source>
+        <translation>Intentos aprobados</translation>
+    </message>
+    <message>
+        <source>As set</source>
+        <translation>Valor actual</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepPage</name>
+    <message>
+        <source>Recordings …</source>
+        <translation>Grabaciones …</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation>Elegir la carpeta con grabaciones de intentos</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation>Elegir la carpeta con grabaciones</translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation>Qué tolerancia se cambia</translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation>Grabaciones que se reproducen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation>Detener la reproducción</translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation>Seguir con las que están listas</translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation>Elija una carpeta con grabaciones de este diente: cada una se reproduce una vez, y su puntuación se dibuja para tolerancias de 0 a 3 veces las de la izquierda.</translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation>Todas las tolerancias</translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation>Ningún intento de esta carpeta se hizo en este diente.</translation>
+    </message>
+    <message>
+        <source>The attempts of the history were made for another ideal than this draft&apos;s. Choose a folder with recordings.</source>
+        <translation>Los intentos del historial se hicieron para otro ideal que el de este borrador. Elija una carpeta con grabaciones.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>%n de ellos, del historial.</numerusform>
+            <numerusform>%n de ellos, del historial.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>Se omite %n intento en otro diente.</numerusform>
+            <numerusform>Se omiten %n intentos en otros dientes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n grabación no se pudo leer.</numerusform>
+            <numerusform>%n grabaciones no se pudieron leer.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ToleranceView</name>
+    <message>
+        <source>The tolerances on the tooth</source>
+        <translation>Las tolerancias en el diente</translation>
+    </message>
+    <message>
+        <source>Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does</source>
+        <translation>Arrastre la línea del corte; las flechas la mueven, con Mayúsculas la giran, y también un doble clic</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet: what is wrong is said at the left.</source>
+        <translation>Aún no hay nada que mostrar: lo que está mal se dice a la izquierda.</translation>
+    </message>
+    <message>
+        <source>The ideal is being made …</source>
+        <translation>Se está creando el ideal …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
+        <translation>Corte por el peor lugar</translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::SceneWidget</name>
+    <message>
+        <source>No picture</source>
+        <extracomment>Heading where a picture would be; a sentence below says why</extracomment>
+        <translation>Sin imagen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::ToothView</name>
+    <message>
+        <source>Tooth</source>
+        <translation>Diente</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the bur, page down pushes, page up lifts.</source>
+        <translation>Las flechas mueven la fresa, Av Pág presiona, Re Pág levanta.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <extracomment>A force in newtons, beside the bur</extracomment>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
+        <translation>Este ordenador no ofrece OpenGL 3.3, así que no se puede mostrar el diente. Instale o actualice el controlador gráfico (en Debian: libgl1-mesa-dri) y vuelva a abrir Cusp.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/Console.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <QEvent>
+#include <QFontDatabase>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QVBoxLayout>
+
+#include "ui/console/ParameterWords.h"
+#include "ui/console/WatchPanel.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::console {
+namespace {
+
+constexpr int kMostLines = 500;
+constexpr int kMostHinted = 6;
+constexpr int kMostHistory = 100;
+constexpr int kNameWidth = 30;  ///< characters
+
+const QStringList kCommands{QStringLiteral("get"),  QStringLiteral("help"), QStringLiteral("list"),
+                            QStringLiteral("load"), QStringLiteral("plot"), QStringLiteral("reset"),
+                            QStringLiteral("save"), QStringLiteral("set"),  QStringLiteral("unwatch"),
+                            QStringLiteral("watch")};
+/// Commands that a parameter's name follows.
+const QStringList kOfNames{QStringLiteral("get"),   QStringLiteral("list"), QStringLiteral("plot"),
+                           QStringLiteral("reset"), QStringLiteral("set"),  QStringLiteral("unwatch"),
+                           QStringLiteral("watch")};
+
+/// A number as programs write it, or as the window shows it.
+std::optional<double> numberIn(const QString& text)
+{
+    bool isNumber = false;
+    if (text == u"on" || text == u"off")
+        return text == u"on" ? 1.0 : 0.0;
+    double value = QLocale::c().toDouble(text, &isNumber);
+    if (!isNumber)
+        value = QLocale().toDouble(text, &isNumber);
+    return isNumber ? std::optional(value) : std::nullopt;
+}
+
+QString commonBeginning(const QStringList& all)
+{
+    QString common = all.front();
+    for (const QString& one : all)
+        while (!one.startsWith(common))
+            common.chop(1);
+    return common;
+}
+
+}  // namespace
+
+Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel, QWidget* parent)
+    : QWidget(parent), m_parameters(parameters), m_panel(panel), m_output(new QPlainTextEdit(this)),
+      m_hint(new QLabel(this)), m_line(new QLineEdit(this))
+{
+    shell::dress(*this, shell::roomPalette());  // it lies over the tooth, in whatever theme
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPixelSize(shell::kBody - 1);
+    m_output->setReadOnly(true);
+    m_output->setFrameShape(QFrame::NoFrame);
+    m_output->setFont(fixed);
+    m_output->setMaximumBlockCount(kMostLines);
+    m_output->setFocusPolicy(Qt::NoFocus);
+    m_output->viewport()->setAutoFillBackground(false);
+    m_output->setObjectName(QStringLiteral("consoleOutput"));
+    QPalette clear = m_output->palette();
+    clear.setColor(QPalette::Base, Qt::transparent);
+    m_output->setPalette(clear);
+    m_hint->setFont(shell::typeface(shell::kSmall));
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+    m_hint->setTextFormat(Qt::PlainText);
+    m_hint->setWordWrap(true);
+    m_hint->setObjectName(QStringLiteral("consoleHint"));
+    m_line->setFont(fixed);
+    m_line->setObjectName(QStringLiteral("consoleLine"));
+    m_line->installEventFilter(this);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(shell::kSpace4, shell::kSpace2, shell::kSpace4, shell::kSpace2);
+    column->setSpacing(shell::kSpace1);
+    column->addWidget(m_output, 1);
+    column->addWidget(m_hint);
+    column->addWidget(m_line);
+    connect(m_line, &QLineEdit::textChanged, this, &Console::hint);
+    connect(m_line, &QLineEdit::returnPressed, this, [this] {
+        const QString typed = m_line->text().trimmed();
+        m_line->clear();
+        if (typed.isEmpty())
+            return;
+        if (m_history.isEmpty() || m_history.back() != typed)
+            m_history << typed;
+        if (m_history.size() > kMostHistory)
+            m_history.removeFirst();
+        m_recalled = m_history.size();
+        execute(typed);
+    });
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Console"));
+        m_output->setAccessibleName(tr("Answers of the console"));
+        m_line->setAccessibleName(tr("Command"));
+        m_line->setPlaceholderText(tr("Type a command; Tab completes, \"help\" explains"));
+        hint();
+    });
+    hide();
+}
+
+void Console::setPresets(Preset save, Preset load)
+{
+    m_save = std::move(save);
+    m_load = std::move(load);
+}
+
+void Console::open()
+{
+    if (m_output->document()->isEmpty())
+        say(tr("Parameters can be looked at and turned here while you drill. \"help\" lists the commands."));
+    show();
+    raise();
+    m_line->setFocus();
+}
+
+void Console::execute(const QString& line)
+{
+    say(QStringLiteral("> ") + line);
+    const QStringList words = line.simplified().split(u' ', Qt::SkipEmptyParts);
+    if (words.isEmpty())
+        return;
+    const QString command = words.front();
+    const QString rest = words.mid(1).join(u' ');
+    const bool wantsName =
+        command == u"get" || command == u"watch" || command == u"plot" || command == u"save" || command == u"load";
+    if (wantsName && rest.isEmpty()) {
+        say(tr("\"%1\" wants a name behind it.").arg(command));
+    } else if (command == u"list") {
+        list(rest);
+    } else if (command == u"get") {
+        get(rest);
+    } else if (command == u"set") {
+        if (words.size() == 3)
+            set(words[1], words[2]);
+        else
+            say(tr("Write \"set NAME VALUE\", as in \"set force.stiffness 1.5\"."));
+    } else if (command == u"reset") {
+        reset(rest);
+    } else if (command == u"watch" || command == u"plot") {
+        watch(rest, command == u"plot");
+    } else if (command == u"unwatch") {
+        m_panel.forget(rest);
+    } else if (command == u"save" || command == u"load") {
+        const Preset& what = command == u"save" ? m_save : m_load;
+        say(what ? what(rest) : tr("Presets are not to be had here."));
+    } else if (command == u"help") {
+        say(tr("list [TEXT]      the parameters whose name holds the text\n"
+               "get NAME         its value, range and what it does\n"
+               "set NAME VALUE   sets it\n"
+               "reset [NAME]     sets it, or everything that is felt, back\n"
+               "watch NAME       shows it over the view\n"
+               "plot NAME        draws its last ten seconds over the view\n"
+               "unwatch [NAME]   takes it, or everything, away\n"
+               "save NAME        keeps what is felt as a hardness preset\n"
+               "load NAME        feels a hardness preset that is kept"));
+    } else if (m_parameters.find(command.toStdString()) != nullptr) {
+        words.size() == 2 ? set(command, words[1]) : get(command);
+    } else {
+        say(tr("There is no command \"%1\". \"help\" lists those there are.").arg(command));
+    }
+}
+
+void Console::list(const QString& text)
+{
+    const auto found = m_parameters.matching(text.toStdString());
+    if (found.empty())
+        say(tr("No parameter's name holds \"%1\".").arg(text));
+    QStringList lines;
+    for (const core::settings::Parameter* parameter : found)
+        lines << QString::fromStdString(parameter->name).leftJustified(kNameWidth) +
+                     valueWords(*parameter, parameter->read());
+    if (!lines.isEmpty())
+        say(lines.join(u'\n'));
+}
+
+void Console::get(const QString& name)
+{
+    const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
+    if (parameter == nullptr) {
+        say(answerWords({core::settings::SetAnswer::Outcome::Unknown, {}}, name, nullptr));
+        return;
+    }
+    say(QStringLiteral("%1 = %2   (%3)\n%4")
+            .arg(name, valueWords(*parameter, parameter->read()), rangeWords(*parameter),
+                 QString::fromStdString(parameter->help())));
+}
+
+void Console::set(const QString& name, const QString& value)
+{
+    const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
+    const auto number = numberIn(value);
+    if (!number && parameter != nullptr) {
+        say(tr("\"%1\" is no number.").arg(value) + u' ' +
+            answerWords({core::settings::SetAnswer::Outcome::NotANumber, {}}, name, parameter));
+        return;
+    }
+    const core::settings::SetAnswer answer = m_parameters.set(name.toStdString(), number.value_or(0.0));
+    const QString refused = answerWords(answer, name, parameter);
+    say(refused.isEmpty() ? QStringLiteral("%1 = %2").arg(name, valueWords(*parameter, parameter->read())) : refused);
+}
+
+/// Of all, those that are felt: nobody wants the view turned back with them.
+void Console::reset(const QString& name)
+{
+    if (!name.isEmpty()) {
+        const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
+        const QString refused = answerWords(m_parameters.reset(name.toStdString()), name, parameter);
+        say(refused.isEmpty() ? QStringLiteral("%1 = %2").arg(name, valueWords(*parameter, parameter->read()))
+                              : refused);
+        return;
+    }
+    // Stiffness and damping hold each other up: what cannot go back yet can when the rest has.
+    QString refused;
+    for (int round = 0; round < 2; ++round) {
+        refused.clear();
+        for (const char* group : {"force.", "hardness."})
+            for (const core::settings::Parameter* parameter : m_parameters.beginningWith(group)) {
+                const QString said = answerWords(m_parameters.reset(parameter->name),
+                                                 QString::fromStdString(parameter->name), parameter);
+                refused = said.isEmpty() ? refused : said;
+            }
+    }
+    say(refused.isEmpty() ? tr("All that is felt is as the preset says.") : refused);
+}
+
+void Console::watch(const QString& name, bool plotted)
+{
+    if (m_parameters.find(name.toStdString()) == nullptr)
+        say(answerWords({core::settings::SetAnswer::Outcome::Unknown, {}}, name, nullptr));
+    else if (!m_panel.watch(name, plotted))
+        say(tr("There is room for %1. Take one away with \"unwatch NAME\".").arg(WatchPanel::kMost));
+}
+
+QStringList Console::candidates(const QString& line) const
+{
+    const qsizetype space = line.indexOf(u' ');
+    QStringList found;
+    const QString begun = line.mid(line.lastIndexOf(u' ') + 1);
+    if (space < 0) {
+        for (const QString& command : kCommands)
+            if (command.startsWith(begun))
+                found << command;
+    } else if (!kOfNames.contains(line.left(space)) || line.count(u' ') != 1) {
+        return {};
+    }
+    if (space >= 0 || !begun.isEmpty())
+        for (const core::settings::Parameter* parameter : m_parameters.beginningWith(begun.toStdString()))
+            found << QString::fromStdString(parameter->name);
+    return found;
+}
+
+QString Console::completed(const QString& line) const
+{
+    const QStringList found = candidates(line);
+    if (found.isEmpty())
+        return line;
+    const QString before = line.left(line.lastIndexOf(u' ') + 1);
+    return before + commonBeginning(found) + (found.size() == 1 ? QStringLiteral(" ") : QString());
+}
+
+/// What the line may become, or what the parameter that it names is.
+void Console::hint()
+{
+    const QString line = m_line->text();
+    const QStringList words = line.simplified().split(u' ', Qt::SkipEmptyParts);
+    for (const QString& word : words)
+        if (const auto* parameter = m_parameters.find(word.toStdString())) {
+            m_hint->setText(QStringLiteral("%1 · %2 · %3")
+                                .arg(valueWords(*parameter, parameter->read()), rangeWords(*parameter),
+                                     QString::fromStdString(parameter->help())));
+            return;
+        }
+    QStringList found = line.isEmpty() ? kCommands : candidates(line);
+    // A search finds what stands within a name as well.
+    if (found.isEmpty() && words.size() == 2 && kOfNames.contains(words.front()))
+        for (const auto* parameter : m_parameters.matching(words.back().toStdString()))
+            found << QString::fromStdString(parameter->name);
+    const bool areMore = found.size() > kMostHinted && !line.isEmpty();
+    m_hint->setText((areMore ? found.mid(0, kMostHinted) << QStringLiteral("…") : found).join(QStringLiteral("   ")));
+}
+
+void Console::say(const QString& text)
+{
+    m_output->appendPlainText(text);
+}
+
+void Console::recall(int step)
+{
+    if (m_history.isEmpty())
+        return;
+    m_recalled = std::clamp<qsizetype>(m_recalled + step, 0, m_history.size());
+    m_line->setText(m_history.value(m_recalled));
+}
+
+bool Console::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_line && event->type() == QEvent::ShortcutOverride) {
+        // The key that opened it closes it: it is no letter here.
+        if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_QuoteLeft) {
+            event->ignore();
+            return true;
+        }
+    }
+    if (watched == m_line && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        switch (key->key()) {
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+            recall(key->key() == Qt::Key_Up ? -1 : 1);
+            return true;
+        case Qt::Key_Tab:
+            // With nothing to complete Tab walks on, as everywhere.
+            if (m_line->text().isEmpty() || completed(m_line->text()) == m_line->text())
+                break;
+            m_line->setText(completed(m_line->text()));
+            return true;
+        case Qt::Key_QuoteLeft:
+        case Qt::Key_Escape:
+            emit closeWanted();
+            return true;
+        default:
+            break;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void Console::paintEvent(QPaintEvent*)
+{
+    QPainter(this).fillRect(rect(), QColor(14, 16, 17, 215));
+}
+
+}  // namespace ui::console

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/ParameterWords.h"
+
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace ui::console {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::console::Words)
+};
+
+QString withUnit(const QString& number, const core::settings::Parameter& parameter)
+{
+    return parameter.unit.empty() ? number : number + u' ' + QString::fromStdString(parameter.unit);
+}
+
+/// As it can be typed again: a point, and no zeros behind.
+QString plain(double value)
+{
+    return QLocale::c().toString(value, 'g', 6);
+}
+
+}  // namespace
+
+QString valueWords(const core::settings::Parameter& parameter, double value)
+{
+    if (!std::isfinite(value))
+        return QStringLiteral("–");
+    if (parameter.isSwitch)
+        return value != 0.0 ? Words::tr("on") : Words::tr("off");
+    // Of what changes all the time a few digits are read.
+    return withUnit(parameter.isLive() ? QLocale::c().toString(value, 'g', 4) : plain(value), parameter);
+}
+
+QString rangeWords(const core::settings::Parameter& parameter)
+{
+    if (parameter.isLive())
+        return Words::tr("a live value, to be read, watched or plotted");
+    if (parameter.isSwitch)
+        return Words::tr("0 (off) or 1 (on)");
+    //: %1 and %2 are numbers, %2 with a unit
+    return Words::tr("%1 to %2").arg(plain(parameter.minimum), withUnit(plain(parameter.maximum), parameter));
+}
+
+QString answerWords(const core::settings::SetAnswer& answer, const QString& name,
+                    const core::settings::Parameter* parameter)
+{
+    using Outcome = core::settings::SetAnswer::Outcome;
+    switch (answer.outcome) {
+    case Outcome::Done:
+        return {};
+    case Outcome::Unknown:
+        return Words::tr("There is no parameter \"%1\". Type \"list\" for those there are.").arg(name);
+    case Outcome::ReadOnly:
+        return Words::tr("%1 is a live value: it can be watched and plotted, not set.").arg(name);
+    case Outcome::NotANumber:
+    case Outcome::OutOfRange:
+        break;
+    case Outcome::Refused:
+        return QString::fromStdString(answer.why);
+    }
+    return Words::tr("%1 takes %2.").arg(name, parameter != nullptr ? rangeWords(*parameter) : QString());
+}
+
+QString groupName(const QString& group)
+{
+    if (group == u"hardness")
+        return Words::tr("Hardness");
+    if (group == u"force")
+        return Words::tr("Force");
+    if (group == u"view")
+        return Words::tr("View");
+    if (group == u"hand")
+        return Words::tr("Mouse and keys");
+    return Words::tr("Live values");
+}
+
+}  // namespace ui::console

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/Registration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include <QCoreApplication>
+
+#include "core/settings/StabilityBound.h"
+#include "ui/presets/PresetWords.h"
+#include "ui/tooth/PointerControl.h"
+
+namespace ui::console {
+namespace {
+
+using core::settings::FeelPreset;
+using core::settings::Parameter;
+using core::settings::Parameters;
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::console::Words)
+};
+
+/// Files say the unit with the key; to type, a name without it will do.
+std::string nameOf(const core::NumberField<FeelPreset>& field)
+{
+    QString name = QLatin1String(field.id);
+    for (const char* unit : {"_mm3_per_ns", "_n_per_mm", "_ns_per_m", "_n"})
+        if (name.endsWith(QLatin1String(unit))) {
+            name.chop(static_cast<qsizetype>(qstrlen(unit)));
+            break;
+        }
+    return (name.startsWith(QLatin1String("force.")) ? name : QStringLiteral("hardness.") + name).toStdString();
+}
+
+}  // namespace
+
+void PeriodMeter::take(const core::session::ServoState& state)
+{
+    std::vector<std::int64_t> taken;
+    for (const core::session::Pose& pose : state.trail)
+        if (pose.takenNs > 0)
+            taken.push_back(pose.takenNs);
+    std::sort(taken.begin(), taken.end());
+    for (std::size_t k = 1; k < taken.size(); ++k) {
+        if (taken[k] <= m_newestNs)
+            continue;
+        const std::int64_t period = taken[k] - taken[k - 1];
+        m_periodsNs[m_next] =
+            static_cast<std::int32_t>(std::min<std::int64_t>(period, std::numeric_limits<std::int32_t>::max()));
+        m_next = (m_next + 1) % kPeriods;
+        m_count = std::min(m_count + 1, kPeriods);
+    }
+    if (!taken.empty())
+        m_newestNs = std::max(m_newestNs, taken.back());
+}
+
+double PeriodMeter::percentileUs(double share) const
+{
+    if (m_count == 0)
+        return std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::int32_t> sorted(m_periodsNs.begin(), m_periodsNs.begin() + static_cast<std::ptrdiff_t>(m_count));
+    const auto at = sorted.begin() + std::lround(share * static_cast<double>(m_count - 1));
+    std::nth_element(sorted.begin(), at, sorted.end());
+    return 0.001 * static_cast<double>(*at);
+}
+
+void registerFeel(Parameters& parameters, std::function<FeelPreset()> now, std::function<FeelPreset()> initial,
+                  std::function<std::string(const FeelPreset&)> feel)
+{
+    for (const auto& field : core::settings::feelFields()) {
+        Parameter parameter;
+        parameter.name = nameOf(field);
+        parameter.unit = field.unit;
+        parameter.minimum = field.minimum;
+        parameter.maximum = field.maximum;
+        parameter.read = [now, value = field.value] { return now().*value; };
+        parameter.initial = [initial, value = field.value] { return initial().*value; };
+        parameter.write = [now, feel, value = field.value](double number) -> std::string {
+            FeelPreset next = now();
+            if (next.*value == number)
+                return {};
+            next.*value = number;
+            next.hash.clear();  // it is no longer what its version says
+            if (!core::settings::checkStability(next))
+                return presets::boundWords(next).toStdString();
+            return feel(next);
+        };
+        parameter.label = [id = field.id] { return presets::fieldName(id).toStdString(); };
+        parameter.help = [id = field.id] { return presets::fieldHelp(id).toStdString(); };
+        parameters.add(std::move(parameter));
+    }
+}
+
+void registerSwitch(Parameters& parameters, const char* name, QAction* action)
+{
+    Parameter parameter;
+    parameter.name = name;
+    parameter.isSwitch = true;
+    parameter.read = [action] { return action->isChecked() ? 1.0 : 0.0; };
+    parameter.initial = [] { return 0.0; };
+    parameter.write = [action](double on) -> std::string {
+        if (action->isChecked() == (on != 0.0))
+            return {};
+        if (!action->isEnabled())
+            return Words::tr("This cannot be changed here and now.").toStdString();
+        action->trigger();
+        return {};
+    };
+    parameter.label = [action] { return action->text().toStdString(); };
+    parameter.help = [action] { return action->statusTip().toStdString(); };
+    parameters.add(std::move(parameter));
+}
+
+void registerPush(Parameters& parameters, std::function<double()> read, std::function<void(double newtons)> write)
+{
+    using tooth::PointerControl;
+    parameters.add(
+        {"hand.push", "N", PointerControl::kWeakestN, PointerControl::kStrongestN, false, std::move(read),
+         [] { return PointerControl::kFirstN; },
+         [write = std::move(write)](double newtons) {
+             write(newtons);
+             return std::string();
+         },
+         [] { return Words::tr("Push").toStdString(); },
+         [] { return Words::tr("How hard the mouse button presses the bur against the tooth.").toStdString(); }});
+}
+
+void registerLive(Parameters& parameters, std::function<core::session::ServoState()> servo, const PeriodMeter& meter)
+{
+    const auto add = [&](const char* name, const char* unit, std::function<double()> read,
+                         std::function<QString()> help) {
+        Parameter parameter;
+        parameter.name = name;
+        parameter.unit = unit;
+        parameter.read = std::move(read);
+        parameter.label = [help] { return help().toStdString(); };
+        parameter.help = parameter.label;
+        parameters.add(std::move(parameter));
+    };
+    add(
+        "live.force", "N", [servo] { return glm::length(servo().forceN); },
+        [] { return Words::tr("Force that the hand is given."); });
+    add(
+        "live.depth", "mm",
+        [servo] {
+            const core::session::ServoState state = servo();
+            return state.hasDepth ? state.depthMm : std::numeric_limits<double>::quiet_NaN();
+        },
+        [] { return Words::tr("Depth of the bur's tip below the uncut surface."); });
+    add(
+        "live.removed", "mm³",
+        [servo] {
+            double sum = 0.0;
+            for (const double volume : servo().removedMm3)
+                sum += volume;
+            return sum;
+        },
+        [] { return Words::tr("Volume removed since the tooth was taken, undone or not."); });
+    add(
+        "live.rpm", "rpm", [servo] { return servo().burRpm; },
+        [] { return Words::tr("Turns of the bur under its load."); });
+    add(
+        "live.missed", "", [servo] { return static_cast<double>(servo().missedPeriods); },
+        [] { return Words::tr("Periods of the servo that were missed since the start."); });
+    add(
+        "live.period_p50", "µs", [&meter] { return meter.percentileUs(0.5); },
+        [] { return Words::tr("Time between two ticks of the servo: half of the last second's were shorter."); });
+    add(
+        "live.period_p99", "µs", [&meter] { return meter.percentileUs(0.99); },
+        [] { return Words::tr("Time between two ticks of the servo: 99 in 100 of the last second's were shorter."); });
+}
+
+}  // namespace ui::console

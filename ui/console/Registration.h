@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include <QAction>
+
+#include "core/session/Links.h"
+#include "core/settings/FeelPreset.h"
+#include "core/settings/Parameters.h"
+
+/// What the window has for the console and the page of settings. Ui thread.
+namespace ui::console {
+
+/// The times between the servo's ticks, as the poses in its state tell them: a second of them.
+class PeriodMeter
+{
+public:
+    /// The newest state; call it often, each holds the last 16 ticks only.
+    void take(const core::session::ServoState& state);
+    /// The time that a share of the periods stays under, µs; NaN before there are any.
+    [[nodiscard]] double percentileUs(double share) const;
+
+private:
+    static constexpr std::size_t kPeriods = 1000;
+    std::array<std::int32_t, kPeriods> m_periodsNs{};  ///< ring
+    std::size_t m_next = 0;
+    std::size_t m_count = 0;
+    std::int64_t m_newestNs = 0;
+};
+
+/// Every number of a hardness preset: "hardness.enamel.rate", "force.stiffness".
+/// @param now      what is felt now
+/// @param initial  what is to be felt if nothing is turned
+/// @param feel     sets it; answers why not, or nothing
+void registerFeel(core::settings::Parameters& parameters, std::function<core::settings::FeelPreset()> now,
+                  std::function<core::settings::FeelPreset()> initial,
+                  std::function<std::string(const core::settings::FeelPreset&)> feel);
+
+/// A checkable action as a switch, off to begin with.
+/// @param action  must outlive the registry
+void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action);
+
+/// "hand.push": how hard a mouse presses.
+void registerPush(core::settings::Parameters& parameters, std::function<double()> read,
+                  std::function<void(double newtons)> write);
+
+/// "live.force", "live.depth" and so on.
+/// @param meter  must outlive the registry
+void registerLive(core::settings::Parameters& parameters, std::function<core::session::ServoState()> servo,
+                  const PeriodMeter& meter);
+
+}  // namespace ui::console

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/WatchPanel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/console/ParameterWords.h"
+#include "ui/shell/Theme.h"
+
+namespace ui::console {
+namespace {
+
+constexpr int kBeatMs = 50;
+constexpr int kWidthPx = 300;
+constexpr int kLinePx = 22;
+constexpr int kPlotPx = 56;
+
+double secondsNow()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+WatchPanel::WatchPanel(const core::settings::Parameters& parameters, QWidget* parent)
+    : QWidget(parent), m_parameters(parameters)
+{
+    setPalette(shell::roomPalette());
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_beat.setInterval(kBeatMs);
+    connect(&m_beat, &QTimer::timeout, this, [this] { sample(secondsNow()); });
+    hide();
+}
+
+bool WatchPanel::watch(const QString& name, bool plotted)
+{
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& row) { return row.name == name; });
+    if (found != m_rows.end()) {
+        found->isPlotted = plotted;
+    } else {
+        if (m_rows.size() >= kMost)
+            return false;
+        m_rows.push_back({name, plotted, 0.0, {}});
+    }
+    sample(secondsNow());
+    m_beat.start();
+    fit();
+    return true;
+}
+
+void WatchPanel::forget(const QString& name)
+{
+    std::erase_if(m_rows, [&](const Row& row) { return name.isEmpty() || row.name == name; });
+    if (m_rows.empty())
+        m_beat.stop();
+    fit();
+}
+
+QStringList WatchPanel::names() const
+{
+    QStringList all;
+    for (const Row& row : m_rows)
+        all << row.name;
+    return all;
+}
+
+std::vector<double> WatchPanel::plotted(const QString& name) const
+{
+    std::vector<double> values;
+    for (const Row& row : m_rows)
+        if (row.name == name)
+            for (const Point& point : row.points)
+                values.push_back(point.value);
+    return values;
+}
+
+void WatchPanel::sample(double seconds)
+{
+    for (Row& row : m_rows) {
+        const core::settings::Parameter* parameter = m_parameters.find(row.name.toStdString());
+        row.now = parameter != nullptr ? parameter->read() : std::nan("");
+        if (!row.isPlotted)
+            continue;
+        row.points.push_back({seconds, row.now});
+        while (row.points.front().seconds < seconds - kPlottedS)
+            row.points.pop_front();
+    }
+    update();
+}
+
+void WatchPanel::fit()
+{
+    int height = shell::kSpace2;
+    for (const Row& row : m_rows)
+        height += kLinePx + (row.isPlotted ? kPlotPx : 0);
+    setFixedSize(kWidthPx, height + shell::kSpace2);
+    setVisible(!m_rows.empty());
+    raise();
+    emit resized();
+}
+
+void WatchPanel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette& p = palette();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 22, 23, 200));
+    painter.drawRoundedRect(rect(), shell::kRadius, shell::kRadius);
+    int y = shell::kSpace2;
+    for (const Row& row : m_rows) {
+        const QRect lineRect(shell::kSpace2, y, width() - 2 * shell::kSpace2, kLinePx);
+        const core::settings::Parameter* parameter = m_parameters.find(row.name.toStdString());
+        painter.setFont(shell::typeface(shell::kSmall));
+        painter.setPen(p.color(QPalette::PlaceholderText));
+        painter.drawText(lineRect, Qt::AlignLeft | Qt::AlignVCenter, row.name);
+        painter.setFont(shell::typeface(shell::kBody, QFont::DemiBold));
+        painter.setPen(p.color(QPalette::WindowText));
+        if (parameter != nullptr)
+            painter.drawText(lineRect, Qt::AlignRight | Qt::AlignVCenter, valueWords(*parameter, row.now));
+        y += kLinePx;
+        if (!row.isPlotted)
+            continue;
+        const QRectF plot(shell::kSpace2, y, width() - 2.0 * shell::kSpace2, kPlotPx - shell::kSpace1);
+        painter.setPen(QPen(p.color(QPalette::Mid), 1.0));
+        painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+        double low = 0.0;
+        double high = 0.0;
+        bool isFirst = true;
+        for (const Point& point : row.points) {
+            if (!std::isfinite(point.value))
+                continue;
+            low = isFirst ? point.value : std::min(low, point.value);
+            high = isFirst ? point.value : std::max(high, point.value);
+            isFirst = false;
+        }
+        const double span = high > low ? high - low : 1.0;
+        QPainterPath path;
+        bool isDown = false;
+        for (const Point& point : row.points) {
+            if (!std::isfinite(point.value)) {
+                isDown = false;
+                continue;
+            }
+            const double x = plot.right() - (row.points.back().seconds - point.seconds) / kPlottedS * plot.width();
+            const QPointF at(x, plot.bottom() - 2.0 - (point.value - low) / span * (plot.height() - 6.0));
+            isDown ? path.lineTo(at) : path.moveTo(at);
+            isDown = true;
+        }
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(p.color(QPalette::Link), 1.6));
+        painter.drawPath(path);
+        y += kPlotPx;
+    }
+}
+
+}  // namespace ui::console

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/presets/FeedChart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QChart>
+#include <QChartView>
+#include <QEvent>
+#include <QGraphicsLayout>
+#include <QLabel>
+#include <QLegend>
+#include <QLineSeries>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QValueAxis>
+
+#include "core/drilling/Feed.h"
+#include "ui/presets/PresetWords.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+#include "ui/text/Texts.h"
+
+namespace ui::presets {
+namespace {
+
+using core::settings::FeelPreset;
+using core::settings::Substance;
+
+constexpr double kMostN = 2.0;
+constexpr double kToldN = 1.0;
+constexpr int kPoints = 80;
+
+/// Pulp gives way at a touch: its line would only press the others flat.
+struct Line
+{
+    Substance substance;
+    QColor onLight;
+    QColor onDark;
+};
+/// After Okabe and Ito, each readable on its page; the figures tell them apart as well.
+const std::array<Line, 5> kLines{{{Substance::SoftCaries, "#8A4B00", "#E69F00"},
+                                  {Substance::FirmCaries, "#B5478A", "#CC79A7"},
+                                  {Substance::Plastic, "#5B6770", "#A9B4BC"},
+                                  {Substance::Dentin, "#00785A", "#2FBF98"},
+                                  {Substance::Enamel, "#0060A8", "#56B4E9"}}};
+
+}  // namespace
+
+FeedChart::FeedChart(QWidget* parent)
+    : QWidget(parent), m_chart(new QChart), m_view(new QChartView(m_chart, this)), m_words(new QLabel(this))
+{
+    m_view->setRenderHint(QPainter::Antialiasing);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setFocusPolicy(Qt::NoFocus);
+    m_view->viewport()->setMouseTracking(true);
+    m_view->viewport()->installEventFilter(this);
+    m_view->setBackgroundBrush(Qt::NoBrush);
+    m_view->setStyleSheet(QStringLiteral("background: transparent"));
+    m_chart->setMargins({0, 0, 0, 0});
+    m_chart->layout()->setContentsMargins(0, 0, 0, 0);
+    m_chart->setBackgroundVisible(false);
+    m_words->setFont(shell::typeface(shell::kSmall));
+    m_words->setTextFormat(Qt::RichText);
+    m_words->setWordWrap(true);
+    m_words->setObjectName(QStringLiteral("feedWords"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(shell::kSpace1);
+    column->addWidget(m_view, 1);
+    column->addWidget(m_words);
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Feed over force"));
+        m_view->setAccessibleName(accessibleName());
+        m_view->viewport()->setAccessibleName(accessibleName());
+        draw();
+    });
+}
+
+void FeedChart::setPreset(const FeelPreset& preset, const FeelPreset& was)
+{
+    m_preset = preset;
+    m_was = was;
+    draw();
+}
+
+void FeedChart::setBur(std::size_t index)
+{
+    m_bur = std::min(index, core::drilling::burs().size() - 1);
+    draw();
+}
+
+double FeedChart::feed(const FeelPreset& preset, Substance substance, double newtons) const
+{
+    return core::drilling::feedMmPerS(core::settings::hardnessOf(preset, substance), preset.axialShare,
+                                      core::settings::handpieces().front(), core::drilling::burs()[m_bur], newtons);
+}
+
+QString FeedChart::figure(Substance substance, double newtons) const
+{
+    //: %1 is a material, %2 a speed
+    return tr("%1 %2 mm/s").arg(substanceName(substance), text::number(feed(m_preset, substance, newtons), 1));
+}
+
+QString FeedChart::words(double newtons) const
+{
+    QStringList parts;
+    for (const Line& line : kLines)
+        parts << figure(line.substance, newtons);
+    return tr("Straight down with %1 N").arg(text::number(newtons, 1)) + QStringLiteral(": ") +
+           parts.join(QStringLiteral(" · "));
+}
+
+void FeedChart::draw()
+{
+    m_chart->removeAllSeries();
+    for (QAbstractAxis* axis : m_chart->axes()) {
+        m_chart->removeAxis(axis);
+        delete axis;
+    }
+    const QPalette& p = palette();
+    const bool dark = shell::isDark(p);
+    double most = 0.5;
+    for (const Line& line : kLines)
+        for (const FeelPreset* preset : {&m_preset, &m_was})
+            most = std::max(most, feed(*preset, line.substance, kMostN));
+    const auto axis = [&](double high, const QString& title, Qt::Alignment side, const QString& format) {
+        auto* made = new QValueAxis;
+        made->setRange(0.0, high);
+        made->setTitleText(title);
+        made->setLabelFormat(format);
+        made->setTickCount(5);
+        made->setLabelsFont(shell::typeface(shell::kSmall));
+        made->setTitleFont(shell::typeface(shell::kSmall));
+        made->setLabelsColor(p.color(QPalette::PlaceholderText));
+        made->setTitleBrush(p.color(QPalette::PlaceholderText));
+        made->setLinePenColor(p.color(QPalette::Mid));
+        made->setGridLineColor(p.color(QPalette::Mid));
+        m_chart->addAxis(made, side);
+        return made;
+    };
+    auto* force = axis(kMostN, tr("Force, N"), Qt::AlignBottom, QStringLiteral("%.1f"));
+    auto* pace = axis(most, tr("Feed, mm/s"), Qt::AlignLeft, QStringLiteral("%.0f"));
+    if (most > 4.0)
+        pace->applyNiceNumbers();
+    else
+        pace->setLabelFormat(QStringLiteral("%.1f"));
+    m_chart->legend()->hide();  // the figures below name the lines
+    const auto put = [&](const FeelPreset& preset, const Line& line, const QPen& pen) {
+        auto* series = new QLineSeries;
+        for (int k = 0; k <= kPoints; ++k) {
+            const double newtons = kMostN * k / kPoints;
+            series->append(newtons, feed(preset, line.substance, newtons));
+        }
+        series->setPen(pen);
+        m_chart->addSeries(series);
+        series->attachAxis(force);
+        series->attachAxis(pace);
+    };
+    for (const Line& line : kLines) {
+        const QColor colour = dark ? line.onDark : line.onLight;
+        QColor faint = colour;
+        faint.setAlphaF(0.6F);
+        if (m_was.axialShare != m_preset.axialShare ||
+            core::settings::hardnessOf(m_was, line.substance) != core::settings::hardnessOf(m_preset, line.substance))
+            put(m_was, line, QPen(faint, 1.4, Qt::DashLine));
+        put(m_preset, line, QPen(colour, 2.2));
+    }
+    point(kToldN);
+    setAccessibleDescription(words(kToldN));
+}
+
+/// The figures at a force, each with the colour of its line.
+void FeedChart::point(double newtons)
+{
+    const bool dark = shell::isDark(palette());
+    QStringList parts;
+    for (const Line& line : kLines)
+        parts << QStringLiteral("<span style=\"color:%1\"><b>━━</b></span>&nbsp;%2")
+                     .arg((dark ? line.onDark : line.onLight).name(),
+                          figure(line.substance, newtons).toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
+    m_words->setText(QStringLiteral("<b>%1</b><br>%2")
+                         //: %1 is a force
+                         .arg(tr("Straight down with %1 N").arg(text::number(newtons, 1)).toHtmlEscaped(),
+                              parts.join(QStringLiteral(" &nbsp; "))));
+}
+
+void FeedChart::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        draw();
+}
+
+bool FeedChart::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::MouseMove && !m_chart->series().isEmpty()) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const QPointF at =
+            m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
+        point(std::clamp(at.x(), 0.0, kMostN));
+    } else if (event->type() == QEvent::Leave) {
+        point(kToldN);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ui::presets

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/settings/FeelPreset.h"
+
+class QChart;
+class QChartView;
+class QLabel;
+
+namespace ui::presets {
+
+/// How fast the chosen bur sinks into each material over the force that presses it, mm/s: what hardness means to the
+/// hand. Dashed: another preset, to compare with. Tells the figures under the pointer.
+class FeedChart : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit FeedChart(QWidget* parent);
+
+    void setPreset(const core::settings::FeelPreset& preset, const core::settings::FeelPreset& was);
+    /// @param index  into core::drilling::burs()
+    void setBur(std::size_t index);
+    /// "At 1.0 N: enamel 0.8 mm/s, ...".
+    [[nodiscard]] QString words(double newtons) const;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void draw();
+    void point(double newtons);
+    [[nodiscard]] QString figure(core::settings::Substance substance, double newtons) const;
+    [[nodiscard]] double feed(const core::settings::FeelPreset& preset, core::settings::Substance substance,
+                              double newtons) const;
+
+    QChart* m_chart;
+    QChartView* m_view;
+    QLabel* m_words;
+    core::settings::FeelPreset m_preset;
+    core::settings::FeelPreset m_was;
+    std::size_t m_bur = 1;
+};
+
+}  // namespace ui::presets

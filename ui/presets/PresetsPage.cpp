@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/presets/PresetsPage.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "core/drilling/Bur.h"
+#include "ui/presets/FeedChart.h"
+#include "ui/presets/PresetTable.h"
+#include "ui/presets/PresetWords.h"
+#include "ui/presets/SimplePanel.h"
+#include "ui/shell/ScrollPane.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+#include "ui/text/Texts.h"
+
+namespace ui::presets {
+namespace {
+
+using core::settings::FeelPreset;
+using namespace ui::shell;
+
+constexpr int kListPx = 250;
+constexpr int kNarrowListPx = 180;
+constexpr int kRowPx = 48;
+/// With less than this the numbers have the room, and not the chart; or the notes wait.
+constexpr int kNarrowestChartPx = 1000;
+constexpr int kLowestNotesPx = 560;
+constexpr int kTablePx = 560;
+constexpr int kUsualTrials = 8;
+constexpr int kMostTrials = 40;
+
+QString nameOf(const FeelPreset& preset)
+{
+    return QString::fromStdString(preset.name);
+}
+
+bool isSameVersion(const FeelPreset& a, const FeelPreset& b)
+{
+    return a.name == b.name && a.version == b.version;
+}
+
+/// But for name, version and hash.
+bool isSameFeel(FeelPreset a, const FeelPreset& b)
+{
+    a.name = b.name;
+    a.version = b.version;
+    a.hash = b.hash;
+    return a == b;
+}
+
+QPushButton* button(const char* kind, const char* name, QWidget* parent)
+{
+    auto* made = new QPushButton(parent);
+    made->setProperty("kind", kind);
+    made->setObjectName(QLatin1String(name));
+    return made;
+}
+
+}  // namespace
+
+PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions, parent)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace6);
+    row->addWidget(makeList());
+    row->addWidget(makeDetails(), 1);
+    body()->addLayout(row, 1);
+    text::inEveryLanguage(this, [this] {
+        setTitle(tr("Hardness presets"));
+        fill();
+        tell();
+    });
+}
+
+QWidget* PresetsPage::makeList()
+{
+    auto* side = new QWidget(this);
+    m_side = side;
+    side->setFixedWidth(kListPx);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(kSpace4, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    m_list = new QListWidget(side);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setProperty("kind", "plain");
+    m_list->setObjectName(QStringLiteral("presetList"));
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setSpacing(2);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this](int at) {
+        if (at >= 0 && m_all[static_cast<std::size_t>(at)].preset)
+            show(*m_all[static_cast<std::size_t>(at)].preset);
+    });
+    column->addWidget(m_list, 1);
+    auto* import = button("", "presetImport", side);
+    m_export = button("", "presetExport", side);
+    connect(import, &QPushButton::clicked, this, &PresetsPage::importWanted);
+    connect(m_export, &QPushButton::clicked, this, [this] { emit exportWanted(m_base); });
+    auto* buttons = new QVBoxLayout;
+    buttons->setSpacing(kSpace2);
+    buttons->addWidget(import);
+    buttons->addWidget(m_export);
+    column->addLayout(buttons);
+    text::inEveryLanguage(side, [this, import] {
+        m_list->setAccessibleName(tr("Hardness presets and their versions"));
+        import->setText(tr("Import …"));
+        import->setAccessibleName(tr("Import a preset"));
+        import->setToolTip(tr("Read a preset from a file and keep it here"));
+        m_export->setText(tr("Export …"));
+        m_export->setAccessibleName(tr("Export this version"));
+        m_export->setToolTip(tr("Write the chosen version to a file, for another school"));
+    });
+    return side;
+}
+
+QWidget* PresetsPage::makeDetails()
+{
+    auto* side = new QWidget(this);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, kSpace4, 0);
+    column->setSpacing(kSpace2);
+
+    auto* head = new QHBoxLayout;
+    m_name = new QLineEdit(side);
+    m_name->setObjectName(QStringLiteral("presetName"));
+    m_name->setMaxLength(static_cast<int>(lessons::kLongestPresetName));
+    m_name->setMaximumWidth(280);
+    m_version = study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, side);
+    m_version->setObjectName(QStringLiteral("presetVersion"));
+    m_version->setTextFormat(Qt::PlainText);
+    m_use = button("", "presetUse", side);
+    head->addWidget(m_name);
+    head->addWidget(m_version, 1);
+    head->addWidget(m_use);
+    column->addLayout(head);
+    m_notes = new QLineEdit(side);
+    m_notes->setMaxLength(static_cast<int>(lessons::kLongestPresetNotes));
+    m_notes->setObjectName(QStringLiteral("presetNotes"));
+    column->addWidget(m_notes);
+
+    auto* choose = new QHBoxLayout;
+    auto* simple = button("segment", "presetSimple", side);
+    auto* all = button("segment", "presetExpert", side);
+    auto* ways = new QButtonGroup(side);
+    for (QPushButton* way : {simple, all}) {
+        way->setCheckable(true);
+        ways->addButton(way);
+        choose->addWidget(way);
+    }
+    simple->setChecked(true);
+    choose->addStretch(1);
+    auto* bur = study::choiceInput({}, side);
+    bur->setObjectName(QStringLiteral("presetBur"));
+    auto* burName = new QLabel(side);
+    burName->setBuddy(bur);
+    m_burChoice = new QWidget(side);
+    auto* burRow = new QHBoxLayout(m_burChoice);
+    burRow->setContentsMargins(0, 0, 0, 0);
+    burRow->addWidget(burName);
+    burRow->addWidget(bur);
+    choose->addWidget(m_burChoice);
+    column->addLayout(choose);
+
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(kSpace6);
+    m_ways = new QStackedWidget(side);
+    auto* dials = new QWidget(m_ways);
+    auto* dialColumn = new QVBoxLayout(dials);
+    dialColumn->setContentsMargins(0, kSpace2, kSpace4, 0);
+    m_simple = new SimplePanel(dials);
+    dialColumn->addWidget(m_simple);
+    dialColumn->addStretch(1);
+    m_table = new PresetTable(m_ways);
+    m_ways->addWidget(new ScrollPane(dials, QPalette::Window, m_ways));
+    m_ways->addWidget(new ScrollPane(m_table, QPalette::Window, m_ways));
+    m_ways->setMaximumWidth(kTablePx);
+    m_chart = new FeedChart(side);
+    middle->addWidget(m_ways, 5);
+    middle->addWidget(m_chart, 4);
+    column->addLayout(middle, 1);
+    connect(simple, &QPushButton::clicked, this, [this] {
+        m_simple->setBase(m_draft);
+        m_ways->setCurrentIndex(0);
+    });
+    connect(all, &QPushButton::clicked, this, [this] {
+        m_table->setPreset(m_draft);
+        m_ways->setCurrentIndex(1);
+    });
+    connect(m_simple, &SimplePanel::changed, this, &PresetsPage::take);
+    connect(m_table, &PresetTable::changed, this, &PresetsPage::take);
+    connect(bur, &QComboBox::currentIndexChanged, this, [this](int index) {
+        if (index >= 0)
+            m_chart->setBur(static_cast<std::size_t>(index));
+    });
+    connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {
+        m_draft.name = name.trimmed().toStdString();
+        tell();
+    });
+    connect(m_notes, &QLineEdit::textEdited, this, [this](const QString& notes) {
+        m_draft.notes = notes.toStdString();
+        tell();
+    });
+
+    m_bound = study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, side);
+    m_bound->setObjectName(QStringLiteral("presetBound"));
+    column->addWidget(m_bound);
+    column->addWidget(line(side));
+    column->addWidget(makeCompare(side));
+    m_fault = study::faultLabel(side);
+    m_fault->setObjectName(QStringLiteral("presetFault"));
+    column->addWidget(m_fault);
+    m_try = button("filled", "presetTry", side);
+    m_save = button("", "presetSave", side);
+    auto* copy = button("", "presetCopy", side);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_try);
+    buttons->addWidget(m_save);
+    buttons->addWidget(copy);
+    buttons->addStretch(1);
+    column->addLayout(buttons);
+    connect(m_try, &QPushButton::clicked, this, [this] { emit tryWanted(m_draft); });
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        FeelPreset next = m_draft;
+        next.version = 0;
+        emit saveWanted(next);
+    });
+    connect(m_use, &QPushButton::clicked, this, [this] { emit useWanted(m_base); });
+    connect(copy, &QPushButton::clicked, this, &PresetsPage::duplicate);
+
+    text::inEveryLanguage(side, [this, simple, all, bur, burName, copy] {
+        m_name->setAccessibleName(tr("Name of the preset"));
+        m_name->setPlaceholderText(tr("Name"));
+        m_notes->setAccessibleName(tr("Notes"));
+        m_notes->setPlaceholderText(tr("Notes: what it is for"));
+        simple->setText(tr("Simple"));
+        simple->setToolTip(tr("A few sliders"));
+        all->setText(tr("All numbers"));
+        all->setToolTip(tr("Every number with its range"));
+        for (QPushButton* way : {simple, all})
+            way->setAccessibleName(way->text());
+        burName->setText(tr("Feed of"));
+        bur->setAccessibleName(tr("Bur whose feed is drawn"));
+        bur->view()->setAccessibleName(bur->accessibleName());
+        const int at = std::max(0, bur->currentIndex() < 0 ? 1 : bur->currentIndex());
+        const QSignalBlocker quiet(bur);
+        bur->clear();
+        for (const core::drilling::Bur& one : core::drilling::burs())
+            bur->addItem(text::burName(one.id));
+        bur->setCurrentIndex(at);
+        m_try->setText(tr("Try on a block"));
+        m_try->setAccessibleName(m_try->text());
+        m_try->setToolTip(tr("Drill a block of enamel, dentin and soft caries with it"));
+        copy->setText(tr("Duplicate"));
+        copy->setAccessibleName(tr("Duplicate under another name"));
+        copy->setToolTip(tr("Begin a preset of another name with these numbers"));
+        m_use->setText(tr("Use for practice"));
+        m_use->setAccessibleName(tr("Use this version for practice"));
+        m_use->setToolTip(tr("Every tooth feels like this, unless its lesson says otherwise"));
+    });
+    return side;
+}
+
+QWidget* PresetsPage::makeCompare(QWidget* parent)
+{
+    auto* whole = new QWidget(parent);
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* words = new QLabel(whole);
+    m_other = study::choiceInput({}, whole);
+    m_other->setObjectName(QStringLiteral("presetOther"));
+    m_other->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_other->setMinimumContentsLength(10);
+    words->setBuddy(m_other);
+    m_trials = new QSpinBox(whole);
+    m_trials->setObjectName(QStringLiteral("presetTrials"));
+    m_trials->setRange(1, kMostTrials);
+    m_trials->setValue(kUsualTrials);
+    study::bindToForm(m_trials);
+    m_compare = button("", "presetCompare", whole);
+    row->addWidget(words);
+    row->addWidget(m_other);
+    row->addWidget(m_trials);
+    row->addWidget(m_compare);
+    row->addStretch(1);
+    connect(m_compare, &QPushButton::clicked, this, [this] {
+        const int at = m_other->currentData().toInt();
+        if (m_other->currentIndex() >= 0 && m_all[static_cast<std::size_t>(at)].preset)
+            emit compareWanted(m_draft, *m_all[static_cast<std::size_t>(at)].preset, m_trials->value());
+    });
+    text::inEveryLanguage(whole, [this, words] {
+        words->setText(tr("Compare blind with"));
+        m_other->setAccessibleName(tr("Preset to compare with"));
+        m_other->view()->setAccessibleName(m_other->accessibleName());
+        m_trials->setAccessibleName(tr("Number of trials"));
+        //: Before a number
+        m_trials->setPrefix(tr("Trials:") + u' ');
+        m_compare->setText(tr("Compare A and B"));
+        m_compare->setAccessibleName(m_compare->text());
+        m_compare->setToolTip(tr("Drill with both, behind letters, and say which feels more like a tooth"));
+    });
+    return whole;
+}
+
+void PresetsPage::setPresets(std::vector<lessons::ReadPreset> all, const FeelPreset& inUse)
+{
+    const bool isFirst = m_all.empty();
+    m_all = std::move(all);
+    m_inUse = inUse;
+    fill();
+    if (isFirst)
+        select(inUse);
+    tell();
+}
+
+void PresetsPage::fill()
+{
+    const QSignalBlocker quiet(m_list);
+    const int other = m_other->currentIndex();
+    m_list->clear();
+    m_other->clear();
+    for (std::size_t k = 0; k < m_all.size(); ++k) {
+        const lessons::ReadPreset& read = m_all[k];
+        if (!read.preset) {
+            auto* item = new QListWidgetItem(QStringLiteral("⚠ ") + read.faults.front().sentence(), m_list);
+            item->setFlags(Qt::NoItemFlags);
+            item->setToolTip(brokenIntoLines(read.faults.front().sentence()));
+            continue;
+        }
+        QString second = tr("version %1").arg(read.preset->version);
+        if (read.file.isEmpty())
+            second += QStringLiteral(" · ") + tr("shipped");
+        if (isSameVersion(*read.preset, m_inUse))
+            second += QStringLiteral(" · ") + tr("in use");
+        auto* item = new QListWidgetItem(nameOf(*read.preset) + u'\n' + second, m_list);
+        item->setSizeHint({kListPx - kSpace6, kRowPx});
+        item->setToolTip(brokenIntoLines(presetWords(*read.preset)));
+        if (isSameVersion(*read.preset, m_base))
+            m_list->setCurrentItem(item);
+        m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset)).arg(read.preset->version),
+                         static_cast<int>(k));
+    }
+    m_other->setCurrentIndex(std::clamp(other, 0, m_other->count() - 1));
+}
+
+void PresetsPage::select(const FeelPreset& preset)
+{
+    for (std::size_t k = 0; k < m_all.size(); ++k)
+        if (m_all[k].preset && isSameVersion(*m_all[k].preset, preset)) {
+            m_list->setCurrentRow(static_cast<int>(k));
+            show(*m_all[k].preset);
+            return;
+        }
+    show(preset);
+}
+
+void PresetsPage::show(const FeelPreset& preset)
+{
+    setFault({});
+    m_base = preset;
+    m_draft = preset;
+    m_name->setText(nameOf(preset));
+    m_notes->setText(QString::fromStdString(preset.notes));
+    m_simple->setBase(preset);
+    m_table->setPreset(preset);
+    tell();
+}
+
+void PresetsPage::setDraft(const FeelPreset& preset)
+{
+    m_draft = preset;
+    m_simple->setBase(preset);
+    m_table->setPreset(preset);
+    tell();
+}
+
+/// Numbers alone: the words stand in their own lines.
+void PresetsPage::take(const FeelPreset& preset)
+{
+    FeelPreset next = preset;
+    next.name = m_draft.name;
+    next.version = m_draft.version;
+    next.notes = m_draft.notes;
+    m_draft = next;
+    tell();
+}
+
+bool PresetsPage::isChanged() const
+{
+    return m_draft.name != m_base.name || !isSameFeel(m_draft, m_base);
+}
+
+bool PresetsPage::isNewest() const
+{
+    return std::none_of(m_all.begin(), m_all.end(), [&](const lessons::ReadPreset& read) {
+        return read.preset && read.preset->name == m_base.name && read.preset->version > m_base.version;
+    });
+}
+
+void PresetsPage::tell()
+{
+    m_draft.hash = isChanged() ? std::string() : m_base.hash;
+    const bool held = isHeld(m_draft);
+    m_bound->setText((held ? QString() : QStringLiteral("⚠ ")) + boundWords(m_draft));
+    QPalette colours = palette();
+    if (!held)
+        colours.setColor(QPalette::WindowText, tones(palette()).harmText);
+    m_bound->setPalette(colours);
+    m_chart->setPreset(m_draft, m_base);
+    const bool isNamed = !m_draft.name.empty();
+    m_version->setText(isChanged() ? tr("changed from %1").arg(presetWords(m_base))
+                                   : tr("version %1").arg(m_base.version) +
+                                         QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
+    m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
+    m_save->setAccessibleName(m_save->text());
+    m_save->setEnabled(held && isNamed && (isChanged() || !isNewest()));
+    m_save->setToolTip(tr("A version is never changed: this becomes another"));
+    m_try->setEnabled(held);
+    m_compare->setEnabled(held);
+    m_use->setEnabled(!isChanged() && !isSameVersion(m_base, m_inUse));
+    m_export->setEnabled(!isChanged());
+}
+
+void PresetsPage::duplicate()
+{
+    //: %1 is the name of a preset that is duplicated
+    const QString name = tr("%1 copy").arg(nameOf(m_draft)).left(lessons::kLongestPresetName);
+    m_draft.name = name.toStdString();
+    m_name->setText(name);
+    m_name->setFocus();
+    m_name->selectAll();
+    tell();
+}
+
+void PresetsPage::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    const bool isWide = width() >= kNarrowestChartPx;
+    m_chart->setVisible(isWide);
+    m_burChoice->setVisible(isWide);
+    m_notes->setVisible(height() >= kLowestNotesPx);
+    m_side->setFixedWidth(isWide ? kListPx : kNarrowListPx);
+}
+
+void PresetsPage::setFault(const QString& sentence)
+{
+    study::showFault(m_fault, sentence);
+}
+
+}  // namespace ui::presets

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lessons/PresetFile.h"
+#include "ui/shell/Page.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+class QStackedWidget;
+
+namespace ui::presets {
+
+class FeedChart;
+class PresetTable;
+class SimplePanel;
+
+/// The hardness presets there are, each in all its versions, and one of them to be looked at, tried, turned and kept as
+/// another version. Whatever is asked of files and of the servo goes out by signals.
+class PresetsPage : public shell::Page
+{
+    Q_OBJECT
+public:
+    PresetsPage(const shell::Actions& actions, QWidget* parent);
+
+    /// What is on the shelf. What is being turned stays.
+    void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
+    /// Shows this version: it has just been kept.
+    void select(const core::settings::FeelPreset& preset);
+    /// Takes over what was turned while it was tried.
+    void setDraft(const core::settings::FeelPreset& preset);
+    /// What could not be done, beside the buttons; empty: nothing any more.
+    void setFault(const QString& sentence);
+
+    [[nodiscard]] const core::settings::FeelPreset& draft() const { return m_draft; }
+
+signals:
+    void tryWanted(const core::settings::FeelPreset& preset);
+    void compareWanted(const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials);
+    /// As another version of its name.
+    void saveWanted(const core::settings::FeelPreset& preset);
+    /// Teeth are to feel like this from now on, unless a lesson says otherwise.
+    void useWanted(const core::settings::FeelPreset& preset);
+    void importWanted();
+    void exportWanted(const core::settings::FeelPreset& preset);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QWidget* makeList();
+    QWidget* makeDetails();
+    QWidget* makeCompare(QWidget* parent);
+    void fill();
+    void show(const core::settings::FeelPreset& preset);
+    void take(const core::settings::FeelPreset& preset);
+    void tell();
+    void duplicate();
+    [[nodiscard]] bool isChanged() const;
+    [[nodiscard]] bool isNewest() const;
+
+    std::vector<lessons::ReadPreset> m_all;
+    core::settings::FeelPreset m_inUse;
+    core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
+    core::settings::FeelPreset m_draft;  ///< what has been made of it
+
+    QWidget* m_side = nullptr;  ///< with the list
+    QListWidget* m_list = nullptr;
+    QLineEdit* m_name = nullptr;
+    QLineEdit* m_notes = nullptr;
+    QLabel* m_version = nullptr;
+    QStackedWidget* m_ways = nullptr;
+    SimplePanel* m_simple = nullptr;
+    PresetTable* m_table = nullptr;
+    FeedChart* m_chart = nullptr;
+    QWidget* m_burChoice = nullptr;  ///< of the chart
+    QLabel* m_bound = nullptr;
+    QLabel* m_fault = nullptr;
+    QComboBox* m_other = nullptr;
+    QSpinBox* m_trials = nullptr;
+    QPushButton* m_compare = nullptr;
+    QPushButton* m_try = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_use = nullptr;
+    QPushButton* m_export = nullptr;
+};
+
+}  // namespace ui::presets

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/presets/SimplePanel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::presets {
+namespace {
+
+constexpr int kSteps = 20;  ///< of a slider, to either side
+
+QLabel* quiet(QWidget* parent, Qt::Alignment side)
+{
+    auto* label = new QLabel(parent);
+    label->setFont(shell::typeface(shell::kSmall));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setAlignment(side | Qt::AlignVCenter);
+    return label;
+}
+
+}  // namespace
+
+SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent)
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(shell::kSpace2);
+    grid->setVerticalSpacing(shell::kSpace1);
+    grid->setColumnStretch(2, 1);
+    std::array<QLabel*, kDials> names{};
+    std::array<QLabel*, kDials> lows{};
+    std::array<QLabel*, kDials> highs{};
+    for (std::size_t k = 0; k < kDials; ++k) {
+        const int row = static_cast<int>(k);
+        names[k] = new QLabel(this);
+        lows[k] = quiet(this, Qt::AlignRight);
+        highs[k] = quiet(this, Qt::AlignLeft);
+        auto* slider = new QSlider(Qt::Horizontal, this);
+        slider->setRange(-kSteps, kSteps);
+        slider->setPageStep(kSteps / 4);
+        slider->setObjectName(QStringLiteral("dial%1").arg(k));
+        connect(slider, &QSlider::valueChanged, this, &SimplePanel::tell);
+        m_sliders[k] = slider;
+        grid->addWidget(names[k], row, 0);
+        grid->addWidget(lows[k], row, 1);
+        grid->addWidget(slider, row, 2);
+        grid->addWidget(highs[k], row, 3);
+    }
+    text::inEveryLanguage(this, [this, names, lows, highs] {
+        const std::array<std::array<QString, 3>, kDials> words{{
+            {tr("Enamel"), tr("softer"), tr("harder")},
+            {tr("Dentin"), tr("softer"), tr("harder")},
+            {tr("Caries"), tr("softer"), tr("harder")},
+            {tr("Plastic tooth"), tr("softer"), tr("harder")},
+            //: How hard one must press before anything comes away
+            {tr("Touch that cuts"), tr("lighter"), tr("heavier")},
+            //: What an uncut tooth feels like under the bur
+            {tr("Wall"), tr("softer"), tr("stiffer")},
+        }};
+        for (std::size_t k = 0; k < kDials; ++k) {
+            names[k]->setText(words[k][0]);
+            lows[k]->setText(words[k][1]);
+            highs[k]->setText(words[k][2]);
+            //: A slider: what it is about, and the words at its ends
+            m_sliders[k]->setAccessibleName(tr("%1, %2 to %3").arg(words[k][0], words[k][1], words[k][2]));
+            m_sliders[k]->setToolTip(m_sliders[k]->accessibleName());
+        }
+    });
+}
+
+void SimplePanel::setBase(const core::settings::FeelPreset& base)
+{
+    m_base = base;
+    for (QSlider* slider : m_sliders) {
+        const QSignalBlocker quiet(slider);
+        slider->setValue(0);
+    }
+}
+
+void SimplePanel::reset()
+{
+    setBase(m_base);
+    tell();
+}
+
+void SimplePanel::tell()
+{
+    Dials dials{};
+    for (std::size_t k = 0; k < kDials; ++k)
+        dials[k] = static_cast<double>(m_sliders[k]->value()) / kSteps;
+    emit changed(turned(m_base, dials));
+}
+
+}  // namespace ui::presets

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/presets/TrialCard.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/presets/PresetWords.h"
+#include "ui/presets/SimplePanel.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+#include "ui/text/Texts.h"
+
+namespace ui::presets {
+namespace {
+
+using namespace ui::shell;
+using Answer = BlindTrial::Answer;
+
+constexpr int kCardPx = 412;
+
+QPushButton* button(const char* kind, const char* name, QWidget* parent)
+{
+    auto* made = new QPushButton(parent);
+    made->setProperty("kind", kind);
+    made->setObjectName(QLatin1String(name));
+    made->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the tooth
+    return made;
+}
+
+}  // namespace
+
+TrialCard::TrialCard(QWidget* parent)
+    : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_dials(new SimplePanel(this)),
+      m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
+      m_a(button("segment", "trialA", m_letters)), m_b(button("segment", "trialB", m_letters)),
+      m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this))
+{
+    setProperty("kind", "card");
+    setFixedWidth(kCardPx);
+    m_title->setFont(typeface(kTitle, QFont::DemiBold));
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    m_words->setWordWrap(true);
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setObjectName(QStringLiteral("trialWords"));
+    auto* letters = new QHBoxLayout(m_letters);
+    letters->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* letter : {m_a, m_b}) {
+        letter->setCheckable(true);
+        letter->setFont(typeface(kTitle, QFont::DemiBold));
+        letters->addWidget(letter);
+    }
+    connect(m_a, &QPushButton::clicked, this, [this] { hold(Answer::A); });
+    connect(m_b, &QPushButton::clicked, this, [this] { hold(Answer::B); });
+    auto* answers = new QHBoxLayout(m_answers);
+    answers->setContentsMargins(0, 0, 0, 0);
+    auto* saysA = button("", "trialSaysA", m_answers);
+    auto* saysNone = button("quiet", "trialSaysNone", m_answers);
+    auto* saysB = button("", "trialSaysB", m_answers);
+    answers->addWidget(saysA);
+    answers->addWidget(saysNone, 1);
+    answers->addWidget(saysB);
+    connect(saysA, &QPushButton::clicked, this, [this] { answer(Answer::A); });
+    connect(saysNone, &QPushButton::clicked, this, [this] { answer(Answer::NoDifference); });
+    connect(saysB, &QPushButton::clicked, this, [this] { answer(Answer::B); });
+    auto* back = button("filled", "trialBack", this);
+    connect(back, &QPushButton::clicked, this, &TrialCard::done);
+    connect(m_reset, &QPushButton::clicked, m_dials, &SimplePanel::reset);
+    connect(m_csv, &QPushButton::clicked, this, [this] {
+        if (m_trial)
+            emit csvWanted(m_trial->csv());
+    });
+    connect(m_dials, &SimplePanel::changed, this, [this](const core::settings::FeelPreset& preset) {
+        m_tuned = preset;
+        emit felt(preset);
+    });
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_reset);
+    buttons->addWidget(m_csv);
+    buttons->addStretch(1);
+    buttons->addWidget(back);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
+    column->setSpacing(kSpace2);
+    column->addWidget(m_title);
+    column->addWidget(m_words);
+    column->addWidget(m_dials);
+    column->addWidget(m_letters);
+    column->addWidget(m_answers);
+    column->addLayout(buttons);
+    text::inEveryLanguage(this, [this, saysA, saysNone, saysB, back] {
+        m_a->setText(QStringLiteral("A"));
+        m_b->setText(QStringLiteral("B"));
+        m_a->setAccessibleName(tr("Feel A"));
+        m_b->setAccessibleName(tr("Feel B"));
+        m_a->setToolTip(tr("Drill with the preset behind A from now on"));
+        m_b->setToolTip(tr("Drill with the preset behind B from now on"));
+        //: Which of two presets feels more like a tooth
+        saysA->setText(tr("A does"));
+        saysB->setText(tr("B does"));
+        saysNone->setText(tr("No difference"));
+        for (QPushButton* one : {saysA, saysNone, saysB})
+            one->setAccessibleName(one->text());
+        m_reset->setText(tr("All as it was"));
+        m_reset->setAccessibleName(tr("Set all sliders back to the preset"));
+        m_csv->setText(tr("Save as CSV …"));
+        m_csv->setAccessibleName(tr("Save the comparison as CSV"));
+        back->setText(tr("Back to the presets"));
+        back->setAccessibleName(back->text());
+        say();
+    });
+    hide();
+}
+
+void TrialCard::tune(const core::settings::FeelPreset& preset)
+{
+    m_trial.reset();
+    m_tuned = preset;
+    m_dials->setBase(preset);
+    say();
+    show();
+}
+
+void TrialCard::compare(const BlindTrial& trial)
+{
+    m_tuned.reset();
+    m_trial = trial;
+    say();
+    show();
+    hold(Answer::A);
+}
+
+std::optional<core::settings::FeelPreset> TrialCard::tuned() const
+{
+    return m_tuned;
+}
+
+void TrialCard::say()
+{
+    const bool isBlind = m_trial.has_value();
+    const bool isOver = isBlind && m_trial->isOver();
+    m_dials->setVisible(!isBlind);
+    m_reset->setVisible(!isBlind);
+    m_letters->setVisible(isBlind && !isOver);
+    m_answers->setVisible(isBlind && !isOver);
+    m_csv->setVisible(isOver);
+    if (!isBlind) {
+        m_title->setText(m_tuned ? presetWords(*m_tuned) : QString());
+        m_words->setText(tr("Drill: each slider is felt at once."));
+    } else if (!isOver) {
+        //: %1 of %2 trials
+        m_title->setText(tr("Trial %1 of %2").arg(m_trial->trial()).arg(m_trial->trials()));
+        m_words->setText(tr("Drill with A and with B, as often as you like. Which feels more like a tooth?"));
+    } else {
+        const BlindTrial::Outcome outcome = m_trial->outcome();
+        m_title->setText(tr("Compared"));
+        const auto chosen = [](const core::settings::FeelPreset& preset, int times) {
+            //: %1 is a hardness preset
+            return tr("%1: chosen %n time(s).", nullptr, times).arg(presetWords(preset));
+        };
+        QString words = chosen(m_trial->first(), outcome.first) + u' ' + chosen(m_trial->second(), outcome.second);
+        if (outcome.neither > 0)
+            words += u' ' + tr("No difference: %n time(s).", nullptr, outcome.neither);
+        words += u'\n' + tr("Who only guesses comes at least so far from even with a probability of %1.")
+                             .arg(text::number(outcome.p, 3));
+        m_words->setText(words);
+    }
+    setAccessibleName(m_title->text());
+    adjustSize();
+}
+
+void TrialCard::hold(Answer letter)
+{
+    m_held = letter;
+    m_a->setChecked(letter == Answer::A);
+    m_b->setChecked(letter == Answer::B);
+    emit felt(m_trial->behind(letter));
+}
+
+void TrialCard::answer(Answer said)
+{
+    m_trial->answer(said);
+    say();
+    if (m_trial->isOver())
+        return;
+    emit freshBlockWanted();
+    hold(Answer::A);
+}
+
+}  // namespace ui::presets

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings/SettingsPage.h"
+
+#include <algorithm>
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/console/ParameterWords.h"
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/ScrollPane.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::settings {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kWidestPx = 760;
+constexpr int kLabelPx = 230;
+constexpr int kNumberPx = 150;
+constexpr int kDecimals = 3;
+
+QString groupOf(const core::settings::Parameter& parameter)
+{
+    return QString::fromStdString(parameter.name).section(u'.', 0, 0);
+}
+
+}  // namespace
+
+SettingsPage::SettingsPage(const Actions& actions, const core::settings::Parameters& parameters, QWidget* parent)
+    : Page(actions, parent), m_parameters(parameters), m_search(new QLineEdit(this)), m_fault(study::faultLabel(this)),
+      m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content))
+{
+    m_search->setClearButtonEnabled(true);
+    m_search->setMaximumWidth(kWidestPx);
+    m_search->setObjectName(QStringLiteral("settingsSearch"));
+    m_fault->setObjectName(QStringLiteral("settingsFault"));
+    m_column->setContentsMargins(0, 0, kSpace4, 0);
+    m_column->setSpacing(kSpace2);
+    m_content->setMaximumWidth(kWidestPx);
+    auto* column = new QVBoxLayout;
+    column->setContentsMargins(kSpace4, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    column->addWidget(m_search);
+    column->addWidget(m_fault);
+    column->addWidget(new ScrollPane(m_content, QPalette::Window, this), 1);
+    body()->addLayout(column, 1);
+    connect(m_search, &QLineEdit::textChanged, this, &SettingsPage::search);
+    text::inEveryLanguage(this, [this] {
+        setTitle(tr("Settings"));
+        m_search->setPlaceholderText(tr("Search the settings"));
+        m_search->setAccessibleName(tr("Search the settings"));
+        for (auto* clear : m_search->findChildren<QAbstractButton*>())
+            clear->setAccessibleName(tr("Clear the search"));
+        fill();
+    });
+}
+
+void SettingsPage::fill()
+{
+    m_rows.clear();
+    while (QLayoutItem* item = m_column->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    QString group;
+    QLabel* heading = nullptr;
+    for (const core::settings::Parameter* parameter : m_parameters.matching({})) {
+        if (parameter->isLive())
+            continue;
+        if (const QString own = groupOf(*parameter); own != group) {
+            group = own;
+            heading =
+                study::formWords(console::groupName(group), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
+            heading->setContentsMargins(0, kSpace4, 0, 0);
+            m_column->addWidget(heading);
+        }
+        Row row;
+        row.group = heading;
+        row.name = parameter->name;
+        row.words = QString::fromStdString(parameter->name + ' ' + parameter->label() + ' ' + parameter->help());
+        row.whole = makeRow(*parameter, m_content, row);
+        m_column->addWidget(row.whole);
+        m_rows.push_back(std::move(row));
+    }
+    m_column->addStretch(1);
+    search(m_search->text());
+    refresh();
+}
+
+QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidget* parent, Row& row)
+{
+    auto* whole = new QWidget(parent);
+    auto* line = new QHBoxLayout(whole);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(kSpace4);
+    const QString label = QString::fromStdString(parameter.label());
+    const QString help = QString::fromStdString(parameter.help());
+    auto* name = study::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
+    name->setFixedWidth(kLabelPx);
+    line->addWidget(name);
+    const core::settings::Parameter* const bound = &parameter;
+    if (parameter.isSwitch) {
+        auto* box = new QCheckBox(whole);
+        box->setAccessibleName(label);
+        box->setFixedWidth(kNumberPx);
+        box->setObjectName(QString::fromStdString(parameter.name));
+        connect(box, &QCheckBox::toggled, this, [this, key = parameter.name](bool on) { set(key, on ? 1.0 : 0.0); });
+        row.show = [box, bound] { box->setChecked(bound->read() != 0.0); };
+        line->addWidget(box);
+    } else {
+        auto* number = study::numberInput(parameter.minimum, parameter.maximum, kDecimals,
+                                          QString::fromStdString(parameter.unit), label, whole);
+        number->setFixedWidth(kNumberPx);
+        number->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        number->setKeyboardTracking(false);  // half a number is not felt
+        number->setObjectName(QString::fromStdString(parameter.name));
+        connect(number, &QDoubleSpinBox::valueChanged, this,
+                [this, key = parameter.name](double value) { set(key, value); });
+        row.show = [number, bound] { number->setValue(bound->read()); };
+        line->addWidget(number);
+    }
+    auto* words =
+        study::formWords(parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter)),
+                         kSmall, QFont::Normal, QPalette::PlaceholderText, whole);
+    line->addWidget(words, 1);
+    auto* back = new QToolButton(whole);
+    back->setIcon(lineIcon(QStringLiteral("undo"), palette()));
+    back->setToolTip(tr("Set it back"));
+    //: %1 is the name of a setting
+    back->setAccessibleName(tr("Set back: %1").arg(label));
+    back->setObjectName(QStringLiteral("reset ") + QString::fromStdString(parameter.name));
+    back->setAutoRaise(true);
+    connect(back, &QToolButton::clicked, this, [this, bound] {
+        const auto answer = m_parameters.reset(bound->name);
+        study::showFault(m_fault, console::answerWords(answer, QString::fromStdString(bound->label()), bound));
+        refresh();
+    });
+    line->addWidget(back);
+    return whole;
+}
+
+void SettingsPage::set(const std::string& name, double value)
+{
+    if (m_isQuiet)
+        return;
+    const core::settings::Parameter* parameter = m_parameters.find(name);
+    const auto answer = m_parameters.set(name, value);
+    study::showFault(m_fault, console::answerWords(answer, QString::fromStdString(parameter->label()), parameter));
+    refresh();
+}
+
+void SettingsPage::refresh()
+{
+    m_isQuiet = true;
+    for (const Row& row : m_rows)
+        row.show();
+    m_isQuiet = false;
+}
+
+void SettingsPage::search(const QString& text)
+{
+    for (const Row& row : m_rows)
+        row.whole->setVisible(row.words.contains(text, Qt::CaseInsensitive));
+    for (const Row& row : m_rows)
+        row.group->setVisible(std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& other) {
+            return other.group == row.group && other.words.contains(text, Qt::CaseInsensitive);
+        }));
+}
+
+}  // namespace ui::settings

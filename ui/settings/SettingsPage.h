@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/settings/Parameters.h"
+#include "ui/shell/Page.h"
+
+class QLabel;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace ui::settings {
+
+/// Every parameter that can be turned, in groups, with range, unit, what it does and a way back; made from the registry
+/// that the console has.
+class SettingsPage : public shell::Page
+{
+    Q_OBJECT
+public:
+    /// @param parameters  must outlive the page; all of them registered by now
+    SettingsPage(const shell::Actions& actions, const core::settings::Parameters& parameters, QWidget* parent);
+
+    /// Shows what the values are now.
+    void refresh();
+
+private:
+    struct Row
+    {
+        QWidget* whole = nullptr;
+        QLabel* group = nullptr;  ///< heading that it stands under
+        std::string name;
+        QString words;  ///< that a search looks through
+        std::function<void()> show;
+    };
+    void fill();
+    QWidget* makeRow(const core::settings::Parameter& parameter, QWidget* parent, Row& row);
+    void set(const std::string& name, double value);
+    void search(const QString& text);
+
+    const core::settings::Parameters& m_parameters;
+    QLineEdit* m_search;
+    QLabel* m_fault;
+    QWidget* m_content;
+    QVBoxLayout* m_column;
+    std::vector<Row> m_rows;
+    bool m_isQuiet = false;
+};
+
+}  // namespace ui::settings
