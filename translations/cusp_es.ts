@@ -606,7 +606,7 @@
     </message>
     <message>
         <source>Low-speed</source>
-        <translation>Baja velocidad</translation>
+        <translation>Lenta</translation>
     </message>
 </context>
 <context>
@@ -1308,62 +1308,62 @@
     <name>ui::charts::ChartPanel</name>
     <message>
         <source>Save as picture (PNG) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como imagen (PNG) …</translation>
     </message>
     <message>
         <source>Save as drawing (SVG) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como dibujo (SVG) …</translation>
     </message>
     <message>
         <source>Save as table (CSV) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como tabla (CSV) …</translation>
     </message>
     <message>
         <source>Save this chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar este gráfico</translation>
     </message>
     <message>
         <source>Save the chart &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el gráfico «%1»</translation>
     </message>
     <message>
         <source>Save the chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el gráfico</translation>
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardado: %1</translation>
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se pudo escribir (%2). Pruebe con otra carpeta.</translation>
     </message>
 </context>
 <context>
     <name>ui::charts::Table</name>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>serie</translation>
     </message>
     <message>
         <source>class, lower quartile</source>
-        <translation type="unfinished"></translation>
+        <translation>grupo, cuartil inferior</translation>
     </message>
     <message>
         <source>class, median</source>
-        <translation type="unfinished"></translation>
+        <translation>grupo, mediana</translation>
     </message>
     <message>
         <source>class, upper quartile</source>
-        <translation type="unfinished"></translation>
+        <translation>grupo, cuartil superior</translation>
     </message>
     <message>
         <source>from</source>
-        <translation type="unfinished"></translation>
+        <translation>de</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>a</translation>
     </message>
 </context>
 <context>
@@ -1382,23 +1382,23 @@
     </message>
     <message>
         <source>Type a command; Tab completes, &quot;help&quot; explains</source>
-        <translation>Escriba una orden; Tab la completa, «help» la explica</translation>
+        <translation>Escriba una orden; Tab completa, «help» explica</translation>
     </message>
     <message>
         <source>Parameters can be looked at and turned here while you drill. &quot;help&quot; lists the commands.</source>
-        <translation>Aquí puede ver y cambiar parámetros mientras fresa. «help» muestra las órdenes.</translation>
+        <translation>Aquí se pueden ver los parámetros y cambiarlos mientras fresa. «help» enumera las órdenes.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; wants a name behind it.</source>
-        <translation>Detrás de «%1» falta un nombre.</translation>
+        <translation>«%1» necesita un nombre detrás.</translation>
     </message>
     <message>
         <source>Write &quot;set NAME VALUE&quot;, as in &quot;set force.stiffness 1.5&quot;.</source>
-        <translation>Escriba «set NOMBRE VALOR», por ejemplo «set force.stiffness 1.5».</translation>
+        <translation>Escriba «set NOMBRE VALOR», como en «set force.stiffness 1.5».</translation>
     </message>
     <message>
         <source>Presets are not to be had here.</source>
-        <translation>Aquí no hay ajustes guardados.</translation>
+        <translation>Aquí no hay ajustes de dureza disponibles.</translation>
     </message>
     <message>
         <source>list [TEXT]      the parameters whose name holds the text
@@ -1411,22 +1411,22 @@ unwatch [NAME]   takes it, or everything, away
 save NAME        keeps what is felt as a hardness preset
 load NAME        feels a hardness preset that is kept</source>
         <translation>list [TEXTO]       los parámetros cuyo nombre contiene el texto
-get NOMBRE         su valor, su intervalo y lo que hace
-set NOMBRE VALOR   lo cambia
-reset [NOMBRE]     lo devuelve, o todo lo que se siente
+get NOMBRE         su valor, intervalo y qué hace
+set NOMBRE VALOR   lo fija
+reset [NOMBRE]     lo devuelve a su valor, o todo lo que se siente
 watch NOMBRE       lo muestra sobre la vista
 plot NOMBRE        dibuja sus últimos diez segundos sobre la vista
-unwatch [NOMBRE]   lo quita, o quita todo
-save NOMBRE        guarda lo que se siente como ajuste de dureza
-load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
+unwatch [NOMBRE]   lo quita, o lo quita todo
+save NOMBRE        conserva lo que se siente como ajuste de dureza
+load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
-        <translation>No existe la orden «%1». «help» muestra las que hay.</translation>
+        <translation>No hay ninguna orden «%1». «help» enumera las que hay.</translation>
     </message>
     <message>
         <source>No parameter&apos;s name holds &quot;%1&quot;.</source>
-        <translation>Ningún nombre de parámetro contiene «%1».</translation>
+        <translation>Ningún parámetro contiene «%1» en su nombre.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number.</source>
@@ -1434,7 +1434,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>All that is felt is as the preset says.</source>
-        <translation>Todo lo que se siente está como dice el ajuste.</translation>
+        <translation>Todo lo que se siente es como dice el ajuste.</translation>
     </message>
     <message>
         <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
@@ -1453,7 +1453,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>a live value, to be read, watched or plotted</source>
-        <translation>un valor en directo, para leer, observar o dibujar</translation>
+        <translation>un valor en vivo, para leer, vigilar o dibujar</translation>
     </message>
     <message>
         <source>0 (off) or 1 (on)</source>
@@ -1462,19 +1462,19 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     <message>
         <source>%1 to %2</source>
         <extracomment>%1 and %2 are numbers, %2 with a unit</extracomment>
-        <translation>de %1 a %2</translation>
+        <translation>%1 a %2</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;. Type &quot;list&quot; for those there are.</source>
-        <translation>No existe el parámetro «%1». Escriba «list» para ver los que hay.</translation>
+        <translation>No hay ningún parámetro «%1». Escriba «list» para ver los que hay.</translation>
     </message>
     <message>
         <source>%1 is a live value: it can be watched and plotted, not set.</source>
-        <translation>%1 es un valor en directo: se puede observar y dibujar, no cambiar.</translation>
+        <translation>%1 es un valor en vivo: se puede vigilar y dibujar, no fijar.</translation>
     </message>
     <message>
         <source>%1 takes %2.</source>
-        <translation>%1 admite: %2.</translation>
+        <translation>%1 admite %2.</translation>
     </message>
     <message>
         <source>Hardness</source>
@@ -1494,7 +1494,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Live values</source>
-        <translation>Valores en directo</translation>
+        <translation>Valores en vivo</translation>
     </message>
     <message>
         <source>This cannot be changed here and now.</source>
@@ -1506,7 +1506,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>How hard the mouse button presses the bur against the tooth.</source>
-        <translation>Con qué fuerza el botón del ratón aprieta la fresa contra el diente.</translation>
+        <translation>Con cuánta fuerza aprieta el botón del ratón la fresa contra el diente.</translation>
     </message>
     <message>
         <source>Force that the hand is given.</source>
@@ -1518,7 +1518,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Volume removed since the tooth was taken, undone or not.</source>
-        <translation>Volumen eliminado desde que se puso el diente, deshecho o no.</translation>
+        <translation>Volumen eliminado desde que se tomó el diente, deshecho o no.</translation>
     </message>
     <message>
         <source>Turns of the bur under its load.</source>
@@ -1573,7 +1573,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Depth below the old surface</source>
-        <translation>Profundidad bajo la superficie anterior</translation>
+        <translation>Bajo la superficie anterior</translation>
     </message>
     <message>
         <source>How far the tip stands below the surface as it was, straight up.</source>
@@ -1581,7 +1581,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Dentin left over the pulp</source>
-        <translation>Dentina que queda sobre la pulpa</translation>
+        <translation>Dentina sobre la pulpa</translation>
     </message>
     <message>
         <source>Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there.</source>
@@ -1601,11 +1601,11 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Tip straight down to the pulp</source>
-        <translation>De la punta a la pulpa, en vertical</translation>
+        <translation>Punta a pulpa, en vertical</translation>
     </message>
     <message>
         <source>Tip to the nearest pulp</source>
-        <translation>De la punta a la pulpa más cercana</translation>
+        <translation>Punta a la pulpa más cercana</translation>
     </message>
 </context>
 <context>
@@ -1664,7 +1664,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Save the picture …</source>
-        <translation>Guardar la imagen …</translation>
+        <translation>Guardar imagen …</translation>
     </message>
     <message>
         <source>Save both films side by side as a PNG file</source>
@@ -1689,305 +1689,305 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     <message>
         <source>Attempt %1, %2</source>
         <extracomment>%1: a count; %2: date and time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Intento %1, %2</translation>
     </message>
     <message>
         <source>Attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Intento</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished"></translation>
+        <translation>Fecha</translation>
     </message>
     <message>
         <source>The newest %1 of %2 attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>Los %1 intentos más recientes de %2</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n intento</numerusform>
+            <numerusform>%n intentos</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 points, passed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puntos, aprobado</translation>
     </message>
     <message>
         <source>%1 points, not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puntos, no aprobado</translation>
     </message>
     <message>
         <source>(machine: %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>(máquina: %1)</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <extracomment>%1: which attempt; %2: what it came to</extracomment>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Middle half</source>
-        <translation type="unfinished">Mitad central</translation>
+        <translation>Mitad central</translation>
     </message>
     <message>
         <source>Class median</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediana del grupo</translation>
     </message>
     <message>
         <source>Attempt %1: median %3, middle half %4 to %5, %2 people</source>
         <extracomment>Of a class; %1: a count of attempts, %2: of people, %3 to %5: points</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Intento %1: mediana %3, mitad central de %4 a %5, %2 personas</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished">Puntos</translation>
+        <translation>Puntos</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntuación</translation>
     </message>
     <message>
         <source>Passed</source>
-        <translation type="unfinished">Aprobado</translation>
+        <translation>Aprobado</translation>
     </message>
     <message>
         <source>Not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>No aprobado</translation>
     </message>
     <message>
         <source>Pass mark</source>
-        <translation type="unfinished">Nota de aprobado</translation>
+        <translation>Nota de aprobado</translation>
     </message>
     <message>
         <source>After the first graded attempt its score is here, and then how it goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tras el primer intento calificado, aquí está su puntuación, y luego cómo evoluciona.</translation>
     </message>
     <message>
         <source>Lost, % of what it counts</source>
-        <translation type="unfinished"></translation>
+        <translation>Perdido, % de lo que cuenta</translation>
     </message>
     <message>
         <source>Criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>Criterio</translation>
     </message>
     <message>
         <source>%1: %2 % of its points lost</source>
         <extracomment>%1: a criterion; %2: a number</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 % de sus puntos perdidos</translation>
     </message>
     <message>
         <source>What costs points</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué cuesta puntos</translation>
     </message>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Media de %n intento</numerusform>
+            <numerusform>Media de los últimos %n intentos</numerusform>
         </translation>
     </message>
     <message>
         <source>After the first graded attempt you see here which criterion costs most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tras el primer intento calificado verá aquí qué criterio cuesta más.</translation>
     </message>
     <message>
         <source>Minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Minutos</translation>
     </message>
     <message>
         <source>%1 min</source>
         <extracomment>%1: &quot;12:07&quot;</extracomment>
-        <translation type="unfinished">%1 min</translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Tiempo</translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>After the first graded attempt you see here how long it took.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tras el primer intento calificado verá aquí cuánto duró.</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Media</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>Máxima</translation>
     </message>
     <message>
         <source>mean %1 N, highest %2 N while cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>media %1 N, máxima %2 N al tallar</translation>
     </message>
     <message>
         <source>Newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>Newtons</translation>
     </message>
     <message>
         <source>Force while cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerza al tallar</translation>
     </message>
     <message>
         <source>After the first graded attempt you see here how hard the bur was pressed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tras el primer intento calificado verá aquí con cuánta fuerza se presionó la fresa.</translation>
     </message>
     <message>
         <source>%1 in %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 en %2 min</translation>
     </message>
     <message>
         <source>Class median, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediana del grupo, tiempo</translation>
     </message>
     <message>
         <source>Class median, points</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediana del grupo, puntos</translation>
     </message>
     <message>
         <source>Speed and accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapidez y precisión</translation>
     </message>
     <message>
         <source>Good and quick is at the top left</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo bueno y rápido está arriba a la izquierda</translation>
     </message>
     <message>
         <source>After the first graded attempt you see here time against points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tras el primer intento calificado verá aquí el tiempo frente a los puntos.</translation>
     </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>aprobado</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>no aprobado</translation>
     </message>
     <message>
         <source>Given by an instructor. The machine&apos;s score: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dada por un docente. La puntuación de la máquina: %1</translation>
     </message>
     <message>
         <source>Mean and highest force while cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerza media y máxima al tallar</translation>
     </message>
     <message>
         <source>%1, given by an instructor; the machine&apos;s score: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, dada por un docente; la puntuación de la máquina: %2</translation>
     </message>
     <message>
         <source>Date</source>
         <extracomment>Column of a table of attempts</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Fecha</translation>
     </message>
     <message>
         <source>Lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Lección</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntuación</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Tiempo</translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Force, N</source>
         <extracomment>Newtons</extracomment>
-        <translation type="unfinished">Fuerza, N</translation>
+        <translation>Fuerza, N</translation>
     </message>
 </context>
 <context>
     <name>ui::people::HistoryPage</name>
     <message>
         <source>Criteria</source>
-        <translation type="unfinished"></translation>
+        <translation>Criterios</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Tiempo</translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">Fuerza</translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>Speed and accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapidez y precisión</translation>
     </message>
     <message>
         <source>All lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las lecciones</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <extracomment>%1: a lesson; %2: how many attempts</extracomment>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n intento</numerusform>
+            <numerusform>%n intentos</numerusform>
         </translation>
     </message>
     <message>
         <source>Of this attempt no recording was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>De este intento no se conservó ninguna grabación.</translation>
     </message>
     <message>
         <source>See again how it was done</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver de nuevo cómo se hizo</translation>
     </message>
     <message>
         <source>Your attempts</source>
-        <translation type="unfinished">Sus intentos</translation>
+        <translation>Sus intentos</translation>
     </message>
     <message>
         <source>Attempts of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Intentos de %1</translation>
     </message>
     <message>
         <source>Show the attempts at this lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los intentos de esta lección</translation>
     </message>
     <message>
         <source>Attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>Intentos</translation>
     </message>
     <message>
         <source>Open grade</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir la calificación</translation>
     </message>
     <message>
         <source>Replay</source>
-        <translation type="unfinished">Reproducción</translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>No attempts yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay intentos</translation>
     </message>
     <message>
         <source>%1 has no attempts yet</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aún no tiene intentos</translation>
     </message>
     <message>
         <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí encontrará cada intento calificado: su puntuación, qué costó puntos, tiempo y fuerza, y cómo evoluciona de intento en intento. Haga una lección y pida que se califique.</translation>
     </message>
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
-        <translation type="unfinished"></translation>
+        <translation>En cuanto se califique un intento, estará aquí.</translation>
     </message>
 </context>
 <context>
@@ -2090,15 +2090,15 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     <name>ui::people::Words</name>
     <message>
         <source>Free practice</source>
-        <translation type="unfinished"></translation>
+        <translation>Práctica libre</translation>
     </message>
     <message>
         <source>today</source>
-        <translation type="unfinished"></translation>
+        <translation>hoy</translation>
     </message>
     <message>
         <source>yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>ayer</translation>
     </message>
 </context>
 <context>
@@ -2264,6 +2264,11 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
         <translation>Número de pruebas</translation>
     </message>
     <message>
+        <source>trials</source>
+        <extracomment>After a number: &quot;8 trials&quot;</extracomment>
+        <translation>pruebas</translation>
+    </message>
+    <message>
         <source>Compare A and B</source>
         <translation>Comparar A y B</translation>
     </message>
@@ -2303,11 +2308,6 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
         <source>%1 copy</source>
         <extracomment>%1 is the name of a preset that is duplicated</extracomment>
         <translation>%1, copia</translation>
-    </message>
-    <message>
-        <source>Trials:</source>
-        <extracomment>Before a number</extracomment>
-        <translation>Ensayos:</translation>
     </message>
 </context>
 <context>
@@ -2433,23 +2433,17 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
         <translation>Comparado</translation>
     </message>
     <message>
+        <source>%1: chosen %2 times. %3: chosen %4 times.</source>
+        <extracomment>%1 and %3 are presets, %2 and %4 counts</extracomment>
+        <translation>%1: elegido %2 veces. %3: elegido %4 veces.</translation>
+    </message>
+    <message>
+        <source>No difference: %1 times.</source>
+        <translation>Sin diferencia: %1 veces.</translation>
+    </message>
+    <message>
         <source>Who only guesses comes at least so far from even with a probability of %1.</source>
         <translation>Quien solo adivina se aparta al menos tanto del empate con una probabilidad de %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: chosen %n time(s).</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>
-            <numerusform>%1: elegido %n vez.</numerusform>
-            <numerusform>%1: elegido %n veces.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No difference: %n time(s).</source>
-        <translation>
-            <numerusform>Sin diferencia: %n vez.</numerusform>
-            <numerusform>Sin diferencia: %n veces.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2652,11 +2646,11 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     <name>ui::settings::SettingsPage</name>
     <message>
         <source>Settings</source>
-        <translation>Ajustes</translation>
+        <translation>Configuración</translation>
     </message>
     <message>
         <source>Search the settings</source>
-        <translation>Buscar en los ajustes</translation>
+        <translation>Buscar en la configuración</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -2664,16 +2658,16 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>From %1.</source>
-        <translation>Intervalo: %1.</translation>
+        <translation>De %1.</translation>
     </message>
     <message>
         <source>Set it back</source>
-        <translation>Devolver a su valor</translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>Set back: %1</source>
         <extracomment>%1 is the name of a setting</extracomment>
-        <translation>Devolver a su valor: %1</translation>
+        <translation>Restablecer: %1</translation>
     </message>
 </context>
 <context>
@@ -3168,15 +3162,15 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>Look at parameters and turn them while you drill, or put it away</source>
-        <translation>Ver y cambiar parámetros mientras fresa, o guardar la consola</translation>
+        <translation>Ver parámetros y cambiarlos mientras fresa, u ocultarla</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation>Ajustes</translation>
+        <translation>Configuración</translation>
     </message>
     <message>
         <source>Every setting with its range</source>
-        <translation>Cada ajuste con su intervalo</translation>
+        <translation>Cada opción con su intervalo</translation>
     </message>
 </context>
 <context>
@@ -3349,7 +3343,7 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>right or middle drag</source>
-        <translation>arrastrar con derecho o central</translation>
+        <translation>arrastre derecho/medio</translation>
     </message>
     <message>
         <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
@@ -3668,15 +3662,15 @@ load NOMBRE        hace sentir un ajuste de dureza guardado</translation>
     </message>
     <message>
         <source>In an exam, what is felt stays as it is.</source>
-        <translation>En un examen, lo que se siente queda como está.</translation>
+        <translation>En un examen, lo que se siente no cambia.</translation>
     </message>
     <message>
         <source>This is a replay: it feels as it was recorded.</source>
-        <translation>Esto es una repetición: se siente como se grabó.</translation>
+        <translation>Esto es una reproducción: se siente como se grabó.</translation>
     </message>
     <message>
         <source>Two presets are being compared blind: that comes to its end first.</source>
-        <translation>Se están comparando dos ajustes a ciegas: eso termina primero.</translation>
+        <translation>Se están comparando dos ajustes a ciegas: primero debe terminar esa comparación.</translation>
     </message>
     <message>
         <source>This lesson brings its own hardness. Only the forces can be changed.</source>

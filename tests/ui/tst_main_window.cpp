@@ -1221,7 +1221,7 @@ void TestMainWindow::helpListsEveryAction()
     for (const QLabel* label : help->findChildren<QLabel*>())
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
-        QVERIFY2(words.contains(group.title), qPrintable(group.title));
+        QVERIFY2(words.contains(group.title()), qPrintable(group.title()));
         QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
@@ -2580,7 +2580,7 @@ void TestMainWindow::nothingIsClipped_data()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    for (const QString language : {"en", "de"})
+    for (const QString language : {"en", "de", "es"})
         for (const QSize size :
              {QSize(800, 460), QSize(853, 533), QSize(960, 600), QSize(1016, 552), QSize(1280, 760), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;

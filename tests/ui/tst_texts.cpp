@@ -39,10 +39,14 @@ private slots:
     void criteriaHaveTheirOwnNames();
     void theSumIsExactInEveryLanguage();
     void numbersFollowTheLanguage();
-    void germanIsComplete();
-    void germanPlaceholdersMatch();
+    void translationIsComplete_data();
+    void translationIsComplete();
+    void placeholdersMatch_data();
+    void placeholdersMatch();
     void germanSaysSie();
+    void spanishSaysUsted();
     void germanIsEmbedded();
+    void spanishIsEmbedded();
 };
 
 namespace {
@@ -90,9 +94,37 @@ QList<Entry> entriesOf(const QString& file)
     return entries;
 }
 
-QString germanFile()
+QString tsFile(const QString& language)
 {
-    return QStringLiteral(CUSP_SOURCE_DIR "/translations/cusp_de.ts");
+    return QStringLiteral(CUSP_SOURCE_DIR "/translations/cusp_%1.ts").arg(language);
+}
+
+void addLanguages()
+{
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"de", "es"})
+        QTest::newRow(language) << language;
+}
+
+/// No text of the program, and none of the lessons that are shipped, speaks to the user like that.
+void nobodyIsSpokenToLike(const QRegularExpression& familiar, const QString& language)
+{
+    for (const Entry& entry : entriesOf(tsFile(language)))
+        for (const QString& form : entry.translations)
+            QVERIFY2(!form.contains(familiar), qPrintable(form));
+    const QRegularExpression inLesson(QStringLiteral("\"%1\": \"([^\"]*)\"").arg(language));
+    int found = 0;
+    const QDir lessons(QStringLiteral(CUSP_SOURCE_DIR "/lessons/data"));
+    for (const QString& name : lessons.entryList({"*.json"}, QDir::Files)) {
+        QFile file(lessons.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString json = QString::fromUtf8(file.readAll());
+        for (const auto& match : inLesson.globalMatch(json)) {
+            ++found;
+            QVERIFY2(!match.captured(1).contains(familiar), qPrintable(name + ": " + match.captured(1)));
+        }
+    }
+    QVERIFY(found > 100);
 }
 
 /// One criterion as it comes out of marking, with 100 points among it and another.
@@ -333,9 +365,15 @@ void TestTexts::numbersFollowTheLanguage()
     QCOMPARE(ui::text::unitName("N"), QString("N"));
 }
 
-void TestTexts::germanIsComplete()
+void TestTexts::translationIsComplete_data()
 {
-    const QList<Entry> entries = entriesOf(germanFile());
+    addLanguages();
+}
+
+void TestTexts::translationIsComplete()
+{
+    QFETCH(QString, language);
+    const QList<Entry> entries = entriesOf(tsFile(language));
     QVERIFY(entries.size() > 150);
     for (const Entry& entry : entries) {
         const QString where = entry.context + ": " + entry.source;
@@ -344,9 +382,15 @@ void TestTexts::germanIsComplete()
     }
 }
 
-void TestTexts::germanPlaceholdersMatch()
+void TestTexts::placeholdersMatch_data()
 {
-    for (const Entry& entry : entriesOf(germanFile()))
+    addLanguages();
+}
+
+void TestTexts::placeholdersMatch()
+{
+    QFETCH(QString, language);
+    for (const Entry& entry : entriesOf(tsFile(language)))
         for (const QString& form : entry.translations) {
             if (form.trimmed().isEmpty())
                 continue;
@@ -355,30 +399,24 @@ void TestTexts::germanPlaceholdersMatch()
         }
 }
 
-/// In the program as in the lessons. An imperative gives itself away only where it begins a sentence with a verb that
-/// texts of ours use.
+/// An imperative gives itself away only where it begins a sentence with a verb that texts of ours use.
 void TestTexts::germanSaysSie()
 {
     static const QRegularExpression familiar(
         "\\b([Dd]u|[Dd]ich|[Dd]ir|[Dd]ein(e[mnrs]?)?)\\b|(^|[.:;!?] )(Achte|Beginne|Bleib|Drücke|Entferne|Folge|Führe|"
         "Geh|Halte|Hebe|Lass|Nimm|Öffne|Präpariere|Senke|Setze|Sieh|Wähle|Zeige) ",
         QRegularExpression::UseUnicodePropertiesOption);
-    for (const Entry& entry : entriesOf(germanFile()))
-        for (const QString& form : entry.translations)
-            QVERIFY2(!form.contains(familiar), qPrintable(form));
-    static const QRegularExpression german("\"de\": \"([^\"]*)\"");
-    int found = 0;
-    const QDir lessons(QStringLiteral(CUSP_SOURCE_DIR "/lessons/data"));
-    for (const QString& name : lessons.entryList({"*.json"}, QDir::Files)) {
-        QFile file(lessons.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QString json = QString::fromUtf8(file.readAll());
-        for (const auto& match : german.globalMatch(json)) {
-            ++found;
-            QVERIFY2(!match.captured(1).contains(familiar), qPrintable(name + ": " + match.captured(1)));
-        }
-    }
-    QVERIFY(found > 100);
+    nobodyIsSpokenToLike(familiar, "de");
+}
+
+void TestTexts::spanishSaysUsted()
+{
+    static const QRegularExpression familiar(
+        "\\b([Tt]ú|[Tt]us?|[Tt]e|[Tt]i|[Cc]ontigo|[Tt]uy[oa]s?)\\b|\\b([Pp]uedes|[Qq]uieres|[Hh]as|[Ee]stás)\\b|"
+        "(^|[.:;!?] )(Abre|Busca|Elige|Espera|Haz "
+        "clic|Inténtalo|Mira|Pulsa|Presiona|Sigue|Talla|Toca|Usa|Vuelve) ",
+        QRegularExpression::UseUnicodePropertiesOption);
+    nobodyIsSpokenToLike(familiar, "es");
 }
 
 void TestTexts::germanIsEmbedded()
@@ -388,6 +426,19 @@ void TestTexts::germanIsEmbedded()
     QCoreApplication::installTranslator(&german);
     QCOMPARE(ui::text::materialName(Material::Enamel), QString("Schmelz"));
     QCOMPARE(ui::text::toothName(36), QString("erster Molar unten links"));
+    QSet<QString> letters;
+    for (int k = 0; k < core::terrain::kMaterialCount; ++k)
+        letters << ui::text::materialLetter(static_cast<Material>(k));
+    QCOMPARE(letters.size(), core::terrain::kMaterialCount);
+}
+
+void TestTexts::spanishIsEmbedded()
+{
+    QTranslator spanish;
+    QVERIFY(spanish.load(QLocale("es_MX"), "cusp", "_", ":/i18n"));
+    QCoreApplication::installTranslator(&spanish);
+    QCOMPARE(ui::text::materialName(Material::Enamel), QString("esmalte"));
+    QCOMPARE(ui::text::toothName(36), QString("primer molar inferior izquierdo"));
     QSet<QString> letters;
     for (int k = 0; k < core::terrain::kMaterialCount; ++k)
         letters << ui::text::materialLetter(static_cast<Material>(k));

@@ -72,7 +72,7 @@ QPushButton* button(const char* kind, const char* name, QWidget* parent)
 
 }  // namespace
 
-PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions, {}, parent)
+PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace6);
