@@ -481,6 +481,11 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>未完了の試行を再開できません。%1</translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>学校の保管データは今表示できませんが、あなたの作業は保存されます。%1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1296,6 +1301,10 @@
     <message>
         <source>This is your own work again, as you left it.</source>
         <translation>ご自身の作業に戻りました。</translation>
+    </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>成績表を作成しています …</translation>
     </message>
 </context>
 <context>
@@ -2353,6 +2362,115 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+    <name>ui::people::TalkPanel</name>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1点、合格</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1点、不合格</translation>
+    </message>
+    <message>
+        <source>Given by %1. The machine&apos;s score: %2 points.</source>
+        <translation>%1による採点。機械採点：%2点。</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score</source>
+        <translation>機械採点</translation>
+    </message>
+    <message>
+        <source>at %1 of the replay</source>
+        <translation>再生の%1</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this moment</source>
+        <translation>コメントをこの時点に付けます</translation>
+    </message>
+    <message>
+        <source>at the marked place</source>
+        <translation>印の場所</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this place</source>
+        <translation>コメントをこの場所に付けます</translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <extracomment>%1: minutes and seconds</extracomment>
+        <translation>▶ %1</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>時点%1を表示</translation>
+    </message>
+    <message>
+        <source>◎ place</source>
+        <translation>◎ 場所</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>場所を表示</translation>
+    </message>
+    <message>
+        <source>gave %1 points: %2</source>
+        <translation>%1点を付けました：%2</translation>
+    </message>
+    <message>
+        <source>let the machine&apos;s score count again: %1</source>
+        <translation>機械採点に戻しました：%1</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>まだ何も書かれていません。コメントは再生の時点や歯の場所に付けられます。</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What your instructor says is here.</source>
+        <translation>まだ何も書かれていません。教員のコメントがここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Write a comment</source>
+        <translation>コメントを書く</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>コメント</translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation>コメントを追加</translation>
+    </message>
+    <message>
+        <source>Give another score</source>
+        <translation>別の得点を付ける</translation>
+    </message>
+    <message>
+        <source>Points given</source>
+        <translation>付ける点数</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <extracomment>Behind a number</extracomment>
+        <translation> 点</translation>
+    </message>
+    <message>
+        <source>Reason, which the student reads</source>
+        <translation>理由（学生が読みます）</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Give this score</source>
+        <translation>この得点を付ける</translation>
+    </message>
+    <message>
+        <source>Back to the machine&apos;s score</source>
+        <translation>機械採点に戻す</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::Words</name>
     <message>
         <source>Free practice</source>
@@ -2913,6 +3031,156 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+    <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>停滞（3回続けて合格せず、5点以上の改善なし）</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>未ログイン</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>ログイン済み、採点された試行なし</translation>
+    </message>
+    <message>
+        <source>Class %1</source>
+        <translation>クラス%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>学生%n人</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Best scores; ✓: passed</source>
+        <translation>最高点。✓：合格</translation>
+    </message>
+    <message>
+        <source>The class at: %1</source>
+        <translation>クラスの成績：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ScoreCard</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>成績表：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a person; %2: date and time</extracomment>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: passed (pass mark %2)</source>
+        <translation>100点中%1点：合格（合格点%2）</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: not passed (pass mark %2)</source>
+        <translation>100点中%1点：不合格（合格点%2）</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
+        <translation>教員による採点。機械採点：%1点。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <extracomment>%1: a person; %2: date and time; %3: why</extracomment>
+        <translation>%1、%2：%3</translation>
+    </message>
+    <message>
+        <source>Expected before the score was seen: %1 points</source>
+        <translation>得点を見る前の予想：%1点</translation>
+    </message>
+    <message>
+        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <extracomment>&quot;12:07&quot;</extracomment>
+        <translation>時間%1分。切削中の力 平均%2 N、最大%3 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>ほか%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>保存なし</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>保存あり</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Lost of a weight, both points: &quot;−4.4 of 30.0&quot;</extracomment>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>失点の内訳</translation>
+    </message>
+    <message>
+        <source>On the tooth, and in a section through the place that is farthest off</source>
+        <translation>歯の上、および最も離れた箇所の断面</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>コメント</translation>
+    </message>
+    <message>
+        <source>, at %1 of the replay</source>
+        <translation>、再生の%1</translation>
+    </message>
+    <message>
+        <source>How it was marked and made</source>
+        <translation>採点と作業の条件</translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation>採点基準：%1、第%2版、内容%3</translation>
+    </message>
+    <message>
+        <source>Hardness: %1, content %2</source>
+        <translation>硬さ：%1、内容%2</translation>
+    </message>
+    <message>
+        <source>Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5</source>
+        <translation>デバイス：%1、接触：%2、格子：一辺%3列、表示：%4、シード：%5</translation>
+    </message>
+    <message>
+        <source>Made with Cusp %1; recording %2; attempt %3</source>
+        <translation>Cusp %1で作成、記録%2、試行%3</translation>
+    </message>
+    <message>
+        <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
+        <translation>測定なし：アンダーカットと90°を超える壁（モデルは高さのデータのため）。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::Sheet</name>
+    <message>
+        <source>Cusp %1, printed %2</source>
+        <translation>Cusp %1、印刷%2</translation>
+    </message>
+    <message>
+        <source>%1, page %2</source>
+        <translation>%1、%2ページ</translation>
+    </message>
+    <message>
+        <source>Audit code: %1</source>
+        <translation>監査コード：%1</translation>
+    </message>
+</context>
+<context>
     <name>ui::settings::SettingsPage</name>
     <message>
         <source>Settings</source>
@@ -3441,6 +3709,22 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1 (%2)</source>
         <extracomment>Tooltip: what it does, then its key</extracomment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>自分の試行</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>自分の試行の経過を見ます</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>クラス</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>クラスの成績と、助けが必要な人を見ます</translation>
     </message>
 </context>
 <context>
