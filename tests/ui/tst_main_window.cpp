@@ -2580,7 +2580,7 @@ void TestMainWindow::nothingIsClipped_data()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    for (const QString language : {"en", "de", "es"})
+    for (const QString language : {"en", "de", "es", "ja"})
         for (const QSize size :
              {QSize(800, 460), QSize(853, 533), QSize(960, 600), QSize(1016, 552), QSize(1280, 760), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
