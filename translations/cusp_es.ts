@@ -1632,7 +1632,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Bitewing</source>
-        <translation>Aleta de mordida</translation>
+        <translation>Interproximal</translation>
     </message>
     <message>
         <source>Beam from the side</source>

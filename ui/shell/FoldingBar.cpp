@@ -28,6 +28,11 @@ void FoldingBar::mayFold(QToolButton* button)
     m_buttons << button;
 }
 
+void FoldingBar::mayGo(QWidget* widget)
+{
+    m_dispensable = widget;
+}
+
 void FoldingBar::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
@@ -49,8 +54,15 @@ void FoldingBar::fold()
             button->setToolButtonStyle(style);
         m_row->invalidate();
     };
+    const auto isTooNarrow = [this] { return m_row->minimumSize().width() > width(); };
     show(Qt::ToolButtonTextBesideIcon);
-    if (m_row->minimumSize().width() > width())
+    if (m_dispensable != nullptr) {
+        m_dispensable->show();
+        m_row->invalidate();
+        m_dispensable->setVisible(!isTooNarrow());
+        m_row->invalidate();
+    }
+    if (isTooNarrow())
         show(Qt::ToolButtonIconOnly);
 }
 
