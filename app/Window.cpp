@@ -8,15 +8,15 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QLibraryInfo>
 #include <QLocale>
 #include <QSurfaceFormat>
-#include <QTranslator>
 
 #include "app/Application.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "ui/shell/LanguageMenu.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/Language.h"
 
 namespace app {
 namespace {
@@ -45,16 +45,10 @@ void addOptions(QCommandLineParser& parser)
     option("picture", "Draws the tooth, or the end of the recording, into a PNG and quits.", "FILE.png");
     option("db", "The school's data: a file, or postgresql://user@host/name.", "FILE|URL");
     option("theme", "light or dark; the desktop's own if not given.", "THEME");
-    option("language", "en, de or es; the system's own if not given.", "CODE");
+    option("language", "one of those that it speaks; if not given, the one chosen before, or the system's own.",
+           "CODE");
     cli::addDeviceOption(parser);
     cli::addToothOptions(parser);
-}
-
-/// The languages of translations/; one for a country, such as de_AT, is understood too.
-bool isSpoken(const QLocale& locale)
-{
-    return locale.language() == QLocale::English || locale.language() == QLocale::German ||
-           locale.language() == QLocale::Spanish;
 }
 
 /// Understands what the window was asked for, or explains what is wrong with it and gives the exit code.
@@ -81,8 +75,10 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     const QString theme = parser.value(QStringLiteral("theme"));
     if (parser.isSet(QStringLiteral("theme")) && theme != u"light" && theme != u"dark")
         return cli::wrongUsage(QStringLiteral("--theme wants light or dark"));
-    if (parser.isSet(QStringLiteral("language")) && !isSpoken(QLocale(parser.value(QStringLiteral("language")))))
-        return cli::wrongUsage(QStringLiteral("--language wants en, de or es"));
+    if (parser.isSet(QStringLiteral("language")) &&
+        !ui::text::Language::isAvailable(parser.value(QStringLiteral("language"))))
+        return cli::wrongUsage(QStringLiteral("--language wants ") +
+                               ui::text::Language::available().join(QStringLiteral(", ")));
     options.build = *build;
     options.recording = parser.value(QStringLiteral("recording"));
     options.picture = parser.value(QStringLiteral("picture"));
@@ -105,19 +101,13 @@ int sayThereIsNoDisplay(int& argc, char** argv)
                         "there is no display to open a window on; \"cusp help\" lists what works without one"});
 }
 
-void installLanguage(QApplication& application, const QString& language)
+/// The one that was asked for, or chosen in the run before, or the system's own.
+QString languageOf(const QCommandLineParser& parser)
 {
-    const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
-    QLocale::setDefault(locale);  // numbers and dates in the language of the words
-    for (const auto& [name, folder] :
-         {std::pair(QStringLiteral("cusp"), QStringLiteral(":/i18n")),
-          std::pair(QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath))}) {
-        auto* const translator = new QTranslator(&application);
-        // Who speaks none of the languages reads English, plurals and all.
-        if (translator->load(locale, name, QStringLiteral("_"), folder) ||
-            (name == u"cusp" && translator->load(QStringLiteral(":/i18n/cusp_en.qm"))))
-            QApplication::installTranslator(translator);
-    }
+    if (parser.isSet(QStringLiteral("language")))
+        return parser.value(QStringLiteral("language"));
+    const QString chosen = ui::shell::LanguageMenu::remembered();
+    return chosen.isEmpty() ? QLocale::system().name() : chosen;
 }
 
 }  // namespace
@@ -153,7 +143,7 @@ int runWindow(int& argc, char** argv)
         return *code;
     const QString theme = parser.value(QStringLiteral("theme"));
 
-    installLanguage(application, parser.value(QStringLiteral("language")));
+    ui::text::Language::choose(languageOf(parser));
     using ui::shell::ThemeChoice;
     ui::shell::applyTheme(application, theme == u"light"  ? ThemeChoice::Light
                                        : theme == u"dark" ? ThemeChoice::Dark

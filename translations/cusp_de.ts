@@ -457,6 +457,30 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Die Referenz wurde nicht gespeichert. %1</translation>
     </message>
+    <message>
+        <source>Another program is writing to it. Try again in a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your role does not allow it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name or password is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many logins have failed. Wait a moment and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a password first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -775,6 +799,32 @@
         <source> as soon as %1</source>
         <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
         <translation>, sobald %1</translation>
+    </message>
+</context>
+<context>
+    <name>Login</name>
+    <message>
+        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Too many logins have failed. Wait %n second(s) and try again.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1233,6 +1283,259 @@
         <source>The attempt is no longer there.</source>
         <translation>Der Versuch ist nicht mehr da.</translation>
     </message>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation>Der nächste Zahn fühlt sich so an.</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>Nicht behalten: %1</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation>Nicht importiert: %1</translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation>Die Voreinstellung wurde als %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation>Nicht exportiert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::ChartPanel</name>
+    <message>
+        <source>Save as picture (PNG) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as drawing (SVG) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as table (CSV) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save this chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the chart &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::Table</name>
+    <message>
+        <source>series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class, lower quartile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class, upper quartile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::Console</name>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>Answers of the console</source>
+        <translation>Antworten der Konsole</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Type a command; Tab completes, &quot;help&quot; explains</source>
+        <translation>Geben Sie einen Befehl ein; Tab vervollständigt, „help“ erklärt</translation>
+    </message>
+    <message>
+        <source>Parameters can be looked at and turned here while you drill. &quot;help&quot; lists the commands.</source>
+        <translation>Hier können Sie Parameter ansehen und verstellen, während Sie bohren. „help“ zeigt die Befehle.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; wants a name behind it.</source>
+        <translation>Hinter „%1“ fehlt ein Name.</translation>
+    </message>
+    <message>
+        <source>Write &quot;set NAME VALUE&quot;, as in &quot;set force.stiffness 1.5&quot;.</source>
+        <translation>Schreiben Sie „set NAME WERT“, etwa „set force.stiffness 1.5“.</translation>
+    </message>
+    <message>
+        <source>Presets are not to be had here.</source>
+        <translation>Voreinstellungen gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation>list [TEXT]      die Parameter, in deren Namen der Text vorkommt
+get NAME         Wert, Bereich und Wirkung
+set NAME WERT    stellt ihn ein
+reset [NAME]     setzt ihn oder alles, was man fühlt, zurück
+watch NAME       zeigt ihn über der Ansicht
+plot NAME        zeichnet seine letzten zehn Sekunden über die Ansicht
+unwatch [NAME]   nimmt ihn oder alles wieder weg
+save NAME        behält, was man fühlt, als Härte-Voreinstellung
+load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
+        <translation>Den Befehl „%1“ gibt es nicht. „help“ zeigt alle.</translation>
+    </message>
+    <message>
+        <source>No parameter&apos;s name holds &quot;%1&quot;.</source>
+        <translation>In keinem Namen eines Parameters kommt „%1“ vor.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>All that is felt is as the preset says.</source>
+        <translation>Alles, was man fühlt, ist wieder wie in der Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
+        <translation>Es ist Platz für %1. Nehmen Sie mit „unwatch NAME“ etwas weg.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::Words</name>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>a live value, to be read, watched or plotted</source>
+        <translation>ein laufender Wert, zum Lesen, Beobachten oder Zeichnen</translation>
+    </message>
+    <message>
+        <source>0 (off) or 1 (on)</source>
+        <translation>0 (aus) oder 1 (an)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <extracomment>%1 and %2 are numbers, %2 with a unit</extracomment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot;. Type &quot;list&quot; for those there are.</source>
+        <translation>Den Parameter „%1“ gibt es nicht. „list“ zeigt alle.</translation>
+    </message>
+    <message>
+        <source>%1 is a live value: it can be watched and plotted, not set.</source>
+        <translation>%1 ist ein laufender Wert: Man kann ihn beobachten und zeichnen, aber nicht einstellen.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2.</source>
+        <translation>%1 nimmt %2 an.</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Live values</source>
+        <translation>Laufende Werte</translation>
+    </message>
+    <message>
+        <source>This cannot be changed here and now.</source>
+        <translation>Das lässt sich hier und jetzt nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>How hard the mouse button presses the bur against the tooth.</source>
+        <translation>Wie fest die Maustaste den Bohrer gegen den Zahn drückt.</translation>
+    </message>
+    <message>
+        <source>Force that the hand is given.</source>
+        <translation>Kraft, die die Hand bekommt.</translation>
+    </message>
+    <message>
+        <source>Depth of the bur&apos;s tip below the uncut surface.</source>
+        <translation>Tiefe der Bohrerspitze unter der unbearbeiteten Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Volume removed since the tooth was taken, undone or not.</source>
+        <translation>Abgetragenes Volumen, seit der Zahn auf dem Tisch liegt, auch wenn es rückgängig gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>Turns of the bur under its load.</source>
+        <translation>Drehzahl des Bohrers unter Last.</translation>
+    </message>
+    <message>
+        <source>Periods of the servo that were missed since the start.</source>
+        <translation>Takte der Regelung, die seit dem Start versäumt wurden.</translation>
+    </message>
+    <message>
+        <source>Time between two ticks of the servo: half of the last second&apos;s were shorter.</source>
+        <translation>Zeit zwischen zwei Takten der Regelung: Die Hälfte in der letzten Sekunde war kürzer.</translation>
+    </message>
+    <message>
+        <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
+        <translation>Zeit zwischen zwei Takten der Regelung: 99 von 100 in der letzten Sekunde waren kürzer.</translation>
+    </message>
 </context>
 <context>
     <name>ui::inside::SectionView</name>
@@ -1382,6 +1685,902 @@
     </message>
 </context>
 <context>
+    <name>ui::people::HistoryCharts</name>
+    <message>
+        <source>Attempt %1, %2</source>
+        <extracomment>%1: a count; %2: date and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The newest %1 of %2 attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 points, passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(machine: %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: which attempt; %2: what it came to</extracomment>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation type="unfinished">Mittlere Hälfte</translation>
+    </message>
+    <message>
+        <source>Class median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt %1: median %3, middle half %4 to %5, %2 people</source>
+        <extracomment>Of a class; %1: a count of attempts, %2: of people, %3 to %5: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished">Punkte</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished">Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation type="unfinished">Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt its score is here, and then how it goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 % of its points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What costs points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Average of the last %n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here which criterion costs most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <extracomment>%1: &quot;12:07&quot;</extracomment>
+        <translation type="unfinished">%1 min</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how long it took.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1 N, highest %2 N while cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newtons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force while cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how hard the bur was pressed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class median, time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class median, points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good and quick is at the top left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here time against points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryModel</name>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean and highest force while cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, given by an instructor; the machine&apos;s score: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <extracomment>Column of a table of attempts</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <extracomment>Newtons</extracomment>
+        <translation type="unfinished">Kraft, N</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryPage</name>
+    <message>
+        <source>Criteria</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">Kraft</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: a lesson; %2: how many attempts</extracomment>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of this attempt no recording was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See again how it was done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation type="unfinished">Ihre Versuche</translation>
+    </message>
+    <message>
+        <source>Attempts of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the attempts at this lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished">Wiedergabe</translation>
+    </message>
+    <message>
+        <source>No attempts yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no attempts yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As soon as an attempt has been graded it is here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::LoginPage</name>
+    <message>
+        <source>Cusp</source>
+        <translation type="unfinished">Cusp</translation>
+    </message>
+    <message>
+        <source>Log in, so that your attempts are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welcome to Cusp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create the school</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked by %1</source>
+        <extracomment>%1: the name a user logs in with</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work on the table is as it was left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation type="unfinished">Weiter</translation>
+    </message>
+    <message>
+        <source>Somebody else logs in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practise now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practise without login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name to log in with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Family name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password or one-time code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The password again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill and be graded; nothing is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type the second one again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::Words</name>
+    <message>
+        <source>Free practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::FeedChart</name>
+    <message>
+        <source>Feed over force</source>
+        <translation>Vorschub über der Kraft</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm/s</source>
+        <extracomment>%1 is a material, %2 a speed</extracomment>
+        <translation>%1 %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Straight down with %1 N</source>
+        <translation>Gerade nach unten mit %1 N</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>Feed, mm/s</source>
+        <translation>Vorschub, mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::PresetTable</name>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Abtrag</translation>
+    </message>
+    <message>
+        <source>Cuts from</source>
+        <extracomment>The force from which on a material is cut</extracomment>
+        <translation>Schneidet ab</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>Von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::PresetsPage</name>
+    <message>
+        <source>Hardness presets</source>
+        <translation>Härte-Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Hardness presets and their versions</source>
+        <translation>Härte-Voreinstellungen und ihre Versionen</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importieren …</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Eine Voreinstellung importieren</translation>
+    </message>
+    <message>
+        <source>Read a preset from a file and keep it here</source>
+        <translation>Eine Voreinstellung aus einer Datei lesen und hier behalten</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Export this version</source>
+        <translation>Diese Version exportieren</translation>
+    </message>
+    <message>
+        <source>Write the chosen version to a file, for another school</source>
+        <translation>Die gewählte Version in eine Datei schreiben, für eine andere Schule</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Name der Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Notes: what it is for</source>
+        <translation>Notizen: wofür sie ist</translation>
+    </message>
+    <message>
+        <source>Simple</source>
+        <translation>Einfach</translation>
+    </message>
+    <message>
+        <source>A few sliders</source>
+        <translation>Wenige Regler</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>Alle Zahlen</translation>
+    </message>
+    <message>
+        <source>Every number with its range</source>
+        <translation>Jede Zahl mit ihrem Bereich</translation>
+    </message>
+    <message>
+        <source>Feed of</source>
+        <translation>Vorschub von</translation>
+    </message>
+    <message>
+        <source>Bur whose feed is drawn</source>
+        <translation>Bohrer, dessen Vorschub gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Try on a block</source>
+        <translation>Am Block probieren</translation>
+    </message>
+    <message>
+        <source>Drill a block of enamel, dentin and soft caries with it</source>
+        <translation>Damit einen Block aus Schmelz, Dentin und weicher Karies bohren</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate under another name</source>
+        <translation>Unter anderem Namen duplizieren</translation>
+    </message>
+    <message>
+        <source>Begin a preset of another name with these numbers</source>
+        <translation>Mit diesen Zahlen eine Voreinstellung mit anderem Namen beginnen</translation>
+    </message>
+    <message>
+        <source>Use for practice</source>
+        <translation>Zum Üben verwenden</translation>
+    </message>
+    <message>
+        <source>Use this version for practice</source>
+        <translation>Diese Version zum Üben verwenden</translation>
+    </message>
+    <message>
+        <source>Every tooth feels like this, unless its lesson says otherwise</source>
+        <translation>Jeder Zahn fühlt sich so an, wenn seine Lektion nichts anderes sagt</translation>
+    </message>
+    <message>
+        <source>Compare blind with</source>
+        <translation>Blind gegen</translation>
+    </message>
+    <message>
+        <source>Preset to compare with</source>
+        <translation>Voreinstellung zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Number of trials</source>
+        <translation>Zahl der Durchgänge</translation>
+    </message>
+    <message>
+        <source>Compare A and B</source>
+        <translation>A und B vergleichen</translation>
+    </message>
+    <message>
+        <source>Drill with both, behind letters, and say which feels more like a tooth</source>
+        <translation>Mit beiden bohren, hinter Buchstaben, und sagen, was sich eher wie ein Zahn anfühlt</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>shipped</source>
+        <translation>mitgeliefert</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>changed from %1</source>
+        <translation>geändert gegenüber %1</translation>
+    </message>
+    <message>
+        <source>Restore as the newest version</source>
+        <translation>Als neueste Version wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Save as a new version</source>
+        <translation>Als neue Version sichern</translation>
+    </message>
+    <message>
+        <source>A version is never changed: this becomes another</source>
+        <translation>Eine Version wird nie geändert: Daraus wird eine weitere</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>%1 is the name of a preset that is duplicated</extracomment>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>Trials:</source>
+        <extracomment>Before a number</extracomment>
+        <translation>Durchgänge:</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::SimplePanel</name>
+    <message>
+        <source>Enamel</source>
+        <translation>Schmelz</translation>
+    </message>
+    <message>
+        <source>softer</source>
+        <translation>weicher</translation>
+    </message>
+    <message>
+        <source>harder</source>
+        <translation>härter</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>Dentin</translation>
+    </message>
+    <message>
+        <source>Caries</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>Plastic tooth</source>
+        <translation>Kunststoffzahn</translation>
+    </message>
+    <message>
+        <source>Touch that cuts</source>
+        <extracomment>How hard one must press before anything comes away</extracomment>
+        <translation>Druck, der schneidet</translation>
+    </message>
+    <message>
+        <source>lighter</source>
+        <translation>leichter</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>fester</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <extracomment>What an uncut tooth feels like under the bur</extracomment>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>stiffer</source>
+        <translation>steifer</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <extracomment>A slider: what it is about, and the words at its ends</extracomment>
+        <translation>%1, %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::TrialCard</name>
+    <message>
+        <source>Feel A</source>
+        <translation>A fühlen</translation>
+    </message>
+    <message>
+        <source>Feel B</source>
+        <translation>B fühlen</translation>
+    </message>
+    <message>
+        <source>Drill with the preset behind A from now on</source>
+        <translation>Ab jetzt mit der Voreinstellung hinter A bohren</translation>
+    </message>
+    <message>
+        <source>Drill with the preset behind B from now on</source>
+        <translation>Ab jetzt mit der Voreinstellung hinter B bohren</translation>
+    </message>
+    <message>
+        <source>A does</source>
+        <extracomment>Which of two presets feels more like a tooth</extracomment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B does</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>No difference</source>
+        <translation>Kein Unterschied</translation>
+    </message>
+    <message>
+        <source>All as it was</source>
+        <translation>Alles wie vorher</translation>
+    </message>
+    <message>
+        <source>Set all sliders back to the preset</source>
+        <translation>Alle Regler auf die Voreinstellung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Save as CSV …</source>
+        <translation>Als CSV sichern …</translation>
+    </message>
+    <message>
+        <source>Save the comparison as CSV</source>
+        <translation>Den Vergleich als CSV sichern</translation>
+    </message>
+    <message>
+        <source>Back to the presets</source>
+        <translation>Zu den Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Drill: each slider is felt at once.</source>
+        <translation>Bohren Sie: Jeden Regler fühlen Sie sofort.</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <extracomment>%1 of %2 trials</extracomment>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>Drill with A and with B, as often as you like. Which feels more like a tooth?</source>
+        <translation>Bohren Sie mit A und mit B, so oft Sie möchten. Was fühlt sich eher wie ein Zahn an?</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>Verglichen</translation>
+    </message>
+    <message>
+        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
+        <translation>Wer nur rät, kommt mit der Wahrscheinlichkeit %1 mindestens so weit vom Gleichstand weg.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: chosen %n time(s).</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>
+            <numerusform>%1: %n-mal gewählt.</numerusform>
+            <numerusform>%1: %n-mal gewählt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No difference: %n time(s).</source>
+        <translation>
+            <numerusform>Kein Unterschied: %n-mal.</numerusform>
+            <numerusform>Kein Unterschied: %n-mal.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::Words</name>
+    <message>
+        <source>Soft caries</source>
+        <translation>Weiche Karies</translation>
+    </message>
+    <message>
+        <source>Firm caries</source>
+        <translation>Feste Karies</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>Schmelz</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>Dentin</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>Pulpa</translation>
+    </message>
+    <message>
+        <source>Plastic tooth</source>
+        <extracomment>What the teeth of a typodont are made of</extracomment>
+        <translation>Kunststoffzahn</translation>
+    </message>
+    <message>
+        <source>%1: rate</source>
+        <extracomment>%1 is a material of a tooth</extracomment>
+        <translation>%1: Abtrag</translation>
+    </message>
+    <message>
+        <source>%1: from</source>
+        <translation>%1: ab</translation>
+    </message>
+    <message>
+        <source>Share along the bur</source>
+        <translation>Anteil längs des Bohrers</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Damping of fast motion</source>
+        <translation>Dämpfung schneller Bewegung</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>Volume that a newton beyond the threshold takes away in a second, pushing sideways.</source>
+        <translation>Volumen, das ein Newton über der Schwelle in einer Sekunde abträgt, bei seitlichem Druck.</translation>
+    </message>
+    <message>
+        <source>A lighter touch leaves no mark.</source>
+        <translation>Leichterer Druck hinterlässt keine Spur.</translation>
+    </message>
+    <message>
+        <source>What is left of the rate when the bur is pushed along its axis.</source>
+        <translation>Was vom Abtrag bleibt, wenn der Bohrer längs seiner Achse gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Of the spring between hand and bur: how hard a wall feels.</source>
+        <translation>Der Feder zwischen Hand und Bohrer: wie hart sich eine Wand anfühlt.</translation>
+    </message>
+    <message>
+        <source>What calms the hand at rest. Too much is felt as a buzz.</source>
+        <translation>Was die ruhende Hand beruhigt. Zu viel fühlt man als Summen.</translation>
+    </message>
+    <message>
+        <source>What calms a fast hand besides, as when the bur is thrown at the tooth.</source>
+        <translation>Was eine schnelle Hand zusätzlich beruhigt, etwa wenn der Bohrer auf den Zahn stößt.</translation>
+    </message>
+    <message>
+        <source>Of the bur that slides on the tooth.</source>
+        <translation>Des Bohrers, der auf dem Zahn gleitet.</translation>
+    </message>
+    <message>
+        <source>The largest force that is ever given to the hand.</source>
+        <translation>Die größte Kraft, die die Hand je bekommt.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>A range: %1 to %2, %3 is a unit</extracomment>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <extracomment>%1 is the name of a hardness preset, %2 its version</extracomment>
+        <translation>%1, Version %2</translation>
+    </message>
+    <message>
+        <source>%1, changed by hand</source>
+        <extracomment>After the name of a hardness preset whose numbers were changed during the attempt</extracomment>
+        <translation>%1, von Hand geändert</translation>
+    </message>
+    <message>
+        <source>The force limit is %1 N, and the device gives at most %2 N: lower it.</source>
+        <translation>Die Kraftgrenze ist %1 N, und das Gerät gibt höchstens %2 N: Senken Sie sie.</translation>
+    </message>
+    <message>
+        <source>Holds: a light hand at %1 ms of delay is steady up to %2 N/mm, and this is %3.</source>
+        <translation>Hält: Eine leichte Hand bleibt bei %1 ms Verzögerung bis %2 N/mm ruhig, und hier sind es %3.</translation>
+    </message>
+    <message>
+        <source>Would tremble: a light hand at %1 ms of delay is steady up to %2 N/mm, and this is %3.</source>
+        <translation>Würde zittern: Eine leichte Hand bleibt bei %1 ms Verzögerung bis %2 N/mm ruhig, und hier sind es %3.</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness, or damp more.</source>
+        <translation>Senken Sie die Steifigkeit oder dämpfen Sie mehr.</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness.</source>
+        <translation>Senken Sie die Steifigkeit.</translation>
+    </message>
+</context>
+<context>
     <name>ui::replay::HistoryPanel</name>
     <message>
         <source>Undo history</source>
@@ -1447,6 +2646,34 @@
     <message>
         <source>Stroke %1, %2 s, %3</source>
         <translation>Strich %1, %2 s, %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::settings::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Search the settings</source>
+        <translation>In den Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>Von %1.</translation>
+    </message>
+    <message>
+        <source>Set it back</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Set back: %1</source>
+        <extracomment>%1 is the name of a setting</extracomment>
+        <translation>Zurücksetzen: %1</translation>
     </message>
 </context>
 <context>
@@ -1919,6 +3146,38 @@
         <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
         <translation>Das Handstück führt Ihre Hand den Versuch entlang; wer dagegen drückt, ist frei</translation>
     </message>
+    <message>
+        <source>Hardness presets</source>
+        <translation>Härte-Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Choose, try and change how drilling feels</source>
+        <translation>Wählen, probieren und ändern, wie sich das Bohren anfühlt</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>Look at parameters and turn them while you drill, or put it away</source>
+        <translation>Parameter ansehen und verstellen, während Sie bohren, oder die Konsole weglegen</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Every setting with its range</source>
+        <translation>Jede Einstellung mit ihrem Bereich</translation>
+    </message>
+    <message>
+        <source>Log in, or lock this place and let somebody else log in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -2369,6 +3628,59 @@
     <message>
         <source>Bring it back</source>
         <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Import a hardness preset</source>
+        <translation>Eine Härte-Voreinstellung importieren</translation>
+    </message>
+    <message>
+        <source>Export the hardness preset</source>
+        <translation>Die Härte-Voreinstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation>Den Vergleich sichern</translation>
+    </message>
+    <message>
+        <source>The comparison was saved as %1.</source>
+        <translation>Der Vergleich wurde als %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>Der Vergleich konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The hardness preset was kept: %1.</source>
+        <translation>Die Härte-Voreinstellung wurde behalten: %1.</translation>
+    </message>
+    <message>
+        <source>It feels like %1 now.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Es fühlt sich jetzt an wie %1.</translation>
+    </message>
+    <message>
+        <source>In an exam, what is felt stays as it is.</source>
+        <translation>In einer Prüfung bleibt, was man fühlt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>This is a replay: it feels as it was recorded.</source>
+        <translation>Das ist eine Wiedergabe: Sie fühlt sich an, wie sie aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: that comes to its end first.</source>
+        <translation>Gerade werden zwei Voreinstellungen blind verglichen: Das geht zuerst zu Ende.</translation>
+    </message>
+    <message>
+        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
+        <translation>Diese Lektion bringt ihre eigene Härte mit. Nur die Kräfte lassen sich ändern.</translation>
+    </message>
+    <message>
+        <source>Hardness presets (%1)</source>
+        <translation>Härte-Voreinstellungen (%1)</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tabellen (%1)</translation>
     </message>
 </context>
 <context>
@@ -3640,9 +4952,26 @@
         <translation>%1 von %2 Punkten berührt; der Ring zeigt einen, der fehlt</translation>
     </message>
     <message>
-        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and the grades here bear no names and count as one person&apos;s.</source>
+        <source>Log in and keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drilled with the hardness preset %1.</source>
+        <extracomment>%1 is a hardness preset with its version</extracomment>
+        <translation>Gebohrt mit der Härte-Voreinstellung %1.</translation>
+    </message>
+    <message>
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
         <extracomment>%1 is a number of people</extracomment>
-        <translation>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; die Noten hier tragen keine Namen und gelten als die einer Person.</translation>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are not logged in, so this grade is not kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

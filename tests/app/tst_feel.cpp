@@ -72,7 +72,7 @@ void TestFeel::start()
 {
     app::WindowOptions options;
     options.source = {36};
-    options.databaseFile = m_folder->filePath("grades.sqlite");
+    options.database = m_folder->filePath("grades.sqlite");
     m_application = app::Application::make(options).value();
     m_application->show();
     waitForTooth("Tooth 36");
@@ -180,7 +180,7 @@ void TestFeel::twoPresetsAreComparedBlind()
     QTest::mouseClick(card->findChild<QPushButton*>("trialSaysA"), Qt::LeftButton);
     QTest::mouseClick(card->findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
     QVERIFY(card->findChild<QPushButton*>("trialCsv")->isVisible());
-    QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1"));
+    QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1 time"));
 }
 
 void TestFeel::anExamFeelsAsItShould()

@@ -45,6 +45,7 @@
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/presets/PresetsPage.h"
+#include "ui/presets/TrialCard.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/replay/TimeLine.h"
 #include "ui/settings/SettingsPage.h"
@@ -1220,7 +1221,7 @@ void TestMainWindow::helpListsEveryAction()
     for (const QLabel* label : help->findChildren<QLabel*>())
         words << label->text();
     for (const Actions::Group& group : actions().groups()) {
-        QVERIFY2(words.contains(group.title), qPrintable(group.title));
+        QVERIFY2(words.contains(group.title()), qPrintable(group.title()));
         QVERIFY(group.actions.front()->isVisible() != (group.actions.front() == actions().pauseReplay));
         for (const QAction* action : group.actions) {
             QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
@@ -2669,6 +2670,31 @@ void TestMainWindow::nothingIsClipped()
     window.setReplaying(false);
     a->help->trigger();
     check("help");
+    a->back->trigger();
+    a->console->trigger();
+    window.findChild<ui::console::Console*>()->execute("list");
+    check("console");
+    a->console->trigger();
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    emit window.findChild<ui::presets::PresetsPage*>()->tryWanted(preset);
+    window.beginTrial();
+    check("trial");
+    emit window.findChild<ui::presets::PresetsPage*>()->compareWanted(preset, preset, 2);
+    window.beginTrial();
+    check("blind");
+    window.findChild<QPushButton*>("trialSaysA")->click();
+    window.findChild<QPushButton*>("trialSaysA")->click();
+    check("compared");
+    window.findChild<ui::presets::TrialCard*>()->hide();
+    window.setPresets({{{}, preset, {}}}, preset);
+    a->presets->trigger();
+    check("presets");
+    window.findChild<QPushButton*>("presetExpert")->click();
+    window.showPresetFault("Not imported: a.cusppreset: enamel.rate_mm3_per_ns: is -1, it must lie between 0 and 100");
+    check("numbers");
+    a->back->trigger();
+    a->settings->trigger();
+    check("settings");
     a->back->trigger();
     a->chooseTooth->trigger();
     check("teeth");

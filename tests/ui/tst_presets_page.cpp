@@ -330,7 +330,7 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     }
     QCOMPARE(fresh.size(), 3);
     const QString said = card.findChild<QLabel*>("trialWords")->text();
-    QVERIFY2(said.contains("chosen 4 times") && said.contains("0.125"), qPrintable(said));
+    QVERIFY2(said.contains("chosen 4 time") && said.contains("0.125"), qPrintable(said));
     QTest::mouseClick(card.findChild<QPushButton*>("trialCsv"), Qt::LeftButton);
     QCOMPARE(csv.size(), 1);
 }

@@ -26,7 +26,9 @@ const QColor kHigh(200, 100, 50);  ///< the upper quarter of what OpenGL draws
 class Marks : public SceneWidget
 {
 public:
-    explicit Marks(Way way, QWidget* parent = nullptr) : SceneWidget(QStringLiteral("no OpenGL"), way, parent) {}
+    explicit Marks(Way way, QWidget* parent = nullptr)
+        : SceneWidget([] { return QStringLiteral("no OpenGL"); }, way, parent)
+    {}
     ~Marks() override { leave(); }
 
     int prepared = 0;

@@ -34,6 +34,7 @@ using namespace ui::shell;
 
 constexpr double kRingPx = 8.0;
 constexpr double kReachPx = 40.0;  ///< from the pointer to a value
+constexpr int kTickPx = 48;        ///< of the chart's height, with what its legend takes
 constexpr int kCalloutPx = 300;
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -136,14 +137,20 @@ void ChartPanel::setChart(const Chart& chart)
     redraw();
 }
 
+int ChartPanel::ticks() const
+{
+    return std::clamp(m_view->height() / kTickPx, 2, kMostTicks);
+}
+
 void ChartPanel::redraw()
 {
     m_save->setIcon(lineIcon(QStringLiteral("save"), palette()));
     QChart* const old = m_view->chart();
+    m_ticks = ticks();
     m_drawn = new QChart;
     m_drawn->setAnimationOptions(QChart::NoAnimation);
     if (!m_stops.isEmpty())
-        draw(m_chart, inkOf(palette()), *m_drawn);
+        draw(m_chart, inkOf(palette()), *m_drawn, m_ticks);
     m_view->setChart(m_drawn);
     delete old;
     m_ring = new QGraphicsEllipseItem(m_drawn);
@@ -332,6 +339,8 @@ void ChartPanel::changeEvent(QEvent* event)
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    if (ticks() != m_ticks)
+        redraw();
     tell();
 }
 

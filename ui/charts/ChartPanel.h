@@ -54,6 +54,8 @@ protected:
 
 private:
     void redraw();
+    /// How many ticks the upright axis has room for.
+    [[nodiscard]] int ticks() const;
     void tell();
     void open();
     void askForFile(const QString& ending, const QString& filter);
@@ -67,6 +69,7 @@ private:
     QLabel* m_title;
     QLabel* m_note;
     QToolButton* m_save;
+    int m_ticks = 0;  ///< that were drawn
     QChart* m_drawn = nullptr;
     QChartView* m_view;
     QGraphicsEllipseItem* m_ring = nullptr;

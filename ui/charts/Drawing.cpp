@@ -46,6 +46,7 @@ struct Board
 {
     QChart& chart;
     const Ink& ink;
+    int ticks = kMostTicks;  ///< of the upright axis
     QAbstractAxis* x = nullptr;
     QAbstractAxis* y = nullptr;
 
@@ -96,7 +97,7 @@ void dressAxis(QAbstractAxis& axis, const QString& title, const Ink& ink)
     axis.setGridLineColor(ink.grid);
 }
 
-QAbstractAxis* axisOf(const Axis& axis, const Ink& ink)
+QAbstractAxis* axisOf(const Axis& axis, const Ink& ink, int ticks = kMostTicks)
 {
     if (axis.isTime) {
         auto* time = new QDateTimeAxis;
@@ -113,7 +114,7 @@ QAbstractAxis* axisOf(const Axis& axis, const Ink& ink)
     auto* made = new QValueAxis;
     made->setRange(axis.low, axis.high);
     const double span = axis.high - axis.low;
-    double step = roundEnd(span / 6.0);
+    double step = roundEnd(span / ticks);
     if (axis.isWhole)
         step = std::max(1.0, std::ceil(step));
     made->setTickType(QValueAxis::TicksDynamic);
@@ -215,13 +216,13 @@ void draw(const Histogram& histogram, Board& board)
 void makeAxes(const Curve& curve, Board& board)
 {
     board.x = axisOf(curve.x, board.ink);
-    board.y = axisOf(curve.y, board.ink);
+    board.y = axisOf(curve.y, board.ink, board.ticks);
 }
 
 void makeAxes(const Histogram& histogram, Board& board)
 {
     board.x = axisOf(histogram.x, board.ink);
-    board.y = axisOf(histogram.count, board.ink);
+    board.y = axisOf(histogram.count, board.ink, board.ticks);
     board.x->setGridLineVisible(false);
 }
 
@@ -294,7 +295,7 @@ Ink paperInk()
             QColor(0xE2, 0xE2, 0xE2)};
 }
 
-void draw(const Chart& content, const Ink& ink, QChart& into)
+void draw(const Chart& content, const Ink& ink, QChart& into, int ticks)
 {
     into.setBackgroundVisible(false);
     into.setMargins({0, 0, 0, 0});
@@ -305,7 +306,7 @@ void draw(const Chart& content, const Ink& ink, QChart& into)
     into.legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     into.legend()->setLabelColor(ink.words);
     into.legend()->setFont(typeface(kSmall));
-    Board board{into, ink};
+    Board board{into, ink, ticks};
     std::visit([&](const auto& what) { makeAxes(what, board); }, content.content);
     into.addAxis(board.x, Qt::AlignBottom);
     into.addAxis(board.y, Qt::AlignLeft);

@@ -30,8 +30,11 @@ struct Ink
 /// Black and greys on white.
 [[nodiscard]] Ink paperInk();
 
+inline constexpr int kMostTicks = 6;
+
 /// Fills an empty chart with axes and series. Everything lies linearly between the ends of frameOf(chart).
-void draw(const Chart& content, const Ink& ink, QChart& into);
+/// @param ticks  about so many on the upright axis: as many as there is room for
+void draw(const Chart& content, const Ink& ink, QChart& into, int ticks = kMostTicks);
 
 /// Title, chart and note. Needs a QApplication, and no window. Letters have the size they have on the screen when one
 /// unit of the painter is a pixel of it.

@@ -19,6 +19,7 @@
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::inside {
@@ -70,22 +71,22 @@ protected:
 SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new SectionCanvas(this))
 {
     setProperty("kind", "bar");
-    setAccessibleName(tr("Section through the bur"));
-    m_canvas->setAccessibleName(tr("Picture of the section"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Section through the bur")); });
+    text::inEveryLanguage(m_canvas, [this] { m_canvas->setAccessibleName(tr("Picture of the section")); });
 
     // Named anew once there is a tooth.
-    const auto choice = [this](int degrees, const QString& name) {
+    const auto choice = [this](int degrees) {
         auto* button = new QPushButton(this);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
-        button->setAccessibleName(name);
-        button->setToolTip(tr("Cut the tooth in this direction, through the bur"));
+        text::inEveryLanguage(button,
+                              [button] { button->setToolTip(tr("Cut the tooth in this direction, through the bur")); });
         connect(button, &QPushButton::clicked, this, [this, degrees] { setAngle(degrees); });
         return button;
     };
-    m_alongY = choice(kAlongYDeg, tr("Section along y"));
-    m_alongX = choice(0, tr("Section along x"));
+    m_alongY = choice(kAlongYDeg);
+    m_alongX = choice(0);
     m_alongY->setObjectName(QStringLiteral("sectionAlongY"));
     m_alongX->setObjectName(QStringLiteral("sectionAlongX"));
     auto* planes = new QHBoxLayout;
@@ -98,9 +99,11 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     m_angle->setPageStep(kTurnDeg);
     m_angle->setFocusPolicy(Qt::TabFocus);
     m_angle->setObjectName(QStringLiteral("sectionAngle"));
-    m_angle->setAccessibleName(tr("Angle of the section, degrees"));
-    m_angle->setToolTip(tr("Turn the section about the bur (Shift+X: by 15 degrees)"));
-    m_angle->setStatusTip(m_angle->toolTip());
+    text::inEveryLanguage(m_angle, [this] {
+        m_angle->setAccessibleName(tr("Angle of the section, degrees"));
+        m_angle->setToolTip(tr("Turn the section about the bur (Shift+X: by 15 degrees)"));
+        m_angle->setStatusTip(m_angle->toolTip());
+    });
     m_angleText = new TabularLabel(this);
     m_angleText->setFont(typeface(kBody, QFont::Medium));
     m_angleText->setAlignment(Qt::AlignRight);
@@ -109,7 +112,8 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     connect(m_angle, &QSlider::valueChanged, this, &SectionView::setAngle);
     auto* turned = new QHBoxLayout;
     turned->setSpacing(kSpace2);
-    auto* turnedWords = new QLabel(tr("Turned by"), this);
+    auto* turnedWords = new QLabel(this);
+    text::inEveryLanguage(turnedWords, [turnedWords] { turnedWords->setText(tr("Turned by")); });
     turnedWords->setFont(typeface(kSmall));
     turnedWords->setForegroundRole(QPalette::PlaceholderText);
     turnedWords->setBuddy(m_angle);
@@ -124,28 +128,32 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     figures->setVerticalSpacing(2);
     figures->setColumnStretch(0, 1);
     int row = 0;
-    const auto addFigure = [&](const QString& caption, const char* objectName, const QString& tip) {
-        auto* words = new QLabel(caption, this);
+    const auto addFigure = [&](const char* caption, const char* objectName, const char* tip) {
+        auto* words = new QLabel(this);
         words->setForegroundRole(QPalette::PlaceholderText);
-        words->setToolTip(brokenIntoLines(tip));
+        words->setWordWrap(true);
         auto* value = new TabularLabel(this);
         value->setFont(typeface(kBody, QFont::Medium));
         value->setAlignment(Qt::AlignRight);
         value->setObjectName(QString::fromLatin1(objectName));
-        value->setToolTip(words->toolTip());
+        text::inEveryLanguage(words, [words, value, caption, tip] {
+            words->setText(tr(caption));
+            words->setToolTip(brokenIntoLines(tr(tip)));
+            value->setToolTip(words->toolTip());
+        });
         figures->addWidget(words, row, 0);
         figures->addWidget(value, row++, 1);
         return value;
     };
-    m_depth = addFigure(tr("Depth below the old surface"), "sectionDepth",
-                        tr("How far the tip stands below the surface as it was, straight up."));
-    m_dentin =
-        addFigure(tr("Dentin left over the pulp"), "sectionDentin",
-                  tr("Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there."));
-    m_down = addFigure(tr("Tip straight down to the pulp"), "sectionDown",
-                       tr("Straight down from the tip of the bur. A dash: no pulp there."));
-    m_nearest = addFigure(tr("Tip to the nearest pulp"), "sectionNearest",
-                          tr("The shortest way in any direction, also out of the plane of the picture."));
+    m_depth = addFigure(QT_TR_NOOP("Depth below the old surface"), "sectionDepth",
+                        QT_TR_NOOP("How far the tip stands below the surface as it was, straight up."));
+    m_dentin = addFigure(
+        QT_TR_NOOP("Dentin left over the pulp"), "sectionDentin",
+        QT_TR_NOOP("Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there."));
+    m_down = addFigure(QT_TR_NOOP("Tip straight down to the pulp"), "sectionDown",
+                       QT_TR_NOOP("Straight down from the tip of the bur. A dash: no pulp there."));
+    m_nearest = addFigure(QT_TR_NOOP("Tip to the nearest pulp"), "sectionNearest",
+                          QT_TR_NOOP("The shortest way in any direction, also out of the plane of the picture."));
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace2, kSpace4, kSpace2, kSpace4);
@@ -155,7 +163,11 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     column->addWidget(m_canvas, 1);
     column->addWidget(m_figures);
     setAngle(kAlongYDeg);
-    showFigures({}, {});
+    text::inEveryLanguage(this, [this] {
+        nameSides();
+        showFigures({}, {});
+        m_sinceFigures.invalidate();
+    });
 }
 
 int SectionView::angleDeg() const
@@ -208,6 +220,11 @@ void SectionView::setAngle(int degrees)
 
 void SectionView::nameSides()
 {
+    if (!m_anatomy) {
+        m_alongY->setAccessibleName(tr("Section along y"));
+        m_alongX->setAccessibleName(tr("Section along x"));
+        return;
+    }
     m_alongX->setText(text::planeAlongX(*m_anatomy));
     m_alongY->setText(text::planeAlongY(*m_anatomy));
     for (QPushButton* button : {m_alongX, m_alongY})

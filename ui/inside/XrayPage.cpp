@@ -24,6 +24,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::inside {
@@ -58,11 +59,16 @@ double radians(int degrees)
 class FilmView : public QWidget
 {
 public:
-    FilmView(const QString& caption, QWidget* parent) : QWidget(parent), m_caption(caption)
+    explicit FilmView(QWidget* parent) : QWidget(parent)
     {
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
         setMinimumSize(180, 180);
+    }
+    void setCaption(const QString& caption)
+    {
+        m_caption = caption;
         setAccessibleName(caption);
+        update();
     }
     void setFilm(const QImage& film)
     {
@@ -116,8 +122,7 @@ private:
 };
 
 XrayPage::XrayPage(const Actions& actions, QWidget* parent)
-    : Page(actions, tr("X-ray"), parent), m_before(new FilmView(tr("Before"), this)),
-      m_now(new FilmView(tr("Now"), this))
+    : Page(actions, parent), m_before(new FilmView(this)), m_now(new FilmView(this))
 {
     m_before->setObjectName(QStringLiteral("filmBefore"));
     m_now->setObjectName(QStringLiteral("filmNow"));
@@ -128,7 +133,35 @@ XrayPage::XrayPage(const Actions& actions, QWidget* parent)
     films->addWidget(m_now, 1);
     body()->addLayout(films, 1);
     body()->addWidget(makeControls(actions));
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void XrayPage::speak()
+{
+    m_before->setCaption(tr("Before"));
+    m_now->setCaption(tr("Now"));
     tellValues();
+    if (!m_tooth) {
+        setTitle(tr("X-ray"));
+        return;
+    }
+    const core::terrain::ToothAnatomy& anatomy = *m_tooth->anatomy;
+    //: %1 is "Tooth 36" or a file name
+    setTitle(tr("X-ray: %1").arg(text::toothTitle(anatomy)));
+    m_bitewing->setToolTip(
+        brokenIntoLines(core::teeth::isGenerated(anatomy)
+                            ? tr("The crown between its two neighbours. They are sound teeth made by Cusp, and touch.")
+                            : tr("Nothing in a scan says which side is mesial, so it gets no neighbours.")));
+    nameSides();
+}
+
+/// Which side of a film is which of the tooth.
+void XrayPage::nameSides()
+{
+    const double right = wish().beam.angleRad - 0.5 * std::numbers::pi;
+    for (FilmView* view : {m_before, m_now})
+        view->setSides(text::directionName(*m_tooth->anatomy, right + std::numbers::pi),
+                       text::directionName(*m_tooth->anatomy, right));
 }
 
 QWidget* XrayPage::makeControls(const Actions& actions)
@@ -144,13 +177,17 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     row->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
     row->setSpacing(kSpace4);
 
-    const auto segment = [&](const QString& words, const QString& tip, const char* objectName) {
-        auto* button = new QPushButton(words, card);
+    const auto segment = [&](const char* words, const char* tip, const char* objectName) {
+        auto* button = new QPushButton(card);
+        text::inEveryLanguage(button, [button, words, tip] {
+            button->setText(tr(words));
+            if (tip != nullptr)
+                button->setToolTip(brokenIntoLines(tr(tip)));
+        });
         button->setProperty("kind", "segment");
         button->setCheckable(true);
         button->setAutoExclusive(true);
         button->setFocusPolicy(Qt::TabFocus);
-        button->setToolTip(brokenIntoLines(tip));
         button->setObjectName(QString::fromLatin1(objectName));
         connect(button, &QPushButton::toggled, this, [this](bool on) {
             if (on)
@@ -158,20 +195,20 @@ QWidget* XrayPage::makeControls(const Actions& actions)
         });
         return button;
     };
-    auto* scenes = new QHBoxLayout;
-    scenes->setSpacing(kSpace2);
-    m_oneTooth = segment(tr("One tooth"), tr("The whole tooth with its root"), "oneTooth");
-    m_bitewing = segment(tr("Bitewing"), {}, "bitewing");
+    auto* scenes = new QVBoxLayout;
+    scenes->setSpacing(kSpace1);
+    m_oneTooth = segment(QT_TR_NOOP("One tooth"), QT_TR_NOOP("The whole tooth with its root"), "oneTooth");
+    m_bitewing = segment(QT_TR_NOOP("Bitewing"), nullptr, "bitewing");
     m_oneTooth->setChecked(true);
     scenes->addWidget(m_oneTooth);
     scenes->addWidget(m_bitewing);
     row->addLayout(scenes);
 
-    const auto slider = [&](const QString& caption, const QString& tip, int low, int high, const char* objectName,
+    const auto slider = [&](const char* caption, const char* tip, int low, int high, const char* objectName,
                             TabularLabel*& value, const QString& widest) {
         auto* block = new QGridLayout;
         block->setVerticalSpacing(0);
-        auto* words = new QLabel(caption, card);
+        auto* words = new QLabel(card);
         words->setFont(typeface(kSmall));
         words->setForegroundRole(QPalette::PlaceholderText);
         value = new TabularLabel(card);
@@ -182,9 +219,12 @@ QWidget* XrayPage::makeControls(const Actions& actions)
         auto* made = new QSlider(Qt::Horizontal, card);
         made->setRange(low, high);
         made->setFocusPolicy(Qt::TabFocus);
-        made->setAccessibleName(caption);
-        made->setToolTip(tip);
-        made->setStatusTip(tip);
+        text::inEveryLanguage(made, [made, words, caption, tip] {
+            words->setText(tr(caption));
+            made->setAccessibleName(tr(caption));
+            made->setToolTip(tr(tip));
+            made->setStatusTip(tr(tip));
+        });
         made->setObjectName(QString::fromLatin1(objectName));
         words->setBuddy(made);
         connect(made, &QSlider::valueChanged, this, [this] {
@@ -197,24 +237,30 @@ QWidget* XrayPage::makeControls(const Actions& actions)
         row->addLayout(block, 1);
         return made;
     };
-    m_angle = slider(tr("Beam from the side"), tr("Turns the beam about the tooth"), -kMostAngleDeg, kMostAngleDeg,
-                     "beamAngle", m_angleText, QStringLiteral("−90°"));
-    m_tilt = slider(tr("Beam from above"), tr("Tilts the beam; 0 is level"), -kMostTiltDeg, kMostTiltDeg, "beamTilt",
-                    m_tiltText, QStringLiteral("−45°"));
-    m_exposure = slider(tr("Exposure"), tr("More radiation: a darker film with less grain"), -kMostSteps, kMostSteps,
-                        "exposure", m_exposureText, text::number(0.25, 2) + QStringLiteral("×"));
+    m_angle = slider(QT_TR_NOOP("Beam from the side"), QT_TR_NOOP("Turns the beam about the tooth"), -kMostAngleDeg,
+                     kMostAngleDeg, "beamAngle", m_angleText, QStringLiteral("−90°"));
+    m_tilt = slider(QT_TR_NOOP("Beam from above"), QT_TR_NOOP("Tilts the beam; 0 is level"), -kMostTiltDeg,
+                    kMostTiltDeg, "beamTilt", m_tiltText, QStringLiteral("−45°"));
+    m_exposure =
+        slider(QT_TR_NOOP("Exposure"), QT_TR_NOOP("More radiation: a darker film with less grain"), -kMostSteps,
+               kMostSteps, "exposure", m_exposureText, text::number(0.25, 2) + QStringLiteral("×"));
     for (QSlider* angle : {m_angle, m_tilt})
         angle->setPageStep(15);
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
-    auto* says = new QLabel(tr("Simulated: a parallel beam, no scatter, no bone and no gums."), holder);
+    auto* says = new QLabel(holder);
+    text::inEveryLanguage(
+        says, [says] { says->setText(tr("Simulated: a parallel beam, no scatter, no bone and no gums.")); });
     says->setFont(typeface(kSmall));
+    says->setWordWrap(true);
     says->setForegroundRole(QPalette::PlaceholderText);
-    buttons->addWidget(says);
-    buttons->addStretch(1);
-    m_save = new QPushButton(tr("Save the picture …"), holder);
-    m_save->setToolTip(tr("Save both films side by side as a PNG file"));
+    buttons->addWidget(says, 1);
+    m_save = new QPushButton(holder);
+    text::inEveryLanguage(m_save, [this] {
+        m_save->setText(tr("Save the picture …"));
+        m_save->setToolTip(tr("Save both films side by side as a PNG file"));
+    });
     m_save->setFocusPolicy(Qt::TabFocus);
     m_save->setAutoDefault(true);
     m_save->setObjectName(QStringLiteral("saveFilms"));
@@ -238,12 +284,10 @@ void XrayPage::resizeEvent(QResizeEvent* event)
     develop();
 }
 
-void XrayPage::setTooth(const core::terrain::Tooth& tooth, const QString& title)
+void XrayPage::setTooth(const core::terrain::Tooth& tooth)
 {
     const bool another = !m_tooth || m_tooth->anatomy != tooth.anatomy;
     m_tooth = tooth;
-    //: %1 is "Tooth 36" or a file name
-    setTitle(tr("X-ray: %1").arg(title));
     if (another) {
         m_neighbours.reset();
         m_before->setFilm({});
@@ -251,11 +295,9 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth, const QString& title)
     }
     const bool ours = core::teeth::isGenerated(*tooth.anatomy);
     m_bitewing->setEnabled(ours);
-    m_bitewing->setToolTip(
-        brokenIntoLines(ours ? tr("The crown between its two neighbours. They are sound teeth made by Cusp, and touch.")
-                             : tr("Nothing in a scan says which side is mesial, so it gets no neighbours.")));
     if (!ours)
         m_oneTooth->setChecked(true);
+    speak();
     develop();
 }
 
@@ -314,10 +356,7 @@ void XrayPage::develop()
         return;
     }
     m_working = true;
-    const double right = wish().beam.angleRad - 0.5 * std::numbers::pi;
-    for (FilmView* view : {m_before, m_now})
-        view->setSides(text::directionName(*m_tooth->anatomy, right + std::numbers::pi),
-                       text::directionName(*m_tooth->anatomy, right));
+    nameSides();
     m_save->setEnabled(false);
     QThreadPool::globalInstance()->start(
         [page = QPointer<XrayPage>(this), tooth = *m_tooth, wish = wish(), neighbours = m_neighbours] {

@@ -30,7 +30,7 @@ public:
     XrayPage(const shell::Actions& actions, QWidget* parent);
 
     /// Shows this tooth, with the beam as it was left.
-    void setTooth(const core::terrain::Tooth& tooth, const QString& title);
+    void setTooth(const core::terrain::Tooth& tooth);
     /// Both films beside each other with words under them; null until they are developed.
     [[nodiscard]] QImage bothFilms() const;
     /// False while a film is being developed.
@@ -60,6 +60,8 @@ private:
 
     QWidget* makeControls(const shell::Actions& actions);
     [[nodiscard]] Wish wish() const;
+    void speak();
+    void nameSides();
     void develop();
     void take(const Films& films, const core::terrain::ToothAnatomy* of);
     void tellValues();

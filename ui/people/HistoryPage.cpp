@@ -35,7 +35,7 @@ enum Which { Criteria, Time, Force, Speed };
 }  // namespace
 
 HistoryPage::HistoryPage(const Actions& actions, QWidget* parent)
-    : Page(actions, {}, parent), m_model(new HistoryModel(this)), m_filter(new HistoryFilter(m_model)),
+    : Page(actions, parent), m_model(new HistoryModel(this)), m_filter(new HistoryFilter(m_model)),
       m_stack(new QStackedWidget(this))
 {
     auto* full = new QWidget(m_stack);

@@ -51,4 +51,14 @@ bool ListTable::event(QEvent* event)
     return QTableView::event(event);
 }
 
+void ListTable::keyPressEvent(QKeyEvent* event)
+{
+    m_isByKey = true;
+    if (event->key() == Qt::Key_Space && currentIndex().isValid())
+        emit activated(currentIndex());
+    else
+        QTableView::keyPressEvent(event);
+    m_isByKey = false;
+}
+
 }  // namespace ui::people

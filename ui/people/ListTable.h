@@ -13,8 +13,15 @@ class ListTable final : public QTableView
 public:
     explicit ListTable(QWidget* parent);
 
+    /// Enter or the space bar, not the pointer, is opening a row just now.
+    [[nodiscard]] bool isByKey() const { return m_isByKey; }
+
 protected:
     bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    bool m_isByKey = false;
 };
 
 }  // namespace ui::people

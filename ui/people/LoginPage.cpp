@@ -9,11 +9,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/shell/LanguageMenu.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/Language.h"
 
 namespace ui::people {
 namespace {
@@ -31,7 +35,8 @@ LoginPage::LoginPage(QWidget* parent)
       m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
       m_password(field("password", true)), m_again(field("passwordAgain", true)), m_fault(study::faultLabel(m_card)),
       m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)), m_guest(new QPushButton(m_card)),
-      m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card))
+      m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
+      m_language(new QToolButton(m_card))
 {
     setAutoFillBackground(true);
     m_card->setProperty("kind", "card");
@@ -59,15 +64,26 @@ LoginPage::LoginPage(QWidget* parent)
         m_column->addWidget(button);
     m_column->addWidget(m_unreachable);
     m_unreachable->hide();
+    m_language->setObjectName(QStringLiteral("language"));
+    m_language->setMenu(new LanguageMenu(m_language));
+    m_language->setPopupMode(QToolButton::InstantPopup);
+    m_language->setAutoRaise(true);
+    m_language->setFocusPolicy(Qt::StrongFocus);
+    m_column->addWidget(m_language, 0, Qt::AlignHCenter);
 
+    auto* content = new QWidget(this);
     auto* row = new QHBoxLayout;
     row->addStretch(1);
     row->addWidget(m_card);
     row->addStretch(1);
+    auto* column = new QVBoxLayout(content);
+    column->addStretch(2);
+    column->addLayout(row);
+    column->addStretch(3);
     auto* whole = new QVBoxLayout(this);
-    whole->addStretch(2);
-    whole->addLayout(row);
-    whole->addStretch(3);
+    whole->setContentsMargins(0, 0, 0, 0);
+    // In a low window, and in long words, all of it is there.
+    whole->addWidget(new ScrollPane(content, QPalette::Window, this));
 
     connect(m_go, &QPushButton::clicked, this, &LoginPage::submit);
     for (QLineEdit* input : {m_name, m_given, m_family, m_password, m_again})
@@ -148,6 +164,9 @@ void LoginPage::setLockedBy(const QString& username)
 
 void LoginPage::speak()
 {
+    m_language->setText(text::Language::nameOf(text::Language::current()));
+    m_language->setAccessibleName(tr("Language: %1").arg(m_language->text()));
+    m_language->setToolTip(tr("Choose the language of all words"));
     switch (m_door) {
     case Door::Login:
         m_title->setText(tr("Cusp"));

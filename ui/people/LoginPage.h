@@ -11,6 +11,7 @@ class QFrame;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace ui::people {
@@ -68,6 +69,7 @@ private:
     QPushButton* m_other;
     QPushButton* m_guest;
     QLabel* m_unreachable;
+    QToolButton* m_language;
     QString m_code;  ///< that was typed as the password
 };
 

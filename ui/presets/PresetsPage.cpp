@@ -34,7 +34,11 @@ using core::settings::FeelPreset;
 using namespace ui::shell;
 
 constexpr int kListPx = 250;
+constexpr int kNarrowListPx = 180;
 constexpr int kRowPx = 48;
+/// With less than this the numbers have the room, and not the chart; or the notes wait.
+constexpr int kNarrowestChartPx = 1000;
+constexpr int kLowestNotesPx = 560;
 constexpr int kTablePx = 560;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
@@ -68,7 +72,7 @@ QPushButton* button(const char* kind, const char* name, QWidget* parent)
 
 }  // namespace
 
-PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions, {}, parent)
+PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace6);
@@ -85,6 +89,7 @@ PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions
 QWidget* PresetsPage::makeList()
 {
     auto* side = new QWidget(this);
+    m_side = side;
     side->setFixedWidth(kListPx);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(kSpace4, 0, 0, 0);
@@ -105,7 +110,8 @@ QWidget* PresetsPage::makeList()
     m_export = button("", "presetExport", side);
     connect(import, &QPushButton::clicked, this, &PresetsPage::importWanted);
     connect(m_export, &QPushButton::clicked, this, [this] { emit exportWanted(m_base); });
-    auto* buttons = new QHBoxLayout;
+    auto* buttons = new QVBoxLayout;
+    buttons->setSpacing(kSpace2);
     buttons->addWidget(import);
     buttons->addWidget(m_export);
     column->addLayout(buttons);
@@ -161,8 +167,12 @@ QWidget* PresetsPage::makeDetails()
     bur->setObjectName(QStringLiteral("presetBur"));
     auto* burName = new QLabel(side);
     burName->setBuddy(bur);
-    choose->addWidget(burName);
-    choose->addWidget(bur);
+    m_burChoice = new QWidget(side);
+    auto* burRow = new QHBoxLayout(m_burChoice);
+    burRow->setContentsMargins(0, 0, 0, 0);
+    burRow->addWidget(burName);
+    burRow->addWidget(bur);
+    choose->addWidget(m_burChoice);
     column->addLayout(choose);
 
     auto* middle = new QHBoxLayout;
@@ -170,12 +180,12 @@ QWidget* PresetsPage::makeDetails()
     m_ways = new QStackedWidget(side);
     auto* dials = new QWidget(m_ways);
     auto* dialColumn = new QVBoxLayout(dials);
-    dialColumn->setContentsMargins(0, kSpace2, 0, 0);
+    dialColumn->setContentsMargins(0, kSpace2, kSpace4, 0);
     m_simple = new SimplePanel(dials);
     dialColumn->addWidget(m_simple);
     dialColumn->addStretch(1);
     m_table = new PresetTable(m_ways);
-    m_ways->addWidget(dials);
+    m_ways->addWidget(new ScrollPane(dials, QPalette::Window, m_ways));
     m_ways->addWidget(new ScrollPane(m_table, QPalette::Window, m_ways));
     m_ways->setMaximumWidth(kTablePx);
     m_chart = new FeedChart(side);
@@ -272,7 +282,8 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     auto* words = new QLabel(whole);
     m_other = study::choiceInput({}, whole);
     m_other->setObjectName(QStringLiteral("presetOther"));
-    m_other->setMinimumWidth(200);
+    m_other->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_other->setMinimumContentsLength(10);
     words->setBuddy(m_other);
     m_trials = new QSpinBox(whole);
     m_trials->setObjectName(QStringLiteral("presetTrials"));
@@ -295,8 +306,8 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
         m_other->setAccessibleName(tr("Preset to compare with"));
         m_other->view()->setAccessibleName(m_other->accessibleName());
         m_trials->setAccessibleName(tr("Number of trials"));
-        //: After a number: "8 trials"
-        m_trials->setSuffix(QStringLiteral(" ") + tr("trials"));
+        //: Before a number
+        m_trials->setPrefix(tr("Trials:") + u' ');
         m_compare->setText(tr("Compare A and B"));
         m_compare->setAccessibleName(m_compare->text());
         m_compare->setToolTip(tr("Drill with both, behind letters, and say which feels more like a tooth"));
@@ -432,6 +443,16 @@ void PresetsPage::duplicate()
     m_name->setFocus();
     m_name->selectAll();
     tell();
+}
+
+void PresetsPage::resizeEvent(QResizeEvent* event)
+{
+    Page::resizeEvent(event);
+    const bool isWide = width() >= kNarrowestChartPx;
+    m_chart->setVisible(isWide);
+    m_burChoice->setVisible(isWide);
+    m_notes->setVisible(height() >= kLowestNotesPx);
+    m_side->setFixedWidth(isWide ? kListPx : kNarrowListPx);
 }
 
 void PresetsPage::setFault(const QString& sentence)

@@ -50,6 +50,9 @@ signals:
     void importWanted();
     void exportWanted(const core::settings::FeelPreset& preset);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QWidget* makeList();
     QWidget* makeDetails();
@@ -67,6 +70,7 @@ private:
     core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
     core::settings::FeelPreset m_draft;  ///< what has been made of it
 
+    QWidget* m_side = nullptr;  ///< with the list
     QListWidget* m_list = nullptr;
     QLineEdit* m_name = nullptr;
     QLineEdit* m_notes = nullptr;
@@ -75,6 +79,7 @@ private:
     SimplePanel* m_simple = nullptr;
     PresetTable* m_table = nullptr;
     FeedChart* m_chart = nullptr;
+    QWidget* m_burChoice = nullptr;  ///< of the chart
     QLabel* m_bound = nullptr;
     QLabel* m_fault = nullptr;
     QComboBox* m_other = nullptr;

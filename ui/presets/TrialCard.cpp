@@ -18,7 +18,7 @@ namespace {
 using namespace ui::shell;
 using Answer = BlindTrial::Answer;
 
-constexpr int kCardPx = 380;
+constexpr int kCardPx = 412;
 
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
 {
@@ -156,14 +156,13 @@ void TrialCard::say()
     } else {
         const BlindTrial::Outcome outcome = m_trial->outcome();
         m_title->setText(tr("Compared"));
-        //: %1 and %3 are presets, %2 and %4 counts
-        QString words = tr("%1: chosen %2 times. %3: chosen %4 times.")
-                            .arg(presetWords(m_trial->first()))
-                            .arg(outcome.first)
-                            .arg(presetWords(m_trial->second()))
-                            .arg(outcome.second);
+        const auto chosen = [](const core::settings::FeelPreset& preset, int times) {
+            //: %1 is a hardness preset
+            return tr("%1: chosen %n time(s).", nullptr, times).arg(presetWords(preset));
+        };
+        QString words = chosen(m_trial->first(), outcome.first) + u' ' + chosen(m_trial->second(), outcome.second);
         if (outcome.neither > 0)
-            words += u' ' + tr("No difference: %1 times.").arg(outcome.neither);
+            words += u' ' + tr("No difference: %n time(s).", nullptr, outcome.neither);
         words += u'\n' + tr("Who only guesses comes at least so far from even with a probability of %1.")
                              .arg(text::number(outcome.p, 3));
         m_words->setText(words);

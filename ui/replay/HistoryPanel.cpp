@@ -17,6 +17,7 @@
 #include "ui/replay/Thumbnail.h"
 #include "ui/shell/MaterialLook.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::replay {
@@ -200,22 +201,28 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     setObjectName(QStringLiteral("historyPanel"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace2, kSpace2, kSpace2, kSpace2);
-    auto* title = new QLabel(tr("Undo history"), this);
+    auto* title = new QLabel(this);
+    text::inEveryLanguage(title, [this, title] {
+        title->setText(tr("Undo history"));
+        m_list->setAccessibleName(title->text());
+    });
     title->setFont(typeface(kBody, QFont::DemiBold));
     title->setContentsMargins(kSpace1, 0, 0, 0);
     column->addWidget(title);
     m_list->setProperty("kind", "plain");
-    m_list->setAccessibleName(title->text());
     m_list->setModel(m_model);
     m_list->setItemDelegate(new HistoryDelegate(*this, *m_model, this));
     m_list->setMouseTracking(true);
     m_list->setUniformItemSizes(true);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setToolTip(tr("Go to a moment: click it, or press Enter"));
+    text::inEveryLanguage(m_list, [this] { m_list->setToolTip(tr("Go to a moment: click it, or press Enter")); });
     column->addWidget(m_list);
-    m_empty->setText(tr("Each stroke you make appears here as a small picture. Click one to go back to it; what came "
-                        "after stays, as a branch of its own."));
+    text::inEveryLanguage(m_empty, [this] {
+        m_empty->setText(
+            tr("Each stroke you make appears here as a small picture. Click one to go back to it; what came "
+               "after stays, as a branch of its own."));
+    });
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_empty->setContentsMargins(kSpace1, 0, kSpace1, kSpace1);

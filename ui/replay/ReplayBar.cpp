@@ -18,6 +18,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ViewMenu.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::replay {
@@ -67,7 +68,8 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     row.addWidget(m_speedLabel);
     row.addWidget(barButton(actions.faster, false, bar));
     row.addSpacing(kSpace4);
-    m_words = new QLabel(tr("You are watching a recording"), bar);
+    m_words = new QLabel(bar);
+    text::inEveryLanguage(m_words, [this] { m_words->setText(tr("You are watching a recording")); });
     m_words->setForegroundRole(QPalette::PlaceholderText);
     row.addWidget(m_words);
     row.addStretch(1);
@@ -79,14 +81,21 @@ ReplayBar::ReplayBar(const Actions& actions, ViewMenu& viewMenu, QWidget* parent
     QToolButton* view = viewMenu.makeButton(bar);
     row.addWidget(view);
     bar->mayFold(view);
-    auto* stop = new QPushButton(tr("Stop"), bar);
+    auto* stop = new QPushButton(bar);
+    text::inEveryLanguage(stop, [stop] { stop->setText(tr("Stop")); });
     stop->setProperty("kind", "filled");
-    stop->setAccessibleName(tr("Stop the recording"));
-    stop->setToolTip(tr("Stop watching and go back to your own work (Esc)"));
+    text::inEveryLanguage(stop, [stop] {
+        stop->setAccessibleName(tr("Stop the recording"));
+        stop->setToolTip(tr("Stop watching and go back to your own work (Esc)"));
+    });
     stop->setFocusPolicy(Qt::TabFocus);
     connect(stop, &QPushButton::clicked, this, &ReplayBar::stopWanted);
     row.addWidget(stop);
     begin(0.0);
+    text::inEveryLanguage(this, [this] {
+        showSpeed();
+        showTime();
+    });
 }
 
 void ReplayBar::begin(double lengthS)

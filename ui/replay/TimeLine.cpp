@@ -17,6 +17,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::replay {
@@ -161,8 +162,11 @@ QString markWords(const Mark& mark)
 TimeLine::TimeLine(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("timeLine"));
-    setAccessibleName(tr("Time line"));
-    setAccessibleDescription(tr("Left and right go from stroke to stroke, Home and End to the beginning and the end."));
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Time line"));
+        setAccessibleDescription(
+            tr("Left and right go from stroke to stroke, Home and End to the beginning and the end."));
+    });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setCursor(Qt::PointingHandCursor);
     setMouseTracking(true);

@@ -38,8 +38,8 @@ QString groupOf(const core::settings::Parameter& parameter)
 }  // namespace
 
 SettingsPage::SettingsPage(const Actions& actions, const core::settings::Parameters& parameters, QWidget* parent)
-    : Page(actions, {}, parent), m_parameters(parameters), m_search(new QLineEdit(this)),
-      m_fault(study::faultLabel(this)), m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content))
+    : Page(actions, parent), m_parameters(parameters), m_search(new QLineEdit(this)), m_fault(study::faultLabel(this)),
+      m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content))
 {
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(kWidestPx);

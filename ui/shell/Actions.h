@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include <QAction>
 #include <QList>
 #include <QObject>
@@ -20,8 +22,10 @@ class Actions : public QObject
 public:
     struct Group
     {
-        QString title;
+        const char* name;
         QList<QAction*> actions;
+
+        [[nodiscard]] QString title() const { return tr(name); }
     };
 
     /// @param window  where the shortcuts are heard
@@ -99,11 +103,27 @@ public:
     QAction* quit = nullptr;
 
 private:
-    QAction* add(const QString& drawing, const QString& text, const QString& tip, const QList<QKeySequence>& keys);
+    /// @param text, tip  marked for translation; said again in every language
+    QAction* add(const QString& drawing, const char* text, const char* tip, const QList<QKeySequence>& keys);
+    QAction* add(const QString& drawing, std::function<QString()> text, const char* tip,
+                 const QList<QKeySequence>& keys);
+    void speak();
 
+    struct Words
+    {
+        QAction* action;
+        std::function<QString()> text;
+        const char* tip;
+    };
     QWidget* m_window;
     QList<Group> m_groups;
+    QList<Words> m_words;
+    QString m_username;
+    bool m_isReplayPaused = false;
 };
+
+/// Says something now, and again whenever the words of the action are others.
+void followWords(QAction* action, QWidget* listener, const std::function<void()>& say);
 
 /// A flat icon button for a bar of the practice room. Reached with Tab; a click leaves the focus with the tooth.
 [[nodiscard]] QToolButton* barButton(QAction* action, bool withText, QWidget* parent);

@@ -6,7 +6,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 namespace {
@@ -35,11 +37,14 @@ BurTile::BurTile(const core::drilling::Bur& bur, QAction* action, QWidget* paren
     setCheckable(true);
     setChecked(action->isChecked());
     setEnabled(action->isEnabled());
-    setText(action->text());
-    setToolTip(QStringLiteral("%1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
-    setStatusTip(action->statusTip());
-    setAccessibleName(action->text());
-    setAccessibleDescription(action->toolTip());
+    followWords(action, this, [this, action] {
+        setText(action->text());
+        setToolTip(
+            QStringLiteral("%1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
+        setStatusTip(action->statusTip());
+        setAccessibleName(action->text());
+        setAccessibleDescription(action->toolTip());
+    });
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAttribute(Qt::WA_Hover);
@@ -85,7 +90,7 @@ void BurTile::paintEvent(QPaintEvent*)
 
 BurChooser::BurChooser(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent)
 {
-    setAccessibleName(tr("Burs"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Burs")); });
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kSpace2);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 namespace {
@@ -21,14 +22,14 @@ BusyCard::BusyCard(QWidget* parent) : QFrame(parent), m_what(new QLabel(this))
     dress(*this, roomPalette());
     setProperty("kind", "card");
     setAutoFillBackground(true);
-    setAccessibleName(tr("Working"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Working")); });
     m_what->setFont(typeface(kBody, QFont::Medium));
     m_what->setAlignment(Qt::AlignCenter);
     m_what->setWordWrap(true);
     auto* progress = new QProgressBar(this);
     progress->setTextVisible(false);
     progress->setRange(0, 0);  // how far it is cannot be told
-    progress->setAccessibleName(tr("Progress"));
+    text::inEveryLanguage(progress, [progress] { progress->setAccessibleName(tr("Progress")); });
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);
     column->setSpacing(kSpace4);

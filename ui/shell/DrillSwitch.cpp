@@ -4,25 +4,31 @@
 #include <QAction>
 #include <QPainter>
 
+#include "ui/shell/Actions.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 
-DrillSwitch::DrillSwitch(QAction* action, QWidget* parent)
-    : QAbstractButton(parent), m_key(action->shortcut().toString(QKeySequence::NativeText))
+DrillSwitch::DrillSwitch(QAction* action, QWidget* parent) : QAbstractButton(parent)
 {
     setCheckable(true);
     setChecked(action->isChecked());
-    setText(action->text());
-    setToolTip(action->toolTip());
-    setStatusTip(action->statusTip());
-    setAccessibleDescription(action->toolTip());
+    followWords(action, this, [this, action] {
+        setText(action->text());
+        setToolTip(action->toolTip());
+        setStatusTip(action->statusTip());
+        setAccessibleDescription(action->toolTip());
+        m_key = action->shortcut().toString(QKeySequence::NativeText);
+    });
     setFocusPolicy(Qt::TabFocus);
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    const auto name = [this](bool on) { setAccessibleName(on ? tr("Drill is on") : tr("Drill is off")); };
-    name(action->isChecked());
+    const auto name = [this, action] {
+        setAccessibleName(action->isChecked() ? tr("Drill is on") : tr("Drill is off"));
+    };
+    text::inEveryLanguage(this, name);
     connect(this, &QAbstractButton::clicked, action, [this, action] {
         action->trigger();
         setChecked(action->isChecked());

@@ -41,9 +41,11 @@ void FoldingBar::resizeEvent(QResizeEvent* event)
 
 bool FoldingBar::eventFilter(QObject* watched, QEvent* event)
 {
-    // A button more, or one less.
+    // A button more, or one less; other words, once all buttons have them.
     if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)
         fold();
+    else if (event->type() == QEvent::LanguageChange)
+        QMetaObject::invokeMethod(this, &FoldingBar::fold, Qt::QueuedConnection);
     return QFrame::eventFilter(watched, event);
 }
 

@@ -7,14 +7,17 @@
 #include <QPainter>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 
 ForceBar::ForceBar(double fullN, QWidget* parent) : QWidget(parent), m_fullN(fullN)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAccessibleName(tr("Force against the force that is set"));
-    setToolTip(tr("The mark is the force that is set. A wall that presses sideways adds to it."));
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Force against the force that is set"));
+        setToolTip(tr("The mark is the force that is set. A wall that presses sideways adds to it."));
+    });
 }
 
 void ForceBar::setForce(double forceN, double setN, bool limited)

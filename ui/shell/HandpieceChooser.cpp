@@ -6,12 +6,13 @@
 
 #include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 
 HandpieceChooser::HandpieceChooser(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent)
 {
-    setAccessibleName(tr("Handpieces"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Handpieces")); });
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kSpace1);

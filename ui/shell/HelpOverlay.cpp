@@ -15,6 +15,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 namespace {
@@ -85,20 +86,41 @@ QWidget* rowOf(QWidget* parent, const QString& words, const QStringList& keys)
 HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     : QWidget(parent), m_card(new QFrame(this)), m_close(new QToolButton(this)), m_content(new QWidget(m_card))
 {
-    setAccessibleName(actions.help->text());
     m_card->setProperty("kind", "card");
 
-    auto* title = new QLabel(actions.help->text(), m_card);
+    auto* title = new QLabel(m_card);
+    followWords(actions.help, this, [this, title, action = actions.help] {
+        setAccessibleName(action->text());
+        title->setText(action->text());
+    });
     title->setFont(typeface(kTitle, QFont::DemiBold));
     m_close->setIcon(lineIcon(QStringLiteral("close"), palette()));
-    m_close->setAccessibleName(tr("Close"));
-    m_close->setToolTip(tr("Close (Esc)"));
+    text::inEveryLanguage(m_close, [this] {
+        m_close->setAccessibleName(tr("Close"));
+        m_close->setToolTip(tr("Close (Esc)"));
+    });
     connect(m_close, &QToolButton::clicked, actions.back, &QAction::trigger);
     connect(this, &HelpOverlay::leftByClick, actions.back, &QAction::trigger);
     auto* head = new QHBoxLayout;
     head->addWidget(title, 1);
     head->addWidget(m_close);
 
+    auto* inside = new QVBoxLayout(m_card);
+    inside->setContentsMargins(kSpace6, kSpace4, kSpace4, kSpace6);
+    inside->setSpacing(kSpace4);
+    inside->addLayout(head);
+    m_scroll = new ScrollPane(m_content, QPalette::Base, m_card);
+    inside->addWidget(m_scroll, 1);
+    // Keys have other names in another language, too.
+    text::inEveryLanguage(this, [this, &actions] { makeGroups(actions); });
+    hide();
+}
+
+void HelpOverlay::makeGroups(const Actions& actions)
+{
+    delete m_content->layout();
+    qDeleteAll(std::exchange(m_groups, {}));
+    m_columns = 0;
     const auto place = [this](const QString& words, const QList<QWidget*>& rows) {
         auto* group = new QWidget(m_content);
         auto* lines = new QVBoxLayout(group);
@@ -117,7 +139,7 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
                 keys << key.toString(QKeySequence::NativeText);
             rows << rowOf(m_content, action->text(), keys);
         }
-        place(group.title, rows);
+        place(group.title(), rows);
         const auto follow = [this, heads = m_groups.back(), rows, actions = group.actions] {
             bool any = false;
             for (qsizetype k = 0; k < rows.size(); ++k) {
@@ -129,7 +151,7 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
         };
         follow();
         for (const QAction* action : group.actions)
-            connect(action, &QAction::visibleChanged, this, follow);
+            connect(action, &QAction::visibleChanged, m_groups.back(), follow);
     }
     QList<QWidget*> rows;
     for (const Gesture& gesture : gestures())
@@ -142,15 +164,8 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     force->setForegroundRole(QPalette::PlaceholderText);
     rows << force;
     place(tr("Over the tooth"), rows);
-
-    auto* inside = new QVBoxLayout(m_card);
-    inside->setContentsMargins(kSpace6, kSpace4, kSpace4, kSpace6);
-    inside->setSpacing(kSpace4);
-    inside->addLayout(head);
-    m_scroll = new ScrollPane(m_content, QPalette::Base, m_card);
-    inside->addWidget(m_scroll, 1);
-
-    hide();
+    if (isVisible())
+        arrange();
 }
 
 /// The groups in columns of about the same height, in their order. The card is as tall as they are, where the window

@@ -31,6 +31,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void makeGroups(const Actions& actions);
     void arrange();
     void fill(int columns);
 

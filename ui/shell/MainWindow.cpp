@@ -61,6 +61,7 @@
 #include "ui/study/LessonWords.h"
 #include "ui/study/Limit.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -139,7 +140,6 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_infractionCard(new study::InfractionCard(m_room)),
       m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
 {
-    setWindowTitle(tr("Cusp"));
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
     setMinimumSize(kSmallest);
     resize(firstSize(screen()->availableSize()));
@@ -210,8 +210,26 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     pulse->start(kSessionMs);
     qApp->installEventFilter(this);
     recallLayout();
+    text::inEveryLanguage(this, [this] { speak(); });
     m_room->setHintVisible(m_view->isUsable());
     goTo(m_room);
+}
+
+/// What the pages cannot know themselves.
+void MainWindow::speak()
+{
+    setAids(m_aids);
+    markExercise();
+    if (m_tooth == nullptr) {
+        setWindowTitle(tr("Cusp"));
+        return;
+    }
+    sayTooth();
+    if (m_pages->currentWidget() == m_scorePage)
+        m_scorePage->setWork(workTitle());
+    if (m_pages->currentWidget() == m_forecast)
+        m_forecast->setWork(workTitle());
+    placeOverlays();
 }
 
 /// As it was left. What a lesson locks is not asked: it comes with the lesson.
@@ -705,7 +723,7 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
     m_beside->setTooth(std::move(tooth), generation);
     m_beside->setIdeal(ideal);
     markExercise();
-    m_room->setBeside(m_beside, name, tr("This attempt"));
+    m_room->setBeside(m_beside, name);
     m_room->setSectionVisible(false);
     connect(m_beside, &tooth::ToothView::frameAdvanced, this, &MainWindow::lookAlike);
     m_beside->lookAs(m_view->camera());
@@ -912,7 +930,7 @@ void MainWindow::showXray()
     const core::terrain::Tooth* tooth = m_view->tooth();
     if (tooth == nullptr)
         return;
-    m_xray->setTooth(*tooth, text::toothTitle(*tooth->anatomy));
+    m_xray->setTooth(*tooth);
     goTo(m_xray);
 }
 
@@ -1312,12 +1330,8 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_view->setIdeal(m_ideal);
     showIdeal();
     layExercise();
-    const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
-    const bool selfDrilling = m_selfDrilling && !m_replaying;
-    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
-    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
+    sayTooth();
     m_chooser->setPresent(m_tooth->fdi);
-    setWindowTitle(tr("%1 – Cusp").arg(title));
     goTo(m_room);
     if (notes.isEmpty())
         return;
@@ -1336,6 +1350,16 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
                            MessageBar::Choice{tr("Leave it as it is"), {}}};
     }
     m_messages->say(message);
+}
+
+void MainWindow::sayTooth()
+{
+    const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
+    const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
+    const bool selfDrilling = m_selfDrilling && !m_replaying;
+    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
+    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
+    setWindowTitle(tr("%1 – Cusp").arg(title));
 }
 
 void MainWindow::showBusy(const QString& what)

@@ -287,6 +287,8 @@ private:
         QElapsedTimer since;
     };
 
+    void speak();
+    void sayTooth();
     void recallLayout();
     void connectActions();
     void connectView();

@@ -14,6 +14,7 @@
 
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 namespace {
@@ -33,7 +34,7 @@ MessageBar::MessageBar(QWidget* parent)
     dress(*this, roomPalette());
     setProperty("kind", "card");
     setAutoFillBackground(true);
-    setAccessibleName(tr("Message"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Message")); });
     m_sentence->setWordWrap(true);
     m_sentence->setFont(typeface(kBody, QFont::Medium));
     m_detail->setWordWrap(true);
@@ -45,8 +46,10 @@ MessageBar::MessageBar(QWidget* parent)
     m_decline->setObjectName(QStringLiteral("decline"));
     m_close->setFocusPolicy(Qt::TabFocus);
     m_close->setIcon(lineIcon(QStringLiteral("close"), palette()));
-    m_close->setToolTip(tr("Close this message (Esc)"));
-    m_close->setAccessibleName(tr("Close this message"));
+    text::inEveryLanguage(m_close, [this] {
+        m_close->setToolTip(tr("Close this message (Esc)"));
+        m_close->setAccessibleName(tr("Close this message"));
+    });
 
     auto* words = new QVBoxLayout;
     words->setSpacing(kSpace1);

@@ -15,6 +15,7 @@
 #include "ui/render/Driver.h"
 #include "ui/render/Gizmo.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/ViewMarks.h"
 
@@ -34,13 +35,16 @@ bool isChoosable(int fdi)
 }  // namespace
 
 Mouth::Mouth(QWidget* parent)
-    : SceneWidget(tr("This computer cannot draw the whole mouth. The flat arches do the same."), bestWay(), parent)
+    : SceneWidget([] { return tr("This computer cannot draw the whole mouth. The flat arches do the same."); },
+                  bestWay(), parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(260, 240);
-    setAccessibleName(tr("Whole mouth"));
-    setAccessibleDescription(tr("Arrow keys walk along the arch, Enter takes the tooth."));
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Whole mouth"));
+        setSelected(m_selected);
+    });
     m_zooming.setInterval(kFrameMs);
     connect(&m_zooming, &QTimer::timeout, this, [this] {
         const double seconds = std::min(0.1, static_cast<double>(m_sinceZoom.nsecsElapsed()) * 1.0e-9);

@@ -13,16 +13,18 @@
 
 namespace ui::shell {
 
-Page::Page(const Actions& actions, const QString& title, QWidget* parent)
-    : QWidget(parent), m_title(new QLabel(title, this)), m_body(new QVBoxLayout)
+Page::Page(const Actions& actions, QWidget* parent)
+    : QWidget(parent), m_title(new QLabel(this)), m_body(new QVBoxLayout)
 {
     setAutoFillBackground(true);
     auto* back = new QToolButton(this);
     back->setIcon(lineIcon(QStringLiteral("back"), palette()));
     back->setIconSize({22, 22});
-    back->setToolTip(actions.back->toolTip());
-    back->setStatusTip(actions.back->statusTip());
-    back->setAccessibleName(actions.back->text());
+    followWords(actions.back, back, [back, action = actions.back] {
+        back->setToolTip(action->toolTip());
+        back->setStatusTip(action->statusTip());
+        back->setAccessibleName(action->text());
+    });
     back->setFocusPolicy(Qt::TabFocus);
     connect(back, &QToolButton::clicked, actions.back, &QAction::trigger);
     m_title->setFont(typeface(kTitle, QFont::DemiBold));
@@ -32,12 +34,7 @@ Page::Page(const Actions& actions, const QString& title, QWidget* parent)
     head->setSpacing(kSpace2);
     head->addWidget(back);
     head->addWidget(m_title, 1);
-    QPushButton* account = pageButton(actions.account, "quiet", this);
-    connect(actions.account, &QAction::changed, account, [account, action = actions.account] {
-        account->setText(action->text());
-        account->setAccessibleName(action->text());
-    });
-    head->addWidget(account);
+    head->addWidget(pageButton(actions.account, "quiet", this));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace6);
     column->setSpacing(kSpace4);

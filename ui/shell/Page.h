@@ -15,7 +15,8 @@ class Page : public QWidget
 {
     Q_OBJECT
 public:
-    Page(const Actions& actions, const QString& title, QWidget* parent);
+    Page(const Actions& actions, QWidget* parent);
+    /// Said again by the page in every language.
     void setTitle(const QString& title);
 
 protected:

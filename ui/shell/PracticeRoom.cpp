@@ -21,6 +21,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ViewMenu.h"
 #include "ui/study/LessonStrip.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::shell {
@@ -45,7 +46,6 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     dress(*this, roomPalette());
     setAutoFillBackground(true);
     view->setParent(this);
-    view->setAccessibleName(tr("Tooth"));
     view->installEventFilter(this);
     m_panel = new SidePanel(actions, this);
     m_section = new inside::SectionView(this);
@@ -74,9 +74,13 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
     column->addWidget(m_replay);
     m_history = new replay::HistoryPanel(this);
 
-    m_hint = new QLabel(tr("Move the mouse over the tooth, press the left button to drill; right-drag turns the view; "
-                           "F1 for keys"),
-                        this);
+    m_hint = new QLabel(this);
+    text::inEveryLanguage(m_hint, [this] {
+        m_hint->setText(tr("Move the mouse over the tooth, press the left button to drill; right-drag turns the view; "
+                           "F1 for keys"));
+        if (isVisible())
+            placeOverlays();
+    });
     m_hint->setProperty("kind", "hint");
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setWordWrap(true);
@@ -90,6 +94,7 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
         (*name)->setAttribute(Qt::WA_TransparentForMouseEvents);
         (*name)->hide();
     }
+    text::inEveryLanguage(m_ourName, [this] { m_ourName->setText(tr("This attempt")); });
 }
 
 void PracticeRoom::setExercise(QWidget* card)
@@ -97,7 +102,7 @@ void PracticeRoom::setExercise(QWidget* card)
     m_viewColumn->addWidget(card);
 }
 
-void PracticeRoom::setBeside(QWidget* view, const QString& name, const QString& ours)
+void PracticeRoom::setBeside(QWidget* view, const QString& name)
 {
     if (m_beside != nullptr)
         m_beside->removeEventFilter(this);
@@ -108,7 +113,6 @@ void PracticeRoom::setBeside(QWidget* view, const QString& name, const QString& 
         view->show();
     }
     m_besideName->setText(name);
-    m_ourName->setText(ours);
     m_besideName->setVisible(view != nullptr);
     m_ourName->setVisible(view != nullptr);
     placeOverlays();
@@ -155,9 +159,11 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     m_tooth->setIconSize({16, 16});
     m_tooth->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_tooth->setLayoutDirection(Qt::RightToLeft);  // the arrow behind the words, as of anything that opens
-    m_tooth->setToolTip(actions.chooseTooth->toolTip());
-    m_tooth->setStatusTip(actions.chooseTooth->statusTip());
-    m_tooth->setAccessibleName(actions.chooseTooth->text());
+    followWords(actions.chooseTooth, m_tooth, [this, action = actions.chooseTooth] {
+        m_tooth->setToolTip(action->toolTip());
+        m_tooth->setStatusTip(action->statusTip());
+        m_tooth->setAccessibleName(action->text());
+    });
     m_tooth->setFocusPolicy(Qt::TabFocus);
     m_tooth->setObjectName(QStringLiteral("toothButton"));
     m_tooth->setFont(typeface(kTitle, QFont::DemiBold));

@@ -51,7 +51,7 @@ public:
     /// Has its place beneath the tooth while it is visible.
     void setExercise(QWidget* card);
     /// Shows another tooth to the right of ours, each with its name above it; null: none, and no names.
-    void setBeside(QWidget* view, const QString& name = {}, const QString& ours = {});
+    void setBeside(QWidget* view, const QString& name = {});
     /// @param title  "Tooth 36", or the file
     /// @param name   "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);

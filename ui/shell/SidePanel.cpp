@@ -22,6 +22,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/Limit.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/PointerControl.h"
 
@@ -48,9 +49,9 @@ std::size_t at(Material material)
     return static_cast<std::size_t>(material);
 }
 
-QLabel* quietLabel(const QString& words, QWidget* parent)
+QLabel* quietLabel(QWidget* parent)
 {
-    auto* label = new QLabel(words, parent);
+    auto* label = new QLabel(parent);
     label->setFont(typeface(kSmall));
     label->setForegroundRole(QPalette::PlaceholderText);
     return label;
@@ -66,7 +67,7 @@ QString dash()
 SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
 {
     setProperty("kind", "bar");
-    setAccessibleName(tr("Live figures and handpiece"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Live figures and handpiece")); });
     setFixedWidth(kWidthPx);
 
     auto* content = new QWidget;
@@ -78,33 +79,23 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->addSpacing(kSpace1);
 
     m_swatch = new MaterialSwatch(28, content);
-    m_material = addFigure(column, tr("Under the bur"), "materialFigure", m_swatch);
+    m_material = addFigure(column, "materialFigure", m_swatch);
     column->addSpacing(kSpace1);
     m_forceBar = new ForceBar(tooth::PointerControl::kStrongestN, content);
-    m_force = addFigure(column, tr("Force"), "forceFigure");
+    m_force = addFigure(column, "forceFigure");
     column->addWidget(m_forceBar);
     column->addSpacing(kSpace1);
     auto* pair = new QHBoxLayout;
     pair->setSpacing(kSpace2);
-    m_depth = addFigure(pair, tr("Depth"), "depthFigure");
-    m_depth.block->setToolTip(
-        brokenIntoLines(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
-                           "the tooth, where straight down says little.")));
-    m_dentin = addFigure(pair, tr("Dentin over pulp"), "dentinFigure");
-    m_dentin.block->setToolTip(
-        brokenIntoLines(tr("Sound dentin between the cut and the pulp straight below the tip. Two millimetres are "
-                           "wanted; less than half a millimetre harms the pulp.")));
+    m_depth = addFigure(pair, "depthFigure");
+    m_dentin = addFigure(pair, "dentinFigure");
     pair->setStretch(0, 1);
     pair->setStretch(1, 1);
     column->addLayout(pair);
     auto* asked = new QHBoxLayout;
     asked->setSpacing(kSpace2);
-    m_decay = addFigure(asked, tr("Decay left"), "decayFigure");
-    //: How far the bur is from what is to be kept
-    m_margin = addFigure(asked, tr("To the limit"), "marginFigure");
-    m_margin.block->setToolTip(
-        brokenIntoLines(tr("How far the bur's head is from what is to be kept, downwards or sideways. Nothing is "
-                           "shown while it is more than a millimetre.")));
+    m_decay = addFigure(asked, "decayFigure");
+    m_margin = addFigure(asked, "marginFigure");
     asked->setStretch(0, 1);
     asked->setStretch(1, 1);
     column->addLayout(asked);
@@ -122,7 +113,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     volumes->setSpacing(kSpace1);
     volumes->addWidget(line(m_removedBlock));
     volumes->addSpacing(kSpace1);
-    volumes->addWidget(quietLabel(tr("Removed"), m_removedBlock));
+    auto* removed = quietLabel(m_removedBlock);
+    volumes->addWidget(removed);
     volumes->addSpacing(kSpace1);
     column->addWidget(m_removedBlock);
     const auto addVolume = [&](QWidget* before, QLabel* words, const char* objectName) {
@@ -144,8 +136,10 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     const auto addMaterial = [&](Material material, const char* objectName) {
         auto* swatch = new MaterialSwatch(kSwatchPx, content);
         swatch->setMaterial(material);
-        TabularLabel* value =
-            addVolume(swatch, new QLabel(text::capitalised(text::materialName(material)), content), objectName);
+        auto* name = new QLabel(content);
+        text::inEveryLanguage(name,
+                              [name, material] { name->setText(text::capitalised(text::materialName(material))); });
+        TabularLabel* value = addVolume(swatch, name, objectName);
         m_removed.at(at(material)) = value;
         return value;
     };
@@ -154,29 +148,27 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     auto* indent = new QWidget(content);
     indent->setFixedWidth(kSwatchPx);
     // Of the enamel and dentin removed, what the grade counts: not what lies straight above the decay
-    m_overcutWords = quietLabel({}, content);
+    m_overcutWords = quietLabel(content);
     m_overcut = addVolume(indent, m_overcutWords, "overcut");
     m_overcutRow = m_overcut->parentWidget();
-    addMaterial(Material::Pulp, "pulpRemoved")
-        ->setToolTip(
-            brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
+    TabularLabel* pulp = addMaterial(Material::Pulp, "pulpRemoved");
 
     column->addSpacing(kSpace1);
     column->addWidget(line(content));
     auto* burRow = new QHBoxLayout;
-    burRow->addWidget(quietLabel(tr("Bur"), content));
+    auto* bur = quietLabel(content);
+    burRow->addWidget(bur);
     burRow->addStretch(1);
     m_rpm = new TabularLabel(content);
     m_rpm->setFont(typeface(kSmall, QFont::Medium));
     m_rpm->setObjectName(QStringLiteral("burRpm"));
-    m_rpm->setToolTip(brokenIntoLines(tr("Turns of the bur a minute: a load slows it, until it stalls")));
     burRow->addWidget(m_rpm);
     column->addLayout(burRow);
     column->addWidget(new BurChooser(actions.burs, content));
     column->addWidget(new HandpieceChooser(actions.handpieces, content));
 
     auto* pushRow = new QHBoxLayout;
-    auto* pushLabel = quietLabel(tr("Push with"), content);
+    auto* pushLabel = quietLabel(content);
     m_pushText = new TabularLabel(content);
     m_pushText->setFont(typeface(kBody, QFont::Medium));
     pushRow->setSpacing(kSpace2);
@@ -187,9 +179,6 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     m_push->setPageStep(5);
     m_push->setFocusPolicy(Qt::TabFocus);
     m_push->setObjectName(QStringLiteral("pushForce"));
-    m_push->setAccessibleName(tr("Push with, newtons"));
-    m_push->setToolTip(tr("How hard the mouse and the keys push the bur against the tooth"));
-    m_push->setStatusTip(m_push->toolTip());
     pushLabel->setBuddy(m_push);
     connect(m_push, &QSlider::valueChanged, this, [this](int steps) {
         setPushForce(steps * tooth::PointerControl::kStepN);
@@ -205,18 +194,53 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     fill->addWidget(new ScrollPane(content, QPalette::Base, this));
 
     setPushForce(1.0);
-    setAsked(Asked::Decay);
-    setFigures({}, {}, {});
+    text::inEveryLanguage(this, [this, removed, pulp, bur, pushLabel] {
+        name(m_material, tr("Under the bur"));
+        name(m_force, tr("Force"));
+        name(m_depth, tr("Depth"));
+        m_depth.block->setToolTip(
+            brokenIntoLines(tr("How far the tip stands below the surface as it was. Nothing is shown at the edge of "
+                               "the tooth, where straight down says little.")));
+        name(m_dentin, tr("Dentin over pulp"));
+        m_dentin.block->setToolTip(
+            brokenIntoLines(tr("Sound dentin between the cut and the pulp straight below the tip. Two millimetres are "
+                               "wanted; less than half a millimetre harms the pulp.")));
+        //: How far the bur is from what is to be kept
+        name(m_margin, tr("To the limit"));
+        m_margin.block->setToolTip(
+            brokenIntoLines(tr("How far the bur's head is from what is to be kept, downwards or sideways. Nothing is "
+                               "shown while it is more than a millimetre.")));
+        removed->setText(tr("Removed"));
+        pulp->setToolTip(
+            brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
+        bur->setText(tr("Bur"));
+        m_rpm->setToolTip(brokenIntoLines(tr("Turns of the bur a minute: a load slows it, until it stalls")));
+        pushLabel->setText(tr("Push with"));
+        m_push->setAccessibleName(tr("Push with, newtons"));
+        m_push->setToolTip(tr("How hard the mouse and the keys push the bur against the tooth"));
+        m_push->setStatusTip(m_push->toolTip());
+        setPushForce(m_pushN);
+        setAsked(m_asked);
+        // The newest figures come with the next frame.
+        m_sinceWords.invalidate();
+        setFigures({}, {}, {});
+        m_sinceWords.invalidate();
+    });
 }
 
-SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const QString& caption, const char* objectName,
-                                       QWidget* before)
+void SidePanel::name(Figure& figure, const QString& caption)
+{
+    figure.caption = caption;
+    figure.words->setText(caption);
+}
+
+SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const char* objectName, QWidget* before)
 {
     auto* block = new QWidget;
     auto* lines = new QVBoxLayout(block);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(0);
-    auto* words = quietLabel(caption, block);
+    auto* words = quietLabel(block);
     lines->addWidget(words);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);
@@ -228,7 +252,7 @@ SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const QString& captio
     row->addWidget(value, 1);
     lines->addLayout(row);
     layout->addWidget(block);
-    return {block, caption, words, value};
+    return {block, {}, words, value};
 }
 
 void SidePanel::setFigure(const Figure& figure, const QString& words, const QString& unit, const QColor& colour)
@@ -354,8 +378,7 @@ void SidePanel::setAsked(Asked asked)
     m_asked = asked;
     const bool isDecay = asked == Asked::Decay;
     //: Of what is to be taken away: decay, or the preparation that is asked for
-    m_decay.caption = isDecay ? tr("Decay left") : tr("Still to cut");
-    m_decay.words->setText(m_decay.caption);
+    name(m_decay, isDecay ? tr("Decay left") : tr("Still to cut"));
     m_overcutWords->setText(isDecay ? tr("beside the decay") : tr("beyond the ideal"));
     m_overcut->setToolTip(isDecay ? brokenIntoLines(text::soundTissueCounted()) : QString());
     showFigures();

@@ -63,8 +63,8 @@ private:
         TabularLabel* value;
     };
     /// @param before  stands before the value, or null
-    static Figure addFigure(QBoxLayout* layout, const QString& caption, const char* objectName,
-                            QWidget* before = nullptr);
+    static Figure addFigure(QBoxLayout* layout, const char* objectName, QWidget* before = nullptr);
+    static void name(Figure& figure, const QString& caption);
     static void setFigure(const Figure& figure, const QString& text, const QString& unit, const QColor& colour = {});
 
     Figure m_material{};

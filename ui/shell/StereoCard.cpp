@@ -12,6 +12,7 @@
 #include <QSlider>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::shell {
 namespace {
@@ -19,18 +20,17 @@ namespace {
 constexpr double kPerMille = 0.001;
 constexpr int kCardPx = 460;
 
-QSlider* slider(int low, int high, const QString& name, QWidget* parent)
+QSlider* slider(int low, int high, QWidget* parent)
 {
     auto* made = new QSlider(Qt::Horizontal, parent);
     made->setRange(low, high);
     made->setPageStep((high - low) / 10);
-    made->setAccessibleName(name);
     return made;
 }
 
-QLabel* words(const QString& text, QWidget* parent)
+QLabel* words(QWidget* parent)
 {
-    auto* label = new QLabel(text, parent);
+    auto* label = new QLabel(parent);
     label->setWordWrap(true);
     return label;
 }
@@ -38,23 +38,17 @@ QLabel* words(const QString& text, QWidget* parent)
 }  // namespace
 
 StereoCard::StereoCard(QWidget* parent)
-    : QFrame(parent), m_mode(new QComboBox(this)), m_apart(slider(5, 100, tr("Distance of the eyes"), this)),
-      m_convergence(slider(600, 1600, tr("Plane of the screen"), this))
+    : QFrame(parent), m_mode(new QComboBox(this)), m_apart(slider(5, 100, this)), m_convergence(slider(600, 1600, this))
 {
     setProperty("kind", "card");
-    setAccessibleName(tr("Stereo picture"));
     setFixedWidth(kCardPx);
-    m_mode->setAccessibleName(tr("Way to the eyes"));
-    for (const QString& mode : {tr("Red and cyan glasses, in colour"), tr("Red and cyan glasses, in grey"),
-                                tr("Halves side by side"), tr("Halves one above the other")})
-        m_mode->addItem(mode);
-    auto* title = new QLabel(tr("Stereo picture"), this);
+    m_mode->addItems({{}, {}, {}, {}});
+    auto* title = new QLabel(this);
     title->setFont(typeface(kTitle, QFont::DemiBold));
-    auto* ready = new QPushButton(tr("Done"), this);
+    auto* ready = new QPushButton(this);
     ready->setProperty("kind", "filled");
-    auto* off = new QPushButton(tr("Without stereo"), this);
-    auto* back = new QPushButton(tr("Cancel"), this);
-    back->setToolTip(tr("Leave everything as it was before (Esc)"));
+    auto* off = new QPushButton(this);
+    auto* back = new QPushButton(this);
     back->setObjectName(QStringLiteral("cancelStereo"));
     ready->setObjectName(QStringLiteral("keepStereo"));
     auto* grid = new QGridLayout(this);
@@ -62,19 +56,14 @@ StereoCard::StereoCard(QWidget* parent)
     grid->setVerticalSpacing(kSpace2);
     int row = 0;
     grid->addWidget(title, row++, 0, 1, 2);
-    grid->addWidget(words(tr("1. How do the two pictures reach your eyes? Close one eye, then the other: each must see "
-                             "a single tooth."),
-                          this),
-                    row++, 0, 1, 2);
+    auto* first = words(this);
+    auto* second = words(this);
+    auto* third = words(this);
+    grid->addWidget(first, row++, 0, 1, 2);
     grid->addWidget(m_mode, row++, 0, 1, 2);
-    grid->addWidget(
-        words(tr("2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it "
-                 "tires you."),
-              this),
-        row++, 0, 1, 2);
+    grid->addWidget(second, row++, 0, 1, 2);
     grid->addWidget(m_apart, row++, 0, 1, 2);
-    grid->addWidget(words(tr("3. Move the tooth before or behind the screen until you see it without effort."), this),
-                    row++, 0, 1, 2);
+    grid->addWidget(third, row++, 0, 1, 2);
     grid->addWidget(m_convergence, row++, 0, 1, 2);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
@@ -83,6 +72,28 @@ StereoCard::StereoCard(QWidget* parent)
     buttons->addWidget(back);
     buttons->addWidget(ready);
     grid->addLayout(buttons, row, 0, 1, 2);
+    text::inEveryLanguage(this, [this, title, first, second, third, ready, off, back] {
+        setAccessibleName(tr("Stereo picture"));
+        title->setText(tr("Stereo picture"));
+        m_mode->setAccessibleName(tr("Way to the eyes"));
+        int mode = 0;
+        for (const QString& way : {tr("Red and cyan glasses, in colour"), tr("Red and cyan glasses, in grey"),
+                                   tr("Halves side by side"), tr("Halves one above the other")})
+            m_mode->setItemText(mode++, way);
+        m_apart->setAccessibleName(tr("Distance of the eyes"));
+        m_convergence->setAccessibleName(tr("Plane of the screen"));
+        first->setText(tr("1. How do the two pictures reach your eyes? Close one eye, then the other: each must see "
+                          "a single tooth."));
+        second->setText(tr("2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it "
+                           "tires you."));
+        third->setText(tr("3. Move the tooth before or behind the screen until you see it without effort."));
+        ready->setText(tr("Done"));
+        off->setText(tr("Without stereo"));
+        back->setText(tr("Cancel"));
+        back->setToolTip(tr("Leave everything as it was before (Esc)"));
+        if (isVisible())
+            adjustSize();
+    });
     connect(m_mode, &QComboBox::currentIndexChanged, this, &StereoCard::tell);
     connect(m_apart, &QSlider::valueChanged, this, &StereoCard::tell);
     connect(m_convergence, &QSlider::valueChanged, this, &StereoCard::tell);

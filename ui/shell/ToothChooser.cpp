@@ -11,6 +11,7 @@
 #include "ui/shell/ArchView.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::shell {
@@ -24,9 +25,9 @@ constexpr int kWidestArchesPx = 600;
 }  // namespace
 
 ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
-    : Page(actions, tr("Choose a tooth"), parent), m_pictures(new QStackedWidget(this)), m_row(new QHBoxLayout),
+    : Page(actions, parent), m_pictures(new QStackedWidget(this)), m_row(new QHBoxLayout),
       m_gap(new QSpacerItem(kGapPx, 0)), m_arches(new ArchView(m_pictures)), m_number(new QLabel(this)),
-      m_name(new QLabel(this)), m_note(new QLabel(this)), m_take(new QPushButton(tr("Drill this tooth"), this)),
+      m_name(new QLabel(this)), m_note(new QLabel(this)), m_take(new QPushButton(this)),
       m_other(pageButton(actions.mouth, "", this))
 {
     m_pictures->addWidget(m_arches);
@@ -37,8 +38,6 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     m_note->setForegroundRole(QPalette::PlaceholderText);
     m_note->setWordWrap(true);
     m_take->setProperty("kind", "filled");
-    m_take->setAccessibleName(m_take->text());
-    m_take->setToolTip(tr("Put this tooth on the table (Enter)"));
     m_take->setFocusPolicy(Qt::TabFocus);
     m_take->setAutoDefault(true);
     m_take->setObjectName(QStringLiteral("takeTooth"));
@@ -46,10 +45,7 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     connect(actions.mouth, &QAction::visibleChanged, m_other,
             [this, action = actions.mouth] { m_other->setVisible(action->isVisible()); });
 
-    auto* scanHint =
-        new QLabel(tr("Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file "
-                      "anywhere on this window."),
-                   this);
+    auto* scanHint = new QLabel(this);
     scanHint->setWordWrap(true);
     scanHint->setForegroundRole(QPalette::PlaceholderText);
 
@@ -87,7 +83,22 @@ ToothChooser::ToothChooser(const Actions& actions, QWidget* parent)
     connect(m_arches, &ArchView::selectionChanged, this, &ToothChooser::describe);
     connect(m_arches, &ArchView::toothActivated, this, &ToothChooser::toothChosen);
     connect(m_take, &QPushButton::clicked, this, [this] { emit toothChosen(m_arches->selected()); });
-    describe(0);
+    text::inEveryLanguage(this, [this, scanHint] {
+        setTitle(tr("Choose a tooth"));
+        m_take->setText(tr("Drill this tooth"));
+        m_take->setAccessibleName(m_take->text());
+        m_take->setToolTip(tr("Put this tooth on the table (Enter)"));
+        scanHint->setText(tr("Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file "
+                             "anywhere on this window."));
+        sayOther();
+        describe(m_arches->selected());
+    });
+}
+
+void ToothChooser::sayOther()
+{
+    m_other->setText(m_mouthShown ? tr("Flat arches") : tr("Whole mouth"));
+    m_other->setAccessibleName(m_other->text());
 }
 
 void ToothChooser::setPresent(int fdi)
@@ -112,8 +123,7 @@ void ToothChooser::showMouth(bool inSpace)
         connect(m_mouth, &Mouth::toothActivated, this, &ToothChooser::toothChosen);
     }
     m_mouthShown = inSpace;
-    m_other->setText(inSpace ? tr("Flat arches") : tr("Whole mouth"));
-    m_other->setAccessibleName(m_other->text());
+    sayOther();
     if (inSpace)
         m_mouth->setSelected(m_arches->selected());
     // The mouth takes all the room there is.

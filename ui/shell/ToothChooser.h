@@ -38,6 +38,7 @@ protected:
 private:
     void describe(int fdi);
     void takeFocus();
+    void sayOther();
 
     QStackedWidget* m_pictures;
     QHBoxLayout* m_row;

@@ -7,9 +7,11 @@
 #include <QToolButton>
 
 #include "ui/shell/Actions.h"
+#include "ui/shell/LanguageMenu.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Memory.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/tooth/Viewpoint.h"
 
 namespace ui::shell {
@@ -35,7 +37,7 @@ void keepInBounds(render::Presentation& how)
 ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actions(actions), m_menu(new QMenu(window))
 {
     dress(*m_menu, roomPalette());
-    m_menu->setAccessibleName(tr("View"));
+    text::inEveryLanguage(m_menu, [this] { m_menu->setAccessibleName(tr("View")); });
     for (QAction* action : {actions.resetView, actions.turnRound})
         m_menu->addAction(action);
     m_menu->addSeparator();
@@ -56,6 +58,7 @@ ViewMenu::ViewMenu(Actions& actions, QWidget* window) : QObject(window), m_actio
         m_menu->addAction(action);
         action->setIconVisibleInMenu(false);
     }
+    m_menu->addMenu(new LanguageMenu(m_menu));
     // Beside a drawing a check mark would shrink to a faint box around it.
     for (QAction* action : this->actions())
         action->setIconVisibleInMenu(false);
@@ -104,7 +107,6 @@ void ViewMenu::colourAgainstIdeal(bool on)
 QToolButton* ViewMenu::makeButton(QWidget* parent)
 {
     auto* button = new QToolButton(parent);
-    button->setText(tr("View"));
     button->setIcon(lineIcon(QStringLiteral("eye"), roomPalette()));
     button->setIconSize({20, 20});
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -112,9 +114,12 @@ QToolButton* ViewMenu::makeButton(QWidget* parent)
     button->setFocusPolicy(Qt::TabFocus);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setMenu(m_menu);
-    button->setToolTip(tr("What is shown of the tooth, and how"));
-    button->setAccessibleName(button->text());
-    button->setAccessibleDescription(button->toolTip());
+    text::inEveryLanguage(button, [button] {
+        button->setText(tr("View"));
+        button->setToolTip(tr("What is shown of the tooth, and how"));
+        button->setAccessibleName(button->text());
+        button->setAccessibleDescription(button->toolTip());
+    });
     button->setObjectName(QStringLiteral("viewButton"));
     return button;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -46,6 +47,14 @@ ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
     column->addWidget(m_facts);
 }
 
+/// Before the buttons are told, which are others then.
+void ConductNotes::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_process)
+        speak();
+}
+
 QString ConductNotes::factsOf(const core::grading::Process& process, std::uint8_t aids)
 {
     QStringList facts;
@@ -63,22 +72,31 @@ QString ConductNotes::factsOf(const core::grading::Process& process, std::uint8_
 void ConductNotes::setConduct(const core::grading::Process& process,
                               const std::vector<core::grading::Infraction>& infractions, std::uint8_t aids)
 {
-    m_title->setText(infractions.empty()
+    m_process = process;
+    m_infractions = infractions;
+    m_aids = aids;
+    m_showsAll = false;
+    speak();
+}
+
+void ConductNotes::speak()
+{
+    m_title->setText(m_infractions.empty()
                          ? tr("No breach of the rules")
-                         : tr("%n breach(es) of the rules", nullptr, static_cast<int>(infractions.size())));
-    m_facts->setText(factsOf(process, aids));
-    fillBreaches(infractions, false);
+                         : tr("%n breach(es) of the rules", nullptr, static_cast<int>(m_infractions.size())));
+    m_facts->setText(factsOf(*m_process, m_aids));
+    fillBreaches();
 }
 
 /// The gravest, in the order of time; all of them where that is asked for.
-void ConductNotes::fillBreaches(const std::vector<core::grading::Infraction>& infractions, bool all)
+void ConductNotes::fillBreaches()
 {
     delete m_breaches;
     m_breaches = nullptr;
-    if (infractions.empty())
+    if (m_infractions.empty())
         return;
-    std::vector<core::grading::Infraction> shown = infractions;
-    if (!all && shown.size() > kShownBreaches) {
+    std::vector<core::grading::Infraction> shown = m_infractions;
+    if (!m_showsAll && shown.size() > kShownBreaches) {
         std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.breach < b.breach; });
         shown.resize(kShownBreaches - 1);
         std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
@@ -108,11 +126,15 @@ void ConductNotes::fillBreaches(const std::vector<core::grading::Infraction>& in
                 tr("See it happen: play the attempt from here"));
         connect(chip, &QPushButton::clicked, this, [this, at = infraction.seconds] { emit momentWanted(at); });
     }
-    if (shown.size() < infractions.size()) {
-        QPushButton* more = add(tr("%n more", "breaches", static_cast<int>(infractions.size() - shown.size())),
+    if (shown.size() < m_infractions.size()) {
+        QPushButton* more = add(tr("%n more", "breaches", static_cast<int>(m_infractions.size() - shown.size())),
                                 tr("Show every breach"));
         connect(
-            more, &QPushButton::clicked, this, [this, infractions] { fillBreaches(infractions, true); },
+            more, &QPushButton::clicked, this,
+            [this] {
+                m_showsAll = true;
+                fillBreaches();
+            },
             Qt::QueuedConnection);
     }
     m_head->insertWidget(1, m_breaches);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QWidget>
@@ -29,9 +30,18 @@ signals:
     /// The attempt is to be seen from this moment on.
     void momentWanted(double seconds);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     [[nodiscard]] static QString factsOf(const core::grading::Process& process, std::uint8_t aids);
-    void fillBreaches(const std::vector<core::grading::Infraction>& infractions, bool all);
+    void speak();
+    void fillBreaches();
+
+    std::optional<core::grading::Process> m_process;  ///< that is told
+    std::vector<core::grading::Infraction> m_infractions;
+    std::uint8_t m_aids = 0;
+    bool m_showsAll = false;  ///< breaches
 
     QHBoxLayout* m_head = nullptr;
     QLabel* m_title = nullptr;

@@ -18,6 +18,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/HoldGauge.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -81,6 +82,12 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
     m_choices = makeChoices();
     row->addWidget(m_hold, 1);
     row->addWidget(m_choices);
+    text::inEveryLanguage(this, [this] {
+        if (m_practised.index() != m_exercise.index())
+            return;  // not begun
+        sayTruth();
+        showProgress();
+    });
     hide();
 }
 
@@ -122,21 +129,24 @@ QWidget* ExerciseCard::makeChoices()
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace2);
         rows->addLayout(row);
-        auto* name = new QLabel(padName(pad), whole);
+        auto* name = new QLabel(whole);
+        text::inEveryLanguage(name, [name, pad] { name->setText(padName(pad)); });
         name->setFont(typeface(kBody, QFont::Medium));
         names->addWidget(name);
         m_pads[pad] = new QButtonGroup(whole);
         for (std::size_t k = 0; k < kTissues.size(); ++k) {
-            const QString tissue = text::capitalised(text::materialName(kTissues[k]));
-            auto* choice = new QPushButton(tissue, whole);
+            auto* choice = new QPushButton(whole);
             choice->setProperty("kind", "segment");
             choice->setCheckable(true);
             choice->setAutoDefault(false);
             // A click leaves the keys with the bur; Tab and the arrows come here.
             choice->setFocusPolicy(Qt::TabFocus);
-            //: %1 is "Left", "Middle" or "Right", %2 a tissue
-            choice->setAccessibleName(tr("%1: %2").arg(padName(pad), tissue));
-            choice->setToolTip(tr("Say that this pad is made of this; you can change it until you are graded"));
+            text::inEveryLanguage(choice, [choice, pad, k] {
+                choice->setText(text::capitalised(text::materialName(kTissues[k])));
+                //: %1 is "Left", "Middle" or "Right", %2 a tissue
+                choice->setAccessibleName(tr("%1: %2").arg(padName(pad), choice->text()));
+                choice->setToolTip(tr("Say that this pad is made of this; you can change it until you are graded"));
+            });
             choice->setObjectName(QStringLiteral("pad%1%2").arg(pad).arg(idOf(kTissues[k])));
             m_pads[pad]->addButton(choice, idOf(kTissues[k]));
             row->addWidget(choice, 1);
@@ -214,15 +224,24 @@ void ExerciseCard::setServo(const core::session::ServoState& servo)
 void ExerciseCard::conclude()
 {
     m_isConcluded = true;
-    int widest = 0;
-    if (const auto* pads = std::get_if<PadsToName>(&m_exercise)) {
-        const Tones tone = tones(palette());
-        for (std::size_t pad = 0; pad < kPads; ++pad) {
+    if (std::holds_alternative<PadsToName>(m_exercise))
+        for (QButtonGroup* pad : m_pads)
             // What was not said makes room for what is true.
-            for (QAbstractButton* choice : m_pads[pad]->buttons()) {
+            for (QAbstractButton* choice : pad->buttons()) {
                 choice->setEnabled(false);
                 choice->setVisible(choice->isChecked());
             }
+    sayTruth();
+    showProgress();
+}
+
+/// Of each pad, once the work has been graded.
+void ExerciseCard::sayTruth()
+{
+    int widest = 0;
+    if (const auto* pads = std::get_if<PadsToName>(&m_exercise); pads != nullptr && m_isConcluded) {
+        const Tones tone = tones(palette());
+        for (std::size_t pad = 0; pad < kPads; ++pad) {
             const bool isRight = std::get<Named>(m_practised).saidToBe[pad] == pads->madeOf[pad];
             const QString tissue = text::materialName(pads->madeOf[pad]);
             //: Beside what the student took a pad for; %1 is the tissue that it is
@@ -236,7 +255,6 @@ void ExerciseCard::conclude()
         for (QLabel* truth : m_truth)
             truth->setMinimumWidth(widest);
     }
-    showProgress();
 }
 
 void ExerciseCard::showProgress()

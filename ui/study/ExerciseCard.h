@@ -47,6 +47,7 @@ signals:
 private:
     QWidget* makeHold();
     QWidget* makeChoices();
+    void sayTruth();
     void showProgress();
     void showAdvice();
 

@@ -13,6 +13,7 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -26,7 +27,7 @@ constexpr int kBeginAt = 50;
 
 }  // namespace
 
-Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("Before you see the score"), parent)
+Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* content = new QWidget(this);
     auto* outer = new QHBoxLayout(content);
@@ -39,7 +40,8 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     outer->addWidget(block, 1000);
     outer->addStretch(1);
 
-    auto* question = new QLabel(tr("How many points do you expect?"), block);
+    auto* question = new QLabel(block);
+    text::inEveryLanguage(question, [question] { question->setText(tr("How many points do you expect?")); });
     question->setFont(typeface(kFigure, QFont::DemiBold));
     question->setWordWrap(true);
     column->addStretch(1);
@@ -54,7 +56,6 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     m_slider = new QSlider(Qt::Horizontal, block);
     m_slider->setRange(0, ::lessons::kFullTenths / kTenthsAStep);
     m_slider->setPageStep(5);
-    m_slider->setAccessibleName(question->text());
     m_slider->setObjectName(QStringLiteral("expected"));
     m_value = new TabularLabel(block);
     m_value->setFont(typeface(kFigure, QFont::DemiBold));
@@ -73,7 +74,8 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     connect(m_slider, &QSlider::actionTriggered, this, said);
     connect(m_slider, &QSlider::valueChanged, this, said);
 
-    auto* worst = new QLabel(tr("What cost you most?"), block);
+    auto* worst = new QLabel(block);
+    text::inEveryLanguage(worst, [worst] { worst->setText(tr("What cost you most?")); });
     worst->setFont(typeface(kTitle, QFont::DemiBold));
     column->addWidget(worst);
     m_criteriaSlot = new QVBoxLayout;
@@ -83,10 +85,13 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
     m_missing->setForegroundRole(QPalette::PlaceholderText);
     m_missing->setWordWrap(true);
     m_missing->setObjectName(QStringLiteral("missing"));
-    m_show = new QPushButton(tr("Show the score"), block);
+    m_show = new QPushButton(block);
+    text::inEveryLanguage(m_show, [this] {
+        m_show->setText(tr("Show the score"));
+        m_show->setAccessibleName(m_show->text());
+    });
     m_show->setProperty("kind", "filled");
-    m_show->setAccessibleName(m_show->text());
-    m_show->setToolTip(tr("See how the work was marked (Enter)"));
+    text::inEveryLanguage(m_show, [this] { m_show->setToolTip(tr("See how the work was marked (Enter)")); });
     m_show->setAutoDefault(true);
     m_show->setObjectName(QStringLiteral("showScore"));
     column->addSpacing(kSpace2);
@@ -98,14 +103,42 @@ Forecast::Forecast(const Actions& actions, QWidget* parent) : Page(actions, tr("
                        m_worst->checkedButton()->property("criterion").toString().toStdString()});
     });
     body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void Forecast::speak()
+{
+    setTitle(tr("Before you see the score"));
+    m_slider->setAccessibleName(tr("How many points do you expect?"));
+    if (m_worst == nullptr)
+        return;
+    //: %1 is a lesson, %2 the mark that is needed
+    m_mark->setText(
+        tr("%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.")
+            .arg(m_work, text::points(m_rubric.passMarkTenths)));
+    const QList<QAbstractButton*> answers = m_worst->buttons();
+    for (qsizetype k = 0; k < answers.size(); ++k) {
+        if (k == static_cast<qsizetype>(m_rubric.criteria.size())) {
+            answers[k]->setText(tr("Nothing in particular"));
+            continue;
+        }
+        ::lessons::Criterion line;
+        line.title = m_rubric.criteria[static_cast<std::size_t>(k)].title;
+        line.measure = m_rubric.criteria[static_cast<std::size_t>(k)].measure;
+        answers[k]->setText(text::criterionName(line));
+    }
+    showMissing();
+}
+
+void Forecast::setWork(const QString& work)
+{
+    m_work = work;
+    speak();
 }
 
 void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
 {
-    //: %1 is a lesson, %2 the mark that is needed
-    m_mark->setText(
-        tr("%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.")
-            .arg(work, text::points(rubric.passMarkTenths)));
+    m_rubric = rubric;
     m_slider->setValue(kBeginAt);
     m_value->setText(QStringLiteral("–"));
     m_hasPoints = false;
@@ -115,20 +148,15 @@ void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace1);
     m_worst = new QButtonGroup(m_criteria);
-    const auto offer = [&](const QString& words, const QString& id) {
-        auto* button = new QRadioButton(words, m_criteria);
+    const auto offer = [&](const QString& id) {
+        auto* button = new QRadioButton(m_criteria);
         button->setProperty("criterion", id);
         m_worst->addButton(button);
         column->addWidget(button);
-        return button;
     };
-    for (const ::lessons::CriterionRule& rule : rubric.criteria) {
-        ::lessons::Criterion line;
-        line.title = rule.title;
-        line.measure = rule.measure;
-        offer(text::criterionName(line), QString::fromStdString(rule.id));
-    }
-    offer(tr("Nothing in particular"), {});
+    for (const ::lessons::CriterionRule& rule : rubric.criteria)
+        offer(QString::fromStdString(rule.id));
+    offer({});  // nothing in particular
     connect(m_worst, &QButtonGroup::buttonClicked, this, &Forecast::showMissing);
     m_criteriaSlot->addWidget(m_criteria);
     // They were made after all other pages, and Tab would come to them last.
@@ -138,7 +166,7 @@ void Forecast::ask(const QString& work, const ::lessons::Rubric& rubric)
         before = answer;
     }
     setTabOrder(before, m_show);
-    showMissing();
+    setWork(work);
 }
 
 void Forecast::showMissing()

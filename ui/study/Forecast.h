@@ -27,6 +27,8 @@ public:
 
     /// Asks anew.
     void ask(const QString& work, const ::lessons::Rubric& rubric);
+    /// What it is called now: in another language.
+    void setWork(const QString& work);
 
 signals:
     void answered(const ui::study::Expectation& expected);
@@ -36,8 +38,11 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void speak();
     void showMissing();
 
+    QString m_work;
+    ::lessons::Rubric m_rubric;
     QLabel* m_mark = nullptr;
     QSlider* m_slider = nullptr;
     shell::TabularLabel* m_value = nullptr;

@@ -90,11 +90,16 @@ QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString
 QComboBox* choiceInput(const QString& name, QWidget* parent)
 {
     auto* made = new QComboBox(parent);
-    made->setAccessibleName(name);
-    made->view()->setAccessibleName(name);
+    nameInput(made, name);
     made->setFocusPolicy(Qt::StrongFocus);
     bindToForm(made);
     return made;
+}
+
+void nameInput(QComboBox* choice, const QString& name)
+{
+    choice->setAccessibleName(name);
+    choice->view()->setAccessibleName(name);
 }
 
 }  // namespace ui::study

@@ -31,6 +31,8 @@ void bindToForm(QWidget* input);
 [[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,
                                           const QString& name, QWidget* parent);
 [[nodiscard]] QComboBox* choiceInput(const QString& name, QWidget* parent);
+/// Names it, and the list that it opens.
+void nameInput(QComboBox* choice, const QString& name);
 
 inline constexpr int kInputPx = 112;
 

@@ -12,6 +12,7 @@
 
 #include "core/grading/Columns.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -85,7 +86,9 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMouseTracking(true);
-    setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to go"));
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to go"));
+    });
 }
 
 void HeatMap::setWork(const ScoredWork& work)

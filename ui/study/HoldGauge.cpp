@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -26,16 +27,22 @@ HoldGauge::HoldGauge(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setObjectName(QStringLiteral("holdGauge"));
+    text::inEveryLanguage(this, [this] { sayBand(); });
 }
 
 void HoldGauge::setAsked(const core::grading::ForceToHold& asked)
 {
     m_asked = asked;
     m_forceN = 0.0;
+    sayBand();
+    update();
+}
+
+void HoldGauge::sayBand()
+{
     setAccessibleName(
         tr("Force against the band from %1 to %2 N")
-            .arg(text::number(asked.forceN - asked.withinN, 1), text::number(asked.forceN + asked.withinN, 1)));
-    update();
+            .arg(text::number(m_asked.forceN - m_asked.withinN, 1), text::number(m_asked.forceN + m_asked.withinN, 1)));
 }
 
 void HoldGauge::setForce(double newtons)

@@ -24,6 +24,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void sayBand();
     [[nodiscard]] double placeOf(double newtons) const;
 
     core::grading::ForceToHold m_asked;

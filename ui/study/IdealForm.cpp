@@ -14,6 +14,7 @@
 
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -27,14 +28,18 @@ IdealForm::IdealForm(QWidget* parent) : QWidget(parent)
     column->setSpacing(kSpace2);
     m_head = formWords({}, kBody, QFont::DemiBold, QPalette::WindowText, this);
     column->addWidget(m_head);
-    m_reference = choiceInput(tr("What the ideal is"), this);
+    m_reference = choiceInput({}, this);
+    text::inEveryLanguage(m_reference, [this] { nameInput(m_reference, tr("What the ideal is")); });
     m_reference->setObjectName(QStringLiteral("reference"));
     connect(m_reference, &QComboBox::activated, this,
             [this](int index) { emit referenceChosen(m_reference->itemData(index).toString()); });
     column->addWidget(m_reference);
-    m_fromRecordings = new QPushButton(tr("Take recordings as the reference …"), this);
-    m_fromRecordings->setToolTip(tr("Choose one attempt, or several whose mean is to be cut"));
-    m_fromRecordings->setAccessibleName(m_fromRecordings->text());
+    m_fromRecordings = new QPushButton(this);
+    text::inEveryLanguage(m_fromRecordings, [this] {
+        m_fromRecordings->setText(tr("Take recordings as the reference …"));
+        m_fromRecordings->setToolTip(tr("Choose one attempt, or several whose mean is to be cut"));
+        m_fromRecordings->setAccessibleName(m_fromRecordings->text());
+    });
     connect(m_fromRecordings, &QPushButton::clicked, this, &IdealForm::recordingsWanted);
     column->addWidget(m_fromRecordings, 0, Qt::AlignLeft);
     m_fault = faultLabel(this);
@@ -42,6 +47,15 @@ IdealForm::IdealForm(QWidget* parent) : QWidget(parent)
     m_fieldsSlot = new QVBoxLayout;
     column->addLayout(m_fieldsSlot);
     begin(::lessons::Task::RemoveDecay);
+}
+
+void IdealForm::forgetWords()
+{
+    m_reference->clear();
+    delete m_fields;
+    m_fields = nullptr;
+    m_inputs.clear();
+    m_faults.clear();
 }
 
 void IdealForm::begin(::lessons::Task task)

@@ -25,6 +25,8 @@ public:
 
     /// Begins with a lesson of this task. Its numbers come with offer().
     void begin(::lessons::Task task);
+    /// All that it offers was named in another language: it is to be offered again.
+    void forgetWords();
     /// What the ideal can be: by rule, or any of these captured ones.
     /// @param present  the one that it is; empty: by rule
     void offerReferences(const QStringList& captured, const QString& present);

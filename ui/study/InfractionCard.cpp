@@ -12,6 +12,7 @@
 
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -108,25 +109,42 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     m_why->setWordWrap(true);
     column->addWidget(m_what);
     column->addWidget(m_why);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(kSpace2);
-    m_takeBack = new QPushButton(tr("Take it back"), this);
-    m_takeBack->setToolTip(tr("Put the tooth back to before it happened; it can be redone (Enter)"));
+    m_buttons = new QHBoxLayout;
+    m_buttons->setSpacing(kSpace2);
+    m_takeBack = new QPushButton(this);
+    text::inEveryLanguage(m_takeBack, [this] {
+        m_takeBack->setText(tr("Take it back"));
+        m_takeBack->setAccessibleName(m_takeBack->text());
+        m_takeBack->setToolTip(tr("Put the tooth back to before it happened; it can be redone (Enter)"));
+    });
     m_takeBack->setProperty("kind", "filled");
-    m_takeBack->setAccessibleName(m_takeBack->text());
     m_takeBack->setObjectName(QStringLiteral("takeBack"));
-    m_goOnButton = new QPushButton(tr("Go on"), this);
-    m_goOnButton->setToolTip(tr("Leave it as it is and work on (Esc)"));
-    m_goOnButton->setAccessibleName(m_goOnButton->text());
+    m_goOnButton = new QPushButton(this);
+    text::inEveryLanguage(m_goOnButton, [this] {
+        m_goOnButton->setText(tr("Go on"));
+        m_goOnButton->setToolTip(tr("Leave it as it is and work on (Esc)"));
+        m_goOnButton->setAccessibleName(m_goOnButton->text());
+    });
     m_goOnButton->setObjectName(QStringLiteral("goOn"));
-    buttons->addWidget(m_takeBack);
-    buttons->addWidget(m_goOnButton);
-    buttons->addStretch(1);
-    column->addLayout(buttons);
+    m_buttons->addWidget(m_takeBack);
+    m_buttons->addWidget(m_goOnButton);
+    m_buttons->addStretch(1);
+    column->addLayout(m_buttons);
     row->addLayout(column, 1);
     connect(m_takeBack, &QPushButton::clicked, this, &InfractionCard::takeBack);
     connect(m_goOnButton, &QPushButton::clicked, this, &InfractionCard::goOn);
+    text::inEveryLanguage(this, [this] { speak(); });
     hide();
+}
+
+void InfractionCard::speak()
+{
+    if (!m_told)
+        return;
+    m_what->setText(breachName(*m_told));
+    m_why->setText(breachReason(m_told->breach));
+    setAccessibleName(m_what->text());
+    setAccessibleDescription(m_why->text());
 }
 
 void InfractionCard::goOn()
@@ -146,11 +164,9 @@ bool InfractionCard::takeBack()
 
 void InfractionCard::tell(const core::grading::Infraction& infraction, bool canTakeBack)
 {
-    m_what->setText(breachName(infraction));
-    m_why->setText(breachReason(infraction.breach));
+    m_told = infraction;
+    speak();
     m_takeBack->setVisible(canTakeBack);
-    setAccessibleName(m_what->text());
-    setAccessibleDescription(m_why->text());
     show();
     raise();
     setFocusProxy(canTakeBack ? m_takeBack : m_goOnButton);
@@ -160,6 +176,9 @@ void InfractionCard::tell(const core::grading::Infraction& infraction, bool canT
 void InfractionCard::placeIn(const QRect& area)
 {
     const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
+    // One below the other where they do not stand side by side.
+    const int beside = m_takeBack->sizeHint().width() + m_goOnButton->sizeHint().width() + kIconPx + 4 * kSpace4;
+    m_buttons->setDirection(beside <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     layout()->activate();  // words that have just changed may take another line
     resize(width, layout()->totalHeightForWidth(width));
     move(area.center().x() - width / 2, area.bottom() - kSpace6 - height());

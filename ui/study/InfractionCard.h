@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QFrame>
 
 #include "core/grading/Referee.h"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -35,8 +38,12 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void speak();
+
+    std::optional<core::grading::Infraction> m_told;
     QLabel* m_what = nullptr;
     QLabel* m_why = nullptr;
+    QBoxLayout* m_buttons = nullptr;
     QPushButton* m_takeBack = nullptr;
     QPushButton* m_goOnButton = nullptr;
 };

@@ -30,6 +30,7 @@
 #include "ui/study/RubricForm.h"
 #include "ui/study/SweepPage.h"
 #include "ui/study/ToleranceView.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -76,7 +77,7 @@ QString write(LessonDraft& draft, const Weighed& weighed)
 }  // namespace
 
 LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
-    : Page(actions, tr("Lesson editor"), parent), m_weigher(new DraftWeigher(this))
+    : Page(actions, parent), m_weigher(new DraftWeigher(this))
 {
     m_capturing.setMaxThreadCount(1);
     connect(m_weigher, &DraftWeigher::weighed, this, &LessonEditor::take);
@@ -89,6 +90,27 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
     row->addWidget(makePictures(), 3);
     body()->addLayout(row, 1);
     body()->addWidget(makeFoot(actions));
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+/// The inputs are made anew, and what is weighed is weighed again: its words are of the language before.
+void LessonEditor::speak()
+{
+    if (m_present.isEmpty()) {
+        setTitle(tr("Lesson editor"));
+        return;
+    }
+    const ::lessons::Lesson& lesson = m_opened.at(m_present).lesson;
+    showTitle();
+    m_ideal->forgetWords();
+    m_ideal->begin(lesson.task);
+    m_rubric->forgetWords();
+    m_rubric->offerCriteria(lesson.rubric.criteria);
+    m_rubric->showValues(draft().rubric());
+    offerReferences();
+    if (m_saying)
+        say(m_saying, m_isSaidWrong);
+    m_weigher->weigh(draft().object(), draft().file());
 }
 
 LessonEditor::~LessonEditor()
@@ -119,7 +141,7 @@ QWidget* LessonEditor::makeForm()
     column->setContentsMargins(kSpace4, 0, kSpace4, kSpace2);
     column->setSpacing(kSpace2);
     m_title = new QLineEdit(form);
-    m_title->setAccessibleName(tr("Title of the lesson"));
+    text::inEveryLanguage(m_title, [this] { m_title->setAccessibleName(tr("Title of the lesson")); });
     m_title->setObjectName(QStringLiteral("draftTitle"));
     bindToForm(m_title);
     connect(m_title, &QLineEdit::textEdited, this, [this](const QString& title) {
@@ -164,12 +186,15 @@ QWidget* LessonEditor::makePictures()
     choices->setSpacing(kSpace1);
     auto* group = new QButtonGroup(side);
     auto* pictures = new QStackedWidget(side);
-    const auto add = [&](const QString& name, const QString& tip, QWidget* page) {
-        auto* button = new QPushButton(name, side);
+    const auto add = [&](const char* name, const char* tip, QWidget* page) {
+        auto* button = new QPushButton(side);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
-        button->setToolTip(tip);
-        button->setAccessibleName(name);
+        text::inEveryLanguage(button, [button, name, tip] {
+            button->setText(tr(name));
+            button->setToolTip(tr(tip));
+            button->setAccessibleName(tr(name));
+        });
         button->setChecked(group->buttons().isEmpty());
         group->addButton(button, pictures->addWidget(page));
         choices->addWidget(button);
@@ -182,19 +207,19 @@ QWidget* LessonEditor::makePictures()
     m_meaning = formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, tooth);
     stack->addWidget(m_view, 1);
     stack->addWidget(m_meaning);
-    add(tr("On the tooth"), tr("What the tolerances mean on the tooth"), tooth);
+    add(QT_TR_NOOP("On the tooth"), QT_TR_NOOP("What the tolerances mean on the tooth"), tooth);
     m_sweep = new SweepPage(side);
-    add(tr("Past attempts"), tr("How attempts would score under other tolerances"), m_sweep);
+    add(QT_TR_NOOP("Past attempts"), QT_TR_NOOP("How attempts would score under other tolerances"), m_sweep);
     m_json = new QPlainTextEdit(side);
     m_json->setReadOnly(true);
     m_json->setFrameShape(QFrame::NoFrame);
     m_json->setTabChangesFocus(true);
-    m_json->setAccessibleName(tr("The lesson's file"));
+    text::inEveryLanguage(m_json, [this] { m_json->setAccessibleName(tr("The lesson's file")); });
     QFont fixed(QStringLiteral("monospace"));
     fixed.setStyleHint(QFont::Monospace);
     fixed.setPixelSize(kSmall);
     m_json->setFont(fixed);
-    add(tr("File"), tr("The lesson as its file says it"), m_json);
+    add(QT_TR_NOOP("File"), QT_TR_NOOP("The lesson as its file says it"), m_json);
     choices->addStretch(1);
     connect(group, &QButtonGroup::idClicked, pictures, &QStackedWidget::setCurrentIndex);
     column->addLayout(choices);
@@ -208,10 +233,13 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     auto* row = new QHBoxLayout(foot);
     row->setContentsMargins(kSpace4, 0, 0, 0);
     row->setSpacing(kSpace2);
-    m_save = new QPushButton(tr("Save"), foot);
+    m_save = new QPushButton(foot);
+    text::inEveryLanguage(m_save, [this] { m_save->setText(tr("Save")); });
     m_save->setProperty("kind", "filled");
-    m_save->setAccessibleName(tr("Save the lesson"));
-    m_save->setToolTip(tr("Write the lesson into your folder (Ctrl+S)"));
+    text::inEveryLanguage(m_save, [this] {
+        m_save->setAccessibleName(tr("Save the lesson"));
+        m_save->setToolTip(tr("Write the lesson into your folder (Ctrl+S)"));
+    });
     m_save->setObjectName(QStringLiteral("saveLesson"));
     connect(m_save, &QPushButton::clicked, this, &LessonEditor::save);
     row->addWidget(m_save);
@@ -226,9 +254,12 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     said->addWidget(m_check);
     said->addWidget(m_said);
     row->addLayout(said, 1);
-    m_fit = new QPushButton(tr("Fit"), foot);
-    m_fit->setToolTip(tr("Widen the tolerances until the ideal itself loses nothing"));
-    m_fit->setAccessibleName(tr("Fit the tolerances to the ideal"));
+    m_fit = new QPushButton(foot);
+    text::inEveryLanguage(m_fit, [this] {
+        m_fit->setText(tr("Fit"));
+        m_fit->setToolTip(tr("Widen the tolerances until the ideal itself loses nothing"));
+        m_fit->setAccessibleName(tr("Fit the tolerances to the ideal"));
+    });
     connect(m_fit, &QPushButton::clicked, this, &LessonEditor::fitTolerances);
     m_fit->hide();
     row->addWidget(m_fit);
@@ -268,8 +299,11 @@ void LessonEditor::turnTo(const QString& present)
     m_sweep->begin(lesson);
     offerReferences();
     showTitle();
-    say(draft().isSavedOnce() ? tr("This lesson of yours is changed where it stands.")
-                              : tr("A shipped lesson: saved, it becomes one of your own, based on it."),
+    say(
+        [isOwn = draft().isSavedOnce()] {
+            return isOwn ? tr("This lesson of yours is changed where it stands.")
+                         : tr("A shipped lesson: saved, it becomes one of your own, based on it.");
+        },
         false);
     changed();
 }
@@ -310,7 +344,7 @@ void LessonEditor::changed()
 {
     m_json->setPlainText(QString::fromUtf8(QJsonDocument(draft().object()).toJson()));
     if (draft().isChanged())
-        say(tr("Not saved yet."), false);
+        say([] { return tr("Not saved yet."); }, false);
     emit stepsChanged();
     m_weigher->weigh(draft().object(), draft().file());
 }
@@ -418,8 +452,12 @@ void LessonEditor::fitTolerances()
     }
     changed();
     if (!left.isEmpty())
-        say(tr("Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.")
-                .arg(left.join(QStringLiteral(", "))),
+        say(
+            [names = left.join(QStringLiteral(", "))] {
+                return tr("Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another "
+                          "rubric.")
+                    .arg(names);
+            },
             true);
 }
 
@@ -458,7 +496,8 @@ void LessonEditor::captureFrom(const QStringList& recordings)
     for (int k = 1; name.isEmpty() || QFileInfo::exists(lesson.dir().filePath(name)); ++k)
         name = lesson.fileName().section(u'.', 0, 0) + (k > 1 ? u'-' + QString::number(k) : QString()) +
                QStringLiteral(".cuspideal");
-    say(tr("Replaying %n recording(s) …", nullptr, static_cast<int>(recordings.size())), false);
+    say([count = static_cast<int>(recordings.size())] { return tr("Replaying %n recording(s) …", nullptr, count); },
+        false);
     m_ideal->setCapturing(true);
     // The destructor waits for the pool, and takes with it what was still to come here.
     m_capturing.start([this, paths, tolerances, name, of = m_present, file = lesson.dir().filePath(name)] {
@@ -470,13 +509,15 @@ void LessonEditor::captureFrom(const QStringList& recordings)
             [this, written, name, of] {
                 m_ideal->setCapturing(false);
                 if (!written) {
-                    say(tr("No reference was made: %1").arg(QString::fromStdString(written.error().detail)), true);
+                    say([why = QString::fromStdString(
+                             written.error().detail)] { return tr("No reference was made: %1").arg(why); },
+                        true);
                     return;
                 }
                 m_opened.at(of).draft.setCaptured(name, {});
                 if (of == m_present)
                     changed();
-                say(tr("The reference is %1 beside your lessons.").arg(name), false);
+                say([name] { return tr("The reference is %1 beside your lessons.").arg(name); }, false);
             },
             Qt::QueuedConnection);
     });
@@ -498,11 +539,11 @@ void LessonEditor::save()
     if (m_isSaveWanted)
         return;  // as soon as it is checked
     if (const QString whyNot = write(draft(), *m_now); !whyNot.isEmpty()) {
-        say(whyNot, true);
+        say([whyNot] { return whyNot; }, true);
         return;
     }
     changed();
-    say(tr("Saved as %1.").arg(QDir::toNativeSeparators(draft().file())), false);
+    say([file = QDir::toNativeSeparators(draft().file())] { return tr("Saved as %1.").arg(file); }, false);
     emit lessonSaved(draft().file());
 }
 
@@ -533,7 +574,7 @@ bool LessonEditor::saveAll()
         if (const QString whyNot = write(opened.draft, *weighed); !whyNot.isEmpty()) {
             if (from != m_present)
                 turnTo(from);
-            say(whyNot, true);
+            say([whyNot] { return whyNot; }, true);
             return false;
         }
         emit lessonSaved(opened.draft.file());
@@ -541,13 +582,15 @@ bool LessonEditor::saveAll()
     return true;
 }
 
-void LessonEditor::say(const QString& sentence, bool isWrong)
+void LessonEditor::say(std::function<QString()> sentence, bool isWrong)
 {
+    m_saying = std::move(sentence);
+    m_isSaidWrong = isWrong;
     QPalette colours = palette();
     colours.setColor(QPalette::PlaceholderText,
                      isWrong ? tones(palette()).harmText : palette().color(QPalette::PlaceholderText));
     m_said->setPalette(colours);
-    m_said->setText((isWrong ? QStringLiteral("⚠ ") : QString()) + sentence);
+    m_said->setText((isWrong ? QStringLiteral("⚠ ") : QString()) + m_saying());
 }
 
 }  // namespace ui::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -95,7 +96,9 @@ private:
     void chooseReference(const QString& name);
     void askForRecordings();
     void captureFrom(const QStringList& recordings);
-    void say(const QString& words, bool isWrong);
+    /// @param words  said again in another language
+    void say(std::function<QString()> words, bool isWrong);
+    void speak();
 
     std::map<QString, Opened> m_opened;  ///< by the file of the lesson they began from
     QString m_present;
@@ -103,6 +106,8 @@ private:
     std::shared_ptr<const Weighed> m_good;  ///< the newest of it that is a lesson
     DraftWeigher* m_weigher;
     bool m_isSaveWanted = false;
+    std::function<QString()> m_saying;
+    bool m_isSaidWrong = false;
 
     QLineEdit* m_title = nullptr;
     QLabel* m_generalFault = nullptr;

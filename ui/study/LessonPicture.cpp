@@ -14,6 +14,7 @@
 #include "ui/inside/OutlinePainter.h"
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::study {
 namespace {
@@ -59,7 +60,7 @@ LessonPicture::LessonPicture(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMaximumHeight(kMostHeightPx);
     setObjectName(QStringLiteral("lessonPicture"));
-    setAccessibleName(tr("What the lesson asks for, as a picture"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("What the lesson asks for, as a picture")); });
 }
 
 LessonPicture::~LessonPicture()

@@ -13,6 +13,7 @@
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/LessonWords.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -31,18 +32,20 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpace4, kSpace1, kSpace4, kSpace1);
     row->setSpacing(kSpace2);
-    const auto arrow = [this](const QString& drawing, const QString& words) {
+    const auto arrow = [this](const QString& drawing, const char* words) {
         auto* button = new QToolButton(this);
         button->setIcon(lineIcon(drawing, roomPalette()));
         button->setIconSize({16, 16});
         button->setAutoRaise(true);
-        button->setToolTip(words);
-        button->setAccessibleName(words);
+        text::inEveryLanguage(button, [button, words] {
+            button->setToolTip(tr(words));
+            button->setAccessibleName(tr(words));
+        });
         button->setFocusPolicy(Qt::TabFocus);
         return button;
     };
-    m_before = arrow(QStringLiteral("back"), tr("The step before"));
-    m_next = arrow(QStringLiteral("forward"), tr("The next step"));
+    m_before = arrow(QStringLiteral("back"), QT_TR_NOOP("The step before"));
+    m_next = arrow(QStringLiteral("forward"), QT_TR_NOOP("The next step"));
     m_number = new QLabel(this);
     m_number->setForegroundRole(QPalette::PlaceholderText);
     m_text = new QLabel(this);
@@ -50,10 +53,11 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setFont(typeface(kBody, QFont::Medium));
     m_text->setObjectName(QStringLiteral("lessonStep"));
-    m_hint = new QPushButton(tr("Hint"), this);
+    m_hint = new QPushButton(this);
+    text::inEveryLanguage(m_hint, [this] { m_hint->setText(tr("Hint")); });
     m_hint->setProperty("kind", "segment");
     m_hint->setCheckable(true);
-    m_hint->setToolTip(tr("Show a hint for this step"));
+    text::inEveryLanguage(m_hint, [this] { m_hint->setToolTip(tr("Show a hint for this step")); });
     m_hint->setFocusPolicy(Qt::TabFocus);
     m_hint->setObjectName(QStringLiteral("lessonHint"));
     m_time = new TabularLabel(this);
@@ -72,6 +76,10 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     connect(m_hint, &QPushButton::clicked, this, [this] {
         showStep();
         announce(*m_text);
+    });
+    text::inEveryLanguage(this, [this] {
+        showStep();
+        setTime(m_workedS);
     });
 }
 
@@ -132,6 +140,7 @@ void LessonStrip::conclude()
 
 void LessonStrip::setTime(double workedS)
 {
+    m_workedS = workedS;
     if (m_isConcluded)
         return;
     const double limitS = m_lesson.minutes * kSecondsAMinute;

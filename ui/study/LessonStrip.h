@@ -39,6 +39,7 @@ private:
 
     ::lessons::Lesson m_lesson;
     std::size_t m_step = 0;
+    double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
     QLabel* m_number = nullptr;

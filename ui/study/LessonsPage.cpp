@@ -24,6 +24,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/study/LessonPicture.h"
 #include "ui/study/LessonWords.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -106,13 +107,17 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
 
 }  // namespace
 
-LessonsPage::LessonsPage(const Actions& actions, QWidget* parent) : Page(actions, tr("Lessons"), parent)
+LessonsPage::LessonsPage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace6);
     row->addWidget(makeList(), 2);
     row->addWidget(makeDetails(actions), 3);
     body()->addLayout(row, 1);
+    text::inEveryLanguage(this, [this] {
+        setTitle(tr("Lessons"));
+        fillList();
+    });
 }
 
 QWidget* LessonsPage::makeList()
@@ -123,11 +128,13 @@ QWidget* LessonsPage::makeList()
     column->setContentsMargins(kSpace4, 0, 0, 0);
     column->setSpacing(kSpace2);
     m_search = new QLineEdit(side);
-    m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
-    m_search->setAccessibleName(tr("Search the lessons"));
+    text::inEveryLanguage(m_search, [this] {
+        m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
+        m_search->setAccessibleName(tr("Search the lessons"));
+    });
     m_search->setClearButtonEnabled(true);
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
-        clear->setAccessibleName(tr("Clear the search"));
+        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_search->setFont(typeface(kBody));
     m_search->installEventFilter(this);
     column->addWidget(m_search);
@@ -135,7 +142,7 @@ QWidget* LessonsPage::makeList()
     m_list = new QListView(side);
     m_list->setModel(m_model);
     m_list->setItemDelegate(new Rows(m_list));
-    m_list->setAccessibleName(tr("Lessons"));
+    text::inEveryLanguage(m_list, [this] { m_list->setAccessibleName(tr("Lessons")); });
     m_list->setMouseTracking(true);
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -180,16 +187,22 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     stack->setContentsMargins(0, 0, 0, 0);
     stack->addWidget(scroll, 1);
     auto* buttons = new QHBoxLayout;
-    m_start = new QPushButton(tr("Start"), whole);
+    m_start = new QPushButton(whole);
+    text::inEveryLanguage(m_start, [this] { m_start->setText(tr("Start")); });
     m_start->setProperty("kind", "filled");
-    m_start->setAccessibleName(tr("Start this lesson"));
-    m_start->setToolTip(tr("Put the tooth of this lesson on the table (Enter)"));
+    text::inEveryLanguage(m_start, [this] {
+        m_start->setAccessibleName(tr("Start this lesson"));
+        m_start->setToolTip(tr("Put the tooth of this lesson on the table (Enter)"));
+    });
     m_start->setObjectName(QStringLiteral("startLesson"));
     m_start->setAutoDefault(true);
     connect(m_start, &QPushButton::clicked, this, &LessonsPage::start);
-    auto* folder = new QPushButton(tr("Your own lessons …"), whole);
-    folder->setToolTip(tr("Open the folder that a teacher's lessons are read from"));
-    folder->setAccessibleName(tr("Open the folder of your own lessons"));
+    auto* folder = new QPushButton(whole);
+    text::inEveryLanguage(folder, [folder] {
+        folder->setText(tr("Your own lessons …"));
+        folder->setToolTip(tr("Open the folder that a teacher's lessons are read from"));
+        folder->setAccessibleName(tr("Open the folder of your own lessons"));
+    });
     folder->setAutoDefault(false);
     connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
     buttons->addWidget(m_start);

@@ -17,6 +17,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/study/LessonWords.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -43,11 +44,15 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace2);
     auto* head = new QHBoxLayout;
-    head->addWidget(formWords(tr("Marking"), kBody, QFont::DemiBold, QPalette::WindowText, this), 1);
-    m_more = new QCheckBox(tr("Targets and spans"), this);
+    auto* title = formWords({}, kBody, QFont::DemiBold, QPalette::WindowText, this);
+    head->addWidget(title, 1);
+    m_more = new QCheckBox(this);
+    text::inEveryLanguage(m_more, [this] { m_more->setText(tr("Targets and spans")); });
     m_more->setObjectName(QStringLiteral("targetsAndSpans"));
-    m_more->setToolTip(
-        brokenIntoLines(tr("What each measure ought to be, and how far beyond the tolerance all points are lost")));
+    text::inEveryLanguage(m_more, [this] {
+        m_more->setToolTip(
+            brokenIntoLines(tr("What each measure ought to be, and how far beyond the tolerance all points are lost")));
+    });
     connect(m_more, &QCheckBox::toggled, this, &RubricForm::showMore);
     head->addWidget(m_more);
     column->addLayout(head);
@@ -56,8 +61,9 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     m_sum = formWords({}, kBody, QFont::Medium, QPalette::WindowText, this);
     column->addWidget(m_sum);
     auto* pass = new QHBoxLayout;
-    pass->addWidget(formWords(tr("Passed from"), kBody, QFont::Normal, QPalette::WindowText, this), 1);
-    m_passMark = numberInput(0.0, 100.0, 1, tr("points"), tr("Pass mark"), this);
+    auto* passedFrom = formWords({}, kBody, QFont::Normal, QPalette::WindowText, this);
+    pass->addWidget(passedFrom, 1);
+    m_passMark = numberInput(0.0, 100.0, 1, {}, {}, this);
     m_passMark->setFixedWidth(kInputPx + kSpace4);
     connect(m_passMark, &QDoubleSpinBox::valueChanged, this, [this](double points) {
         if (!m_isFilling)
@@ -65,6 +71,12 @@ RubricForm::RubricForm(QWidget* parent) : QWidget(parent)
     });
     pass->addWidget(m_passMark);
     column->addLayout(pass);
+    text::inEveryLanguage(this, [this, title, passedFrom] {
+        title->setText(tr("Marking"));
+        passedFrom->setText(tr("Passed from"));
+        m_passMark->setSuffix(QStringLiteral(" ") + tr("points"));
+        m_passMark->setAccessibleName(tr("Pass mark"));
+    });
 }
 
 bool RubricForm::offers(const std::vector<::lessons::CriterionRule>& criteria) const
@@ -73,6 +85,13 @@ bool RubricForm::offers(const std::vector<::lessons::CriterionRule>& criteria) c
     for (std::size_t k = 0; isSame && k < criteria.size(); ++k)
         isSame = m_criteria[k].id == criteria[k].id && (m_criteria[k].weight == nullptr) == criteria[k].critical;
     return isSame;
+}
+
+void RubricForm::forgetWords()
+{
+    delete m_inputs;
+    m_inputs = nullptr;
+    m_criteria.clear();
 }
 
 void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& criteria)

@@ -26,6 +26,8 @@ public:
 
     /// Inputs for these criteria. They are made anew only where they are others than before.
     void offerCriteria(const std::vector<::lessons::CriterionRule>& criteria);
+    /// All that it offers was named in another language: it is to be offered again.
+    void forgetWords();
     /// @param rubric  the object of a file; it need not be one that could mark
     void showValues(const QJsonObject& rubric);
     /// Shows what is wrong with the marking beside what it is about, and answers the rest.

@@ -174,7 +174,7 @@ QString rubricWords(const ::lessons::ScoreSheet& sheet)
 
 }  // namespace
 
-ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr("Grade"), parent)
+ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
     auto* block = new QWidget(this);
     block->setMaximumWidth(kWidestPx);
@@ -209,6 +209,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, tr
     m_back = pageButton(actions.back, "filled", this);
     buttons->addWidget(m_back);
     body()->addLayout(buttons);
+    text::inEveryLanguage(this, [this] { speak(); });
 }
 
 void ScorePage::arrange()
@@ -284,10 +285,12 @@ QWidget* ScorePage::makeResult()
     m_noise = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     fold(m_noise);
     m_noise->setObjectName(QStringLiteral("noise"));
-    m_noise->setToolTip(
-        brokenIntoLines(tr("The finished tooth is measured again with half and with double the number of columns along "
-                           "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
-                           "or about what you would do on another day.")));
+    text::inEveryLanguage(m_noise, [this] {
+        m_noise->setToolTip(brokenIntoLines(
+            tr("The finished tooth is measured again with half and with double the number of columns along "
+               "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
+               "or about what you would do on another day.")));
+    });
     words->addStretch(1);
     words->addWidget(m_expected);
     words->addWidget(m_noise);
@@ -302,7 +305,8 @@ QWidget* ScorePage::makeCriteria()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    QLabel* title = label(tr("Where the points went"), kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    QLabel* title = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    text::inEveryLanguage(title, [title] { title->setText(tr("Where the points went")); });
     title->setContentsMargins(kSpace2, 0, 0, 0);
     column->addWidget(title);
     m_criteriaSlot = new QVBoxLayout;
@@ -312,11 +316,14 @@ QWidget* ScorePage::makeCriteria()
     auto* looking = new QVBoxLayout(m_looking);
     looking->setContentsMargins(kSpace2, 0, kSpace2, 0);
     looking->setSpacing(kSpace1);
-    looking->addWidget(label(tr("Finding the moment of each lost point …"), kSmall, QFont::Normal,
-                             QPalette::PlaceholderText, m_looking));
+    QLabel* finding = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_looking);
+    looking->addWidget(finding);
     m_progress = new QProgressBar(m_looking);
     m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Finding the moment of each lost point"));
+    text::inEveryLanguage(finding, [this, finding] {
+        finding->setText(tr("Finding the moment of each lost point …"));
+        m_progress->setAccessibleName(tr("Finding the moment of each lost point"));
+    });
     looking->addWidget(m_progress);
     m_looking->hide();
     column->addWidget(m_looking);
@@ -367,7 +374,9 @@ QWidget* ScorePage::makeHistory()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    column->addWidget(label(tr("Your attempts"), kBody, QFont::DemiBold, QPalette::WindowText, frame));
+    QLabel* title = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    text::inEveryLanguage(title, [title] { title->setText(tr("Your attempts")); });
+    column->addWidget(title);
     m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
     fold(m_remark);
@@ -400,51 +409,85 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
                          const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                          const std::optional<ScoredWork>& scored)
 {
-    //: %1 is a lesson, "Tooth 36" or a file name
-    setTitle(tr("Grade: %1").arg(work));
-    m_expected->setVisible(expected.has_value());
-    if (expected)
-        m_expected->setText(
-            (expectation(expected->tenths, sheet.totalTenths) + u' ' + expectedWorst(expected->worst, sheet))
-                .trimmed());
-    m_noise->hide();
-    QString how = rubricWords(sheet);
-    if (scored && scored->preset)
-        //: %1 is a hardness preset with its version
-        how += u' ' + tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*scored->preset));
-    m_rubric->setText(how);
-    const Tones tone = tones(palette());
-    m_total->setText(text::points(sheet.totalTenths), tr("of 100"));
-    const bool passed = sheet.passed();
-    m_verdict->setText(passed                     ? tr("Passed")
-                       : sheet.failedCritically() ? tr("Not passed: harm done")
-                                                  : tr("Not passed yet"));
-    m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
-                                        passed                     ? tone.accent
-                                        : sheet.failedCritically() ? tone.harm
-                                                                   : tone.attention,
-                                        26, devicePixelRatioF()));
-    m_bar->setScore(sheet.totalTenths, sheet.passMarkTenths);
+    m_work = work;
+    m_sheet = sheet;
+    m_expectation = expected;
+    m_isShown = true;
+    m_noiseNow.reset();
+    m_standing.reset();
+    m_moments.clear();
     m_criterionCount = sheet.criteria.size();
     m_scored = scored;
     if (m_scored) {
         m_heat->setWork(*m_scored);
         m_section->setWork(*m_scored);
     }
+    setMomentsProgress({});
+    m_keeping = history.isEmpty() ? Keeping::Nowhere : Keeping::Kept;
+    m_history = history;
+    m_chosen.clear();
+    speak();
+}
+
+void ScorePage::setWork(const QString& work)
+{
+    m_work = work;
+    speak();
+}
+
+/// All that is known of the score, in the language of today.
+void ScorePage::speak()
+{
+    if (!m_isShown) {
+        setTitle(tr("Grade"));
+        return;
+    }
+    //: %1 is a lesson, "Tooth 36" or a file name
+    setTitle(tr("Grade: %1").arg(m_work));
+    m_expected->setVisible(m_expectation.has_value());
+    if (m_expectation)
+        m_expected->setText((expectation(m_expectation->tenths, m_sheet.totalTenths) + u' ' +
+                             expectedWorst(m_expectation->worst, m_sheet))
+                                .trimmed());
+    QString how = rubricWords(m_sheet);
+    if (m_scored && m_scored->preset)
+        //: %1 is a hardness preset with its version
+        how += u' ' + tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
+    m_rubric->setText(how);
+    const Tones tone = tones(palette());
+    m_total->setText(text::points(m_sheet.totalTenths), tr("of 100"));
+    const bool passed = m_sheet.passed();
+    m_verdict->setText(passed                       ? tr("Passed")
+                       : m_sheet.failedCritically() ? tr("Not passed: harm done")
+                                                    : tr("Not passed yet"));
+    m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
+                                        passed                       ? tone.accent
+                                        : m_sheet.failedCritically() ? tone.harm
+                                                                     : tone.attention,
+                                        26, devicePixelRatioF()));
+    m_bar->setScore(m_sheet.totalTenths, m_sheet.passMarkTenths);
     m_conduct->setVisible(m_scored && m_scored->measured.process);
     if (m_scored && m_scored->measured.process)
         m_conduct->setConduct(*m_scored->measured.process, m_scored->infractions, m_scored->aids);
     arrange();
-    setMomentsProgress({});
-    fillCriteria(sheet);
-    m_sheet = sheet;
-    m_keeping = history.isEmpty() ? Keeping::Nowhere : Keeping::Kept;
-    setHistory(history);
-    m_class->hide();
+    fillCriteria();
+    tellNoise();
+    tellHistory();
+    tellClass();
 }
 
 void ScorePage::setNoise(const ::lessons::GridNoise& noise)
 {
+    m_noiseNow = noise;
+    tellNoise();
+}
+
+void ScorePage::tellNoise()
+{
+    m_noise->setVisible(m_noiseNow.has_value());
+    if (!m_noiseNow)
+        return;
+    const ::lessons::GridNoise& noise = *m_noiseNow;
     const QString half = text::points(noise.half.totalTenths);
     QString words = noise.twice
                         //: %1 and %2 are points; the grid is that on which the tooth is measured
@@ -458,7 +501,6 @@ void ScorePage::setNoise(const ::lessons::GridNoise& noise)
     if (noise.isUncertain())
         colours.setColor(QPalette::WindowText, tones(palette()).attentionText);
     m_noise->setPalette(colours);
-    m_noise->show();
 }
 
 void ScorePage::setMomentsProgress(std::optional<double> share)
@@ -471,11 +513,17 @@ void ScorePage::setMomentsProgress(std::optional<double> share)
 void ScorePage::setMoments(const std::vector<std::vector<::lessons::Moment>>& moments)
 {
     setMomentsProgress({});
-    for (qsizetype k = 0; k < std::min(m_rows.size(), static_cast<qsizetype>(moments.size())); ++k)
-        m_rows[k]->setMoments(moments[static_cast<std::size_t>(k)]);
+    m_moments = moments;
+    tellMoments();
 }
 
-void ScorePage::fillCriteria(const ::lessons::ScoreSheet& sheet)
+void ScorePage::tellMoments()
+{
+    for (qsizetype k = 0; k < std::min(m_rows.size(), static_cast<qsizetype>(m_moments.size())); ++k)
+        m_rows[k]->setMoments(m_moments[static_cast<std::size_t>(k)]);
+}
+
+void ScorePage::fillCriteria()
 {
     delete m_criteria;
     m_rows.clear();
@@ -483,28 +531,32 @@ void ScorePage::fillCriteria(const ::lessons::ScoreSheet& sheet)
     auto* column = new QVBoxLayout(m_criteria);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    CriterionRow* worst = nullptr;
-    for (const ::lessons::Criterion& criterion : sheet.criteria) {
-        auto* row = new CriterionRow(criterion, sheet.verdict, m_criteria);
+    CriterionRow* chosen = nullptr;
+    for (const ::lessons::Criterion& criterion : m_sheet.criteria) {
+        auto* row = new CriterionRow(criterion, m_sheet.verdict, m_criteria);
         connect(row, &CriterionRow::momentWanted, this, &ScorePage::momentWanted);
-        connect(row, &CriterionRow::toggled, this, [this, row](bool chosen) {
-            if (chosen)
+        connect(row, &CriterionRow::toggled, this, [this, row](bool on) {
+            if (on)
                 showPlace(*row);
         });
         column->addWidget(row);
         m_rows << row;
-        if (worst == nullptr || criterion.lostTenths > worst->criterion().lostTenths)
-            worst = row;
+        // The one that was looked at; otherwise the costliest.
+        if (chosen == nullptr || criterion.id == m_chosen ||
+            (chosen->criterion().id != m_chosen && criterion.lostTenths > chosen->criterion().lostTenths))
+            chosen = row;
     }
     m_criteriaSlot->addWidget(m_criteria);
-    m_sum->setText(text::scoreSum(sheet));
-    if (worst != nullptr)
-        worst->setChecked(true);
+    m_sum->setText(text::scoreSum(m_sheet));
+    tellMoments();
+    if (chosen != nullptr)
+        chosen->setChecked(true);
 }
 
 /// Where this criterion is worst; where it has no place, where the work is farthest off the ideal.
 void ScorePage::showPlace(const CriterionRow& row)
 {
+    m_chosen = row.criterion().id;
     if (!m_scored)
         return;
     const auto measure = core::grading::findMeasure(row.criterion().measure);
@@ -539,6 +591,16 @@ void ScorePage::showPlace(const CriterionRow& row)
 
 void ScorePage::setClass(const ::lessons::ClassStanding& standing)
 {
+    m_standing = standing;
+    tellClass();
+}
+
+void ScorePage::tellClass()
+{
+    m_class->setVisible(m_standing.has_value());
+    if (!m_standing)
+        return;
+    const ::lessons::ClassStanding& standing = *m_standing;
     if (standing.percentBelow)
         //: %1 is a number of per cent
         m_class->setText(tr("Of the best results of %n people in your class, %1 % are below this.", "", standing.people)
@@ -554,11 +616,17 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
                             "are the results of %n person(s).",
                             "", standing.people)
                              .arg(::lessons::kFewestPeople));
-    m_class->show();
 }
 
 void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
 {
+    m_history = history;
+    tellHistory();
+}
+
+void ScorePage::tellHistory()
+{
+    const QList<database::AttemptRecord>& history = m_history;
     const ::lessons::ScoreSheet& sheet = m_sheet;
     const auto isComparable = [&](const database::AttemptRecord& attempt) {
         return attempt.rubricHash == sheet.rubricHash;
@@ -596,7 +664,6 @@ void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
                             1);
         grid->addWidget(score, row, 2);
     }
-    m_known = history.size();
     tellKeeping();
     m_listSlot->addWidget(m_list);
 }
@@ -620,7 +687,7 @@ void ScorePage::tellKeeping()
         case Keeping::Pending:
             break;
         case Keeping::Kept:
-            if (m_known == 1)
+            if (m_history.size() == 1)
                 return tr("This is the first grade here.");
         }
         return {};

@@ -49,6 +49,8 @@ public:
     void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                   const std::optional<ScoredWork>& scored);
+    /// What it is called now: in another language.
+    void setWork(const QString& work);
     /// The same, when the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
     /// What becomes of the grade that is shown.
@@ -87,10 +89,24 @@ private:
     QWidget* makeHistory();
     /// The criteria beside the pictures; where there is no room for that, above.
     void arrange();
-    void fillCriteria(const ::lessons::ScoreSheet& sheet);
+    void speak();
+    void fillCriteria();
     void showPlace(const CriterionRow& row);
     void tellKeeping();
+    void tellNoise();
+    void tellMoments();
+    void tellHistory();
+    void tellClass();
 
+    // What is shown, so that it can be said again in another language.
+    bool m_isShown = false;
+    QString m_work;
+    std::optional<Expectation> m_expectation;
+    std::optional<::lessons::GridNoise> m_noiseNow;
+    std::optional<::lessons::ClassStanding> m_standing;
+    std::vector<std::vector<::lessons::Moment>> m_moments;
+    QList<database::AttemptRecord> m_history;
+    std::string m_chosen;  ///< criterion that is looked at, by id
     std::optional<ScoredWork> m_scored;
     std::size_t m_criterionCount = 0;
     QGridLayout* m_cards = nullptr;
@@ -119,7 +135,6 @@ private:
     QLabel* m_remark = nullptr;
     QPushButton* m_keep = nullptr;
     Keeping m_keeping = Keeping::Nowhere;
-    qsizetype m_known = 0;          ///< attempts in the history
     ::lessons::ScoreSheet m_sheet;  ///< that is shown
     QLabel* m_class = nullptr;
     shell::HistoryChart* m_chart = nullptr;

@@ -17,6 +17,7 @@
 #include <QValueAxis>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -42,8 +43,6 @@ SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), 
     m_view->setRenderHint(QPainter::Antialiasing);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setFocusPolicy(Qt::NoFocus);
-    m_view->setAccessibleName(tr("Scores of past attempts over the tolerance"));
-    m_view->viewport()->setAccessibleName(m_view->accessibleName());
     m_view->viewport()->setMouseTracking(true);
     m_view->viewport()->installEventFilter(this);
     m_chart->setMargins({0, 0, 0, 0});
@@ -51,13 +50,17 @@ SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_view);
-    setAccessibleName(tr("Scores of past attempts over the tolerance"));
-    draw();
+    text::inEveryLanguage(this, [this] {
+        for (QWidget* part : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_view), m_view->viewport()})
+            part->setAccessibleName(tr("Scores of past attempts over the tolerance"));
+        setSweep(m_sweep);
+    });
 }
 
 void SweepChart::setSweep(const Sweep& sweep)
 {
-    m_sweep = sweep;
+    if (&sweep != &m_sweep)
+        m_sweep = sweep;
     setAccessibleDescription(words(1.0));
     draw();
 }

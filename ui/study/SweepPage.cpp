@@ -16,6 +16,7 @@
 #include "ui/study/FormInputs.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/SweepChart.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::study {
 
@@ -40,13 +41,17 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace2);
     auto* row = new QHBoxLayout;
-    auto* folder = new QPushButton(tr("Recordings …"), this);
-    folder->setToolTip(tr("Choose the folder with recordings of attempts"));
-    folder->setAccessibleName(tr("Choose the folder with recordings"));
+    auto* folder = new QPushButton(this);
+    text::inEveryLanguage(folder, [folder] {
+        folder->setText(tr("Recordings …"));
+        folder->setToolTip(tr("Choose the folder with recordings of attempts"));
+        folder->setAccessibleName(tr("Choose the folder with recordings"));
+    });
     folder->setObjectName(QStringLiteral("sweepFolder"));
     connect(folder, &QPushButton::clicked, this, &SweepPage::askForFolder);
     row->addWidget(folder);
-    m_swept = choiceInput(tr("Whose tolerance is changed"), this);
+    m_swept = choiceInput({}, this);
+    text::inEveryLanguage(m_swept, [this] { nameInput(m_swept, tr("Whose tolerance is changed")); });
     m_swept->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_swept->setMinimumContentsLength(12);
     connect(m_swept, &QComboBox::activated, this, &SweepPage::sweepAgain);
@@ -55,11 +60,14 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     auto* work = new QHBoxLayout;
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Recordings that are replayed"));
-    m_stop = new QPushButton(tr("Stop"), this);
+    text::inEveryLanguage(m_progress, [this] { m_progress->setAccessibleName(tr("Recordings that are replayed")); });
+    m_stop = new QPushButton(this);
+    text::inEveryLanguage(m_stop, [this] { m_stop->setText(tr("Stop")); });
     m_stop->setProperty("kind", "quiet");
-    m_stop->setAccessibleName(tr("Stop replaying"));
-    m_stop->setToolTip(tr("Go on with those that are done"));
+    text::inEveryLanguage(m_stop, [this] {
+        m_stop->setAccessibleName(tr("Stop replaying"));
+        m_stop->setToolTip(tr("Go on with those that are done"));
+    });
     connect(m_stop, &QPushButton::clicked, this, [this] {
         if (m_cancel)
             m_cancel->store(true);
@@ -78,6 +86,30 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     connect(m_chart, &SweepChart::pointedAt, this,
             [this](const QString& there) { m_words->setText(there.isEmpty() ? m_summary : there); });
     begin({});
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void SweepPage::speak()
+{
+    if (m_swept->count() > 0)
+        nameCriteria();
+    sayHowToBegin();
+    sweepAgain();
+}
+
+void SweepPage::nameCriteria()
+{
+    m_swept->setItemText(0, tr("All tolerances"));
+    int row = 0;
+    for (const ::lessons::CriterionRule& rule : m_good->assignment->rubric.criteria)
+        m_swept->setItemText(++row, titleOf(rule));
+}
+
+void SweepPage::sayHowToBegin()
+{
+    say(tr(
+        "Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances "
+        "from 0 to 3 times those at the left."));
 }
 
 SweepPage::~SweepPage()
@@ -99,9 +131,7 @@ void SweepPage::begin(const std::optional<::lessons::Lesson>& opened)
     m_criteriaOffered.clear();
     m_swept->clear();
     m_chart->setSweep({});
-    say(tr(
-        "Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances "
-        "from 0 to 3 times those at the left."));
+    sayHowToBegin();
 }
 
 void SweepPage::setKnown(std::vector<MeasuredAttempt> attempts)
@@ -116,9 +146,9 @@ void SweepPage::setDraft(const std::shared_ptr<const Weighed>& good)
     const ::lessons::Rubric& rubric = m_good->assignment->rubric;
     if (const std::string ids = idsOf(rubric); std::exchange(m_criteriaOffered, ids) != ids) {
         m_swept->clear();
-        m_swept->addItem(tr("All tolerances"));
-        for (const ::lessons::CriterionRule& rule : rubric.criteria)
-            m_swept->addItem(titleOf(rule));
+        for (std::size_t k = 0; k <= rubric.criteria.size(); ++k)
+            m_swept->addItem({});
+        nameCriteria();
     }
     measureLater();
 }
@@ -233,7 +263,7 @@ void SweepPage::sweepAgain()
         said << tr("The attempts of the history were made for another ideal than this draft's. Choose a folder with "
                    "recordings.");
     else
-        return;  // begin() has said what to do
+        return;  // it has been said what to do
     if (countsKnown)
         said << tr("%n of them from the history.", nullptr, static_cast<int>(m_known.size()));
     const int others = m_past ? static_cast<int>(m_past->attempts.size() - m_measured.size()) : 0;

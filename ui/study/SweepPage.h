@@ -46,6 +46,9 @@ private:
     void measureLater();
     void sweepAgain();
     void say(const QString& words);
+    void sayHowToBegin();
+    void nameCriteria();
+    void speak();
     [[nodiscard]] bool isAsOpened() const;
 
     std::shared_ptr<const Weighed> m_good;

@@ -10,6 +10,7 @@
 
 #include "ui/inside/SectionPainter.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::study {
 namespace {
@@ -24,9 +25,11 @@ ToleranceView::ToleranceView(QWidget* parent) : QWidget(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setAccessibleName(tr("The tolerances on the tooth"));
-    setToolTip(ui::shell::brokenIntoLines(
-        tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does")));
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("The tolerances on the tooth"));
+        setToolTip(ui::shell::brokenIntoLines(
+            tr("Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does")));
+    });
 }
 
 void ToleranceView::show(std::shared_ptr<const Weighed> weighed)

@@ -9,13 +9,14 @@
 
 #include "core/grading/Columns.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::study {
 
 WorstSection::WorstSection(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setAccessibleName(tr("Section through the worst place"));
+    text::inEveryLanguage(this, [this] { setAccessibleName(tr("Section through the worst place")); });
 }
 
 void WorstSection::setWork(const ScoredWork& work)

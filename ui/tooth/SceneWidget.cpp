@@ -15,6 +15,7 @@
 #include "ui/render/Driver.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::tooth {
 namespace {
@@ -80,7 +81,8 @@ SceneWidget::Way SceneWidget::bestWay()
     return render::driver().isSoftware ? Way::Image : Way::Window;
 }
 
-SceneWidget::SceneWidget(const QString& whyNot, Way way, QWidget* parent) : QWidget(parent), m_sentence(whyNot)
+SceneWidget::SceneWidget(std::function<QString()> whyNot, Way way, QWidget* parent)
+    : QWidget(parent), m_sentence(std::move(whyNot))
 {
     m_still.setSingleShot(true);
     m_still.setInterval(kStillMs);
@@ -218,11 +220,15 @@ void SceneWidget::fail(const QString& detail)
     icon->setPixmap(shell::linePixmap(QStringLiteral("tooth"), m_whyNot->palette().color(QPalette::PlaceholderText),
                                       kWhyNotIconPx, devicePixelRatioF()));
     icon->setAlignment(Qt::AlignCenter);
-    //: Heading where a picture would be; a sentence below says why
-    auto* heading = new QLabel(tr("No picture"), m_whyNot);
+    auto* heading = new QLabel(m_whyNot);
     heading->setFont(shell::typeface(shell::kTitle, QFont::DemiBold));
     heading->setAlignment(Qt::AlignCenter);
-    auto* sentence = new QLabel(m_sentence, m_whyNot);
+    auto* sentence = new QLabel(m_whyNot);
+    text::inEveryLanguage(m_whyNot, [this, heading, sentence] {
+        //: Heading where a picture would be; a sentence below says why
+        heading->setText(tr("No picture"));
+        sentence->setText(m_sentence());
+    });
     sentence->setFont(shell::typeface(shell::kBody));
     sentence->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     sentence->setWordWrap(true);

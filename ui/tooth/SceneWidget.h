@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include <cstdint>
 #include <memory>
 
@@ -38,8 +40,8 @@ public:
     enum class Way : std::uint8_t { Window, Image };  ///< on which pictures come to the screen
     [[nodiscard]] static Way bestWay();
 
-    /// @param whyNot  the sentence for a computer without OpenGL 3.3
-    SceneWidget(const QString& whyNot, Way way, QWidget* parent);
+    /// @param whyNot  says the sentence for a computer without OpenGL 3.3
+    SceneWidget(std::function<QString()> whyNot, Way way, QWidget* parent);
     ~SceneWidget() override;
 
     [[nodiscard]] Way way() const { return m_pane != nullptr ? Way::Window : Way::Image; }
@@ -84,7 +86,7 @@ private:
     std::unique_ptr<render::Canvas> m_canvas;  ///< of a picture that comes as an image, once one was drawn
     ScenePane* m_pane = nullptr;               ///< what shows pictures otherwise
     QWidget* m_whyNot = nullptr;               ///< stands in the place of a picture that cannot be drawn
-    QString m_sentence;
+    std::function<QString()> m_sentence;
     QTimer m_still;  ///< nothing has moved for a while
     bool m_smoothWanted = false;
     QElapsedTimer m_sinceEyeMoved;

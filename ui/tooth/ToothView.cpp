@@ -22,6 +22,7 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "ui/render/SharedArch.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
 
@@ -62,9 +63,13 @@ glm::dvec2 toGlm(QPointF point)
 }  // namespace
 
 ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
-    : SceneWidget(tr("This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics "
-                     "driver (on Debian: libgl1-mesa-dri), then start Cusp again."),
-                  way, parent),
+    : SceneWidget(
+          [] {
+              return tr(
+                  "This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics "
+                  "driver (on Debian: libgl1-mesa-dri), then start Cusp again.");
+          },
+          way, parent),
       m_links(links)
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -73,8 +78,10 @@ ToothView::ToothView(core::session::UiLinks& links, QWidget* parent, Way way)
     if (isUsable())
         setCursor(Qt::CrossCursor);
     setMinimumSize(220, 180);
-    setAccessibleName(tr("Tooth"));
-    setAccessibleDescription(tr("Arrow keys move the bur, page down pushes, page up lifts."));
+    text::inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Tooth"));
+        setAccessibleDescription(tr("Arrow keys move the bur, page down pushes, page up lifts."));
+    });
     m_control.setBurRadius(core::drilling::burs()[0].headRadiusMm);
     m_frame.setTimerType(Qt::PreciseTimer);
     connect(&m_frame, &QTimer::timeout, this, &ToothView::advanceFrame);

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A language that nobody speaks, to find words that nobody has translated, and words that have no room.
+#pragma once
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QProgressBar>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QTranslator>
+#include <QWidget>
+
+#include "lessons/Lesson.h"
+#include "ui/shell/ArchView.h"
+#include "ui/shell/TabularLabel.h"
+
+namespace pseudo {
+
+/// "Undo" becomes "[Ũñďø··]": no letter of English is left, and it is 40 per cent longer, as other languages are.
+/// Placeholders, ampersands of shortcuts and markup stay what they are.
+inline QString said(const QString& english)
+{
+    static const QString kPlain = QStringLiteral("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    static const QString kStrange = QStringLiteral("àƀčďéƒğħîĵķľɱñøþʠŕšťũṽŵẋýžÀƁČĎÉƑĞĦÎĴĶĽṀÑØÞɊŔŠŤŨṼŴẊÝŽ");
+    static const QRegularExpression kKept(QStringLiteral("%L?\\d+|%n|&\\w+;|<[^>]*>"));
+    QString strange;
+    qsizetype from = 0;
+    const auto speak = [&](qsizetype to) {
+        for (; from < to; ++from) {
+            const qsizetype at = kPlain.indexOf(english[from]);
+            strange += at < 0 ? english[from] : kStrange[at];
+        }
+    };
+    for (auto kept = kKept.globalMatch(english); kept.hasNext();) {
+        const auto match = kept.next();
+        speak(match.capturedStart());
+        strange += match.captured();
+        from = match.capturedEnd();
+    }
+    speak(english.size());
+    // In words of their own, so that lines can be broken as in a language.
+    QString longer;
+    for (qsizetype k = 0; k < (2 * english.size() + 4) / 5; ++k)
+        longer += k % 9 == 8 ? u' ' : u'·';
+    return u'[' + strange + longer + u']';
+}
+
+class Translator final : public QTranslator
+{
+public:
+    using QTranslator::QTranslator;
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    [[nodiscard]] QString translate(const char*, const char* source, const char*, int) const override
+    {
+        return source == nullptr || *source == 0 ? QString() : said(QString::fromUtf8(source));
+    }
+};
+
+inline lessons::LocalText said(const lessons::LocalText& text)
+{
+    lessons::LocalText strange;
+    for (const auto& [code, words] : text)
+        strange[code] = said(QString::fromStdString(words)).toStdString();
+    return strange;
+}
+
+/// Words that come from files stand in no .ts file.
+inline lessons::Rubric said(lessons::Rubric rubric)
+{
+    rubric.title = said(rubric.title);
+    for (lessons::CriterionRule& rule : rubric.criteria)
+        rule.title = said(rule.title);
+    return rubric;
+}
+
+inline lessons::Lesson said(lessons::Lesson lesson)
+{
+    lesson.title = said(lesson.title);
+    lesson.goal = said(lesson.goal);
+    lesson.notModelled = said(lesson.notModelled);
+    for (lessons::Step& step : lesson.steps) {
+        step.text = said(step.text);
+        step.hint = said(step.hint);
+    }
+    lesson.rubric = said(lesson.rubric);
+    return lesson;
+}
+
+/// What of these words no translator has seen: letters of English that are nobody's name and no unit.
+inline QString untranslated(QString words)
+{
+    static const QRegularExpression kMarkup(QStringLiteral("<[^>]*>|&\\w+;"));
+    static const QRegularExpression kExempt(
+        QStringLiteral("\\b(?:"
+                       "mm|min|rpm|Cusp"   // units that are the same in all languages; the program
+                       "|OBJ|STL|PLY|PNG"  // kinds of files
+                       "|F\\d+|[A-Z]|Ctrl|Shift|Alt|Esc|Del|PgUp|PgDown"  // keys are named by Qt
+                       "|English|Deutsch|Español"                         // languages are named in themselves
+                       "|[0-9a-f]{12}"                                    // the beginning of a hash
+                       "|\\d+[A-Z]?|FG|[A-Z]{1,3}\\d+"                    // numbers of burs
+                       "|[\\w-]+\\.(?:json|sqlite|cusp\\w+)"              // files
+                       ")\\b"));
+    static const QRegularExpression kEnglish(QStringLiteral("[A-Za-z]{2,}"));
+    words.remove(kMarkup).remove(u'&').remove(kExempt);
+    return kEnglish.match(words).captured();
+}
+
+/// All that a person reads or hears of a widget.
+inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
+{
+    QList<std::pair<QString, QString>> words{{"tooltip", widget.toolTip()},
+                                             {"status tip", widget.statusTip()},
+                                             {"accessible name", widget.accessibleName()},
+                                             {"accessible description", widget.accessibleDescription()},
+                                             {"window title", widget.windowTitle()}};
+    if (const auto* label = qobject_cast<const QLabel*>(&widget))
+        words << std::pair("text", label->text());
+    if (const auto* label = qobject_cast<const ui::shell::TabularLabel*>(&widget))
+        words << std::pair("text", label->text()) << std::pair("unit", label->unit());
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+        words << std::pair("text", button->text());
+    if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
+        words << std::pair("title", box->title());
+    if (const auto* line = qobject_cast<const QLineEdit*>(&widget))
+        words << std::pair("placeholder", line->placeholderText());
+    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget))
+        words << std::pair("unit", number->suffix()) << std::pair("prefix", number->prefix());
+    if (const auto* menu = qobject_cast<const QMenu*>(&widget))
+        words << std::pair("title", menu->title());
+    if (const auto* progress = qobject_cast<const QProgressBar*>(&widget); progress && progress->isTextVisible())
+        words << std::pair("text", progress->text());
+    if (const auto* choice = qobject_cast<const QComboBox*>(&widget))
+        for (int k = 0; k < choice->count(); ++k)
+            words << std::pair("choice", choice->itemText(k));
+    if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget); view != nullptr && view->model() != nullptr)
+        for (int row = 0; row < view->model()->rowCount(); ++row)
+            for (int column = 0; column < view->model()->columnCount(); ++column)
+                for (const int role : {Qt::DisplayRole, Qt::ToolTipRole, Qt::AccessibleDescriptionRole})
+                    words << std::pair("item", view->model()->index(row, column).data(role).toString());
+    for (const QAction* action : widget.actions())
+        words << std::pair("action", action->text()) << std::pair("action's tooltip", action->toolTip())
+              << std::pair("action's status tip", action->statusTip());
+    return words;
+}
+
+/// Everything under `root` that is shown and speaks another language: not translated, or not said again.
+/// @param fromOutside  names from files and people, which are left as they are wherever they stand
+inline QStringList notTranslated(QWidget& root, const QStringList& fromOutside = {})
+{
+    QStringList found;
+    QList<QWidget*> all = root.findChildren<QWidget*>();
+    all.prepend(&root);
+    for (const QWidget* widget : all) {
+        if (!widget->isVisible() && qobject_cast<const QMenu*>(widget) == nullptr)
+            continue;
+        for (auto [what, words] : wordsOf(*widget)) {
+            for (const QString& name : fromOutside)
+                if (!name.isEmpty())
+                    words.remove(name);
+            if (const QString english = untranslated(words); !english.isEmpty())
+                found << QStringLiteral("%1 %2, %3: \"%4\" in \"%5\"")
+                             .arg(widget->metaObject()->className(), widget->objectName(), what, english, words);
+        }
+    }
+    found.removeDuplicates();
+    return found;
+}
+
+/// Everything under `root` that has less room than its words want, or lies outside. Words may be cut short only where
+/// a tooltip tells all of them.
+inline QStringList clipped(QWidget& root)
+{
+    QStringList found;
+    for (QWidget* widget : root.findChildren<QWidget*>()) {
+        const auto* label = qobject_cast<QLabel*>(widget);
+        const auto* button = qobject_cast<QAbstractButton*>(widget);
+        const bool speaks = label != nullptr || qobject_cast<ui::shell::TabularLabel*>(widget) != nullptr ||
+                            button != nullptr || qobject_cast<QComboBox*>(widget) != nullptr;
+        if (!widget->isVisible() || !speaks || qobject_cast<ui::shell::ArchTooth*>(widget) != nullptr ||
+            widget->visibleRegion().isEmpty())
+            continue;
+        const QString words = label != nullptr    ? label->text()
+                              : button != nullptr ? button->text()
+                                                  : widget->accessibleName();
+        bool scrolls = false;
+        for (const QWidget* holder = widget; holder != nullptr && holder != &root; holder = holder->parentWidget())
+            scrolls = scrolls || qobject_cast<const QScrollArea*>(holder) != nullptr;
+        const QString who =
+            QStringLiteral("%1 %2 '%3'")
+                .arg(QString::fromLatin1(widget->metaObject()->className()), widget->objectName(), words);
+        if (!scrolls && !root.rect().contains(QRect(widget->mapTo(&root, QPoint()), widget->size())))
+            found << who + QStringLiteral(" lies outside");
+        if (qobject_cast<QComboBox*>(widget) != nullptr)
+            continue;  // cut short, and told when it is opened
+        const QSize wanted =
+            widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
+        if ((widget->width() < wanted.width() || widget->height() < wanted.height()) &&
+            !widget->toolTip().contains(words))
+            found << who + QStringLiteral(" is %1x%2, wants %3x%4")
+                               .arg(widget->width())
+                               .arg(widget->height())
+                               .arg(wanted.width())
+                               .arg(wanted.height());
+    }
+    return found;
+}
+
+}  // namespace pseudo

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+#include "ui/charts/ChartPanel.h"
+#include "ui/people/ClassPage.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/Theme.h"
+
+using database::ClassOverview;
+using database::LessonResults;
+using database::MatrixCell;
+using database::MatrixStudent;
+using ui::charts::ChartPanel;
+using ui::people::ClassPage;
+using ui::people::Need;
+
+namespace {
+
+const QDateTime kNow(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
+
+/// So many students and lessons. The first student is stuck, the second never came, the third has not begun.
+ClassOverview overview(int students, int lessons)
+{
+    ClassOverview made{{7}, "DEN101-A", {}, {}, {}};
+    for (int k = 0; k < lessons; ++k)
+        made.lessons.push_back("lesson-" + std::to_string(10 + k));
+    for (int k = 0; k < students; ++k) {
+        MatrixStudent one;
+        one.id = {100 + k};
+        one.username = "s-" + std::to_string(1001 + k);
+        one.fullName = "Student " + std::to_string(1001 + k);
+        std::vector<MatrixCell> row(made.lessons.size());
+        if (k == 0) {
+            one.recentTenths = {520, 510, 530, 700};
+            one.recentPassed = {false, false, false, false};
+        }
+        if (k != 1)
+            one.lastLoginUtc = "2026-11-19T08:00:00Z";
+        if (k != 1 && k != 2) {
+            one.lastAttemptUtc = kNow.addDays(-(k % 30)).toString(Qt::ISODate).toStdString();
+            for (std::size_t lesson = 0; lesson < row.size(); ++lesson)
+                if ((static_cast<std::size_t>(k) + 2 * lesson) % 5 != 4) {
+                    const int best = 330 + (k * 97 + static_cast<int>(lesson) * 61) % 640;
+                    row[lesson] = {1 + k % 4, best, best >= 750, one.lastAttemptUtc};
+                }
+        }
+        made.students.push_back(one);
+        made.cells.push_back(row);
+    }
+    return made;
+}
+
+LessonResults results(int people)
+{
+    LessonResults made;
+    made.lessonId = "lesson-10";
+    for (int k = 0; k < people; ++k)
+        made.bestTenths.push_back(1000 - (people - 1 - k) * 700 / std::max(1, people - 1));
+    if (people >= 5)
+        for (int k = 1; k <= 6; ++k)
+            made.curve.push_back({k, people, 380 + 50 * k, 500 + 50 * k, 640 + 45 * k});
+    made.difficulty = {"lesson-10", people, people - 2,
+                       583.0,       2.4,    {{"depth", 0.42}, {"outline", 0.2}, {"walls", 0.1}}};
+    return made;
+}
+
+}  // namespace
+
+class TestClassPage : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void itSaysWhoNeedsTheTeacher();
+    void theListsLieBehindTheNumbers();
+    void nobodyNeedsYou();
+    void theMatrixSortsByValueAndEmptyCellsComeLast();
+    void theThirdClickIsByNameAgain();
+    void aCellOpensTheAttempts();
+    void keysWalkAndOpen();
+    void aLessonIsChosen();
+    void nothingIsToldOfFourPeople();
+    void chartsOfALesson();
+    void lateAnswersOfAnotherLessonAreLeft();
+    void theTableIsSaved();
+    void cellsSayWhatTheyAre();
+    void aLargeClass();
+    void anEmptyPageSaysWhatWillBeHere();
+    void everyControlHasAName();
+
+private:
+    QTableView* matrix() { return m_page->findChild<QTableView*>("matrix"); }
+    QString cell(int row, int column) { return matrix()->model()->index(row, column).data().toString(); }
+    QString name(int row) { return matrix()->model()->headerData(row, Qt::Vertical).toString(); }
+    QPushButton* button(const QString& text)
+    {
+        for (QPushButton* one : m_page->findChildren<QPushButton*>())
+            if (one->text() == text)
+                return one;
+        return nullptr;
+    }
+
+    std::unique_ptr<QWidget> m_window;
+    ui::shell::Actions* m_actions = nullptr;
+    ClassPage* m_page = nullptr;
+};
+
+void TestClassPage::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+}
+
+void TestClassPage::init()
+{
+    m_window = std::make_unique<QWidget>();
+    m_actions = new ui::shell::Actions(m_window.get());
+    m_page = new ClassPage(*m_actions, m_window.get());
+    m_page->setLessonTitles({{"lesson-10", "Class I on 36"}, {"lesson-11", "Decay on 26"}});
+    m_window->resize(1280, 800);
+    m_page->resize(1280, 800);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    m_page->setClasses({{{7}, "DEN101-A", 12, 1}, {{8}, "DEN101-B", 3, 1}});
+    m_page->setOverview(overview(12, 6), kNow);
+}
+
+void TestClassPage::itSaysWhoNeedsTheTeacher()
+{
+    QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("3 need(s) you:"));
+    for (const char* words : {"1 stuck", "1 no login", "1 new"})
+        QVERIFY2(button(words) != nullptr && button(words)->isVisible(), words);
+    QVERIFY(name(0).contains("stuck"));
+    QVERIFY(name(1).contains("no login"));
+    QVERIFY(name(2).contains("new"));
+    QCOMPARE(name(3), QString("Student 1004"));
+}
+
+void TestClassPage::theListsLieBehindTheNumbers()
+{
+    button("1 stuck")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 1);
+    QVERIFY(name(0).startsWith("Student 1001"));
+    button("1 no login")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 1);
+    QVERIFY(name(0).startsWith("Student 1002"));
+    QVERIFY(!button("1 stuck")->isChecked());
+    button("1 no login")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 12);
+}
+
+void TestClassPage::nobodyNeedsYou()
+{
+    ClassOverview fine = overview(12, 6);
+    fine.students.erase(fine.students.begin(), fine.students.begin() + 3);
+    fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
+    m_page->setOverview(fine, kNow);
+    QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
+}
+
+void TestClassPage::theMatrixSortsByValueAndEmptyCellsComeLast()
+{
+    for (const auto order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
+        matrix()->sortByColumn(1, order);
+        QList<int> scores;
+        bool isOver = false;
+        for (int row = 0; row < 12; ++row) {
+            if (cell(row, 1) == "–") {
+                isOver = true;
+                continue;
+            }
+            QVERIFY2(!isOver, "a score below an empty cell");
+            scores << cell(row, 1).toInt();
+        }
+        QVERIFY(isOver);
+        QVERIFY(order == Qt::AscendingOrder ? std::is_sorted(scores.begin(), scores.end())
+                                            : std::is_sorted(scores.rbegin(), scores.rend()));
+    }
+    matrix()->sortByColumn(0, Qt::DescendingOrder);
+    QCOMPARE(cell(0, 0), QString("today"));
+    QCOMPARE(cell(11, 0), QString("–"));
+}
+
+void TestClassPage::theThirdClickIsByNameAgain()
+{
+    QHeaderView* heads = matrix()->horizontalHeader();
+    const QPoint at(heads->sectionViewportPosition(1) + 20, 20);
+    for (int k = 0; k < 3; ++k)
+        QTest::mouseClick(heads->viewport(), Qt::LeftButton, {}, at);
+    for (int row = 3; row < 12; ++row)
+        QCOMPARE(name(row), QString("Student %1").arg(1001 + row));
+}
+
+void TestClassPage::aCellOpensTheAttempts()
+{
+    QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
+    QSignalSpy student(m_page, &ClassPage::studentWanted);
+    const auto click = [&](int row, int column) {
+        const QModelIndex index = matrix()->model()->index(row, column);
+        QTest::mouseClick(matrix()->viewport(), Qt::LeftButton, {}, matrix()->visualRect(index).center());
+    };
+    click(3, 1);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toLongLong(), 103);
+    QCOMPARE(wanted[0][1].toString(), QString("lesson-10"));
+    click(4, 1);  // not tried
+    click(1, 1);  // never came
+    QCOMPARE(wanted.count(), 1);
+    click(3, 0);
+    QCOMPARE(student.count(), 1);
+    click(1, 0);
+    QCOMPARE(student.count(), 1);
+}
+
+void TestClassPage::keysWalkAndOpen()
+{
+    QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
+    matrix()->setCurrentIndex(matrix()->model()->index(2, 1));
+    matrix()->setFocus();
+    QTest::keyClick(matrix(), Qt::Key_Down);
+    QTest::keyClick(matrix(), Qt::Key_Right);
+    QTest::keyClick(matrix(), Qt::Key_Return);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toLongLong(), 103);
+    QCOMPARE(wanted[0][1].toString(), QString("lesson-11"));
+    QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
+    QTest::keyClick(matrix(), Qt::Key_Space);
+    QCOMPARE(wanted.count(), 2);
+}
+
+void TestClassPage::aLessonIsChosen()
+{
+    QSignalSpy chosen(m_page, &ClassPage::lessonChosen);
+    QCOMPARE(m_page->chosenLesson(), QString("lesson-10"));
+    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen[0][0].toString(), QString("lesson-11"));
+    m_page->setOverview(overview(12, 6), kNow);  // asked again: the same lesson
+    QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
+    QSignalSpy classes(m_page, &ClassPage::classChosen);
+    m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
+    QCOMPARE(classes.count(), 1);
+    QCOMPARE(classes[0][0].toLongLong(), 8);
+}
+
+void TestClassPage::nothingIsToldOfFourPeople()
+{
+    m_page->setResults(results(4), 750, {});
+    for (const char* name : {"distribution", "learning", "difficulty"}) {
+        auto* panel = m_page->findChild<ChartPanel*>(name);
+        QVERIFY2(ui::charts::stopsOf(panel->chart()).isEmpty(), name);
+        QVERIFY2(panel->findChild<QLabel*>("chartEmpty")->text().contains("5 people"), name);
+    }
+    m_page->setResults(results(5), 750, {});
+    for (const char* name : {"distribution", "learning", "difficulty"})
+        QVERIFY2(!ui::charts::stopsOf(m_page->findChild<ChartPanel*>(name)->chart()).isEmpty(), name);
+}
+
+void TestClassPage::chartsOfALesson()
+{
+    m_page->setResults(results(23), 750, {{"depth", "Pulpal floor"}});
+    const auto bins =
+        std::get<ui::charts::Histogram>(m_page->findChild<ChartPanel*>("distribution")->chart().content).bins;
+    int all = 0;
+    for (const auto& bin : bins)
+        all += bin.count;
+    QCOMPARE(all, 23);
+    QVERIFY(bins.back().count > 0);  // with him who has all points
+    const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("difficulty")->chart().content).bars;
+    QCOMPARE(bars[0].words, QString("Pulpal floor: the class loses 42 % of its points"));
+    QCOMPARE(m_page->findChild<ChartPanel*>("difficulty")->chart().note,
+             QString("21 of 23 passed, after 2.4 attempts on the average; first attempts: 58.3 points"));
+}
+
+void TestClassPage::lateAnswersOfAnotherLessonAreLeft()
+{
+    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
+    m_page->setResults(results(23), 750, {});  // of lesson-10
+    QVERIFY(ui::charts::stopsOf(m_page->findChild<ChartPanel*>("distribution")->chart()).isEmpty());
+}
+
+void TestClassPage::theTableIsSaved()
+{
+    const QTemporaryDir folder;
+    ClassOverview odd = overview(12, 2);
+    odd.students[3].fullName = "=HYPERLINK(\"x\")";
+    m_page->setOverview(odd, kNow);
+    QVERIFY(m_page->saveTable(folder.filePath("class.csv")));
+    QFile file(folder.filePath("class.csv"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().split('\n');
+    QCOMPARE(lines.size(), 14);
+    QCOMPARE(lines[1].trimmed(),
+             QByteArray("s-1001,Student 1001,stuck,2026-11-19T08:00:00Z,2026-11-20T12:00:00Z,33,1,0,39.1,1,0"));
+    QVERIFY(lines[4].contains("\"'=HYPERLINK"));
+    QCOMPARE(m_page->findChild<QLabel*>("said")->text(), QString("Saved: class.csv"));
+    QVERIFY(!m_page->saveTable("/nowhere/at/all.csv"));
+}
+
+void TestClassPage::cellsSayWhatTheyAre()
+{
+    const auto words = [&](int row, int column) {
+        return matrix()->model()->index(row, column).data(Qt::AccessibleTextRole).toString();
+    };
+    QVERIFY(words(3, 1).startsWith("Student 1004, Class I on 36: best 62.1, not passed, 4 attempt(s), last "));
+    QCOMPARE(words(1, 1), QString("Student 1002, Class I on 36: not tried"));
+    QCOMPARE(words(1, 0), QString("Student 1002: no attempt yet"));
+}
+
+void TestClassPage::aLargeClass()
+{
+    m_page->setOverview(overview(200, 40), kNow);
+    QCOMPARE(matrix()->model()->rowCount(), 200);
+    QCOMPARE(matrix()->model()->columnCount(), 41);
+    matrix()->sortByColumn(40, Qt::DescendingOrder);
+    // Names stay where they are when the lessons scroll.
+    matrix()->scrollTo(matrix()->model()->index(199, 40));
+    QVERIFY(matrix()->verticalHeader()->isVisible());
+    QVERIFY(matrix()->columnViewportPosition(1) < 0);
+    QVERIFY(!m_page->grab().isNull());
+}
+
+void TestClassPage::anEmptyPageSaysWhatWillBeHere()
+{
+    m_page->setOverview({}, kNow);
+    auto* words = m_page->findChild<QLabel*>("classEmpty");
+    QVERIFY(words->isVisible());
+    QVERIFY(words->text().contains("Nobody is in this class"));
+    m_page->setClasses({});
+    QVERIFY(words->text().contains("Here you will see your classes"));
+    QVERIFY(!m_page->findChild<QWidget*>("classReport")->isEnabled());
+}
+
+void TestClassPage::everyControlHasAName()
+{
+    for (QWidget* widget : m_page->findChildren<QWidget*>())
+        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && !widget->inherits("QAbstractScrollArea") &&
+            widget->parentWidget() != nullptr && !widget->parentWidget()->inherits("QAbstractItemView"))
+            QVERIFY2(!widget->accessibleName().isEmpty(),
+                     qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+}
+
+QTEST_MAIN(TestClassPage)
+#include "tst_class_page.moc"

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/ClassModel.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <QPainter>
+
+#include "lessons/Stuck.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::people {
+
+using database::MatrixCell;
+using database::MatrixStudent;
+using namespace ui::shell;
+
+namespace {
+
+constexpr double kPaleAt = 200.0;  ///< tenths: below this the ground is at its faintest
+constexpr double kFullTenths = 1000.0;
+constexpr double kFaintest = 0.06;
+constexpr double kFullest = 0.42;  ///< more, and the words on it would be hard to read
+
+}  // namespace
+
+Need needOf(const MatrixStudent& student)
+{
+    std::vector<::lessons::Try> tries;
+    for (std::size_t k = 0; k < std::min(student.recentTenths.size(), student.recentPassed.size()); ++k)
+        tries.push_back({student.recentTenths[k], student.recentPassed[k]});
+    if (::lessons::isStuck(tries))
+        return Need::Stuck;
+    if (student.lastLoginUtc.empty() && student.lastAttemptUtc.empty())
+        return Need::NeverLoggedIn;
+    return student.lastAttemptUtc.empty() ? Need::NotBegun : Need::Nothing;
+}
+
+QString needWord(Need need)
+{
+    switch (need) {
+    case Need::Stuck:
+        //: Of a student
+        return ClassModel::tr("stuck");
+    case Need::NeverLoggedIn:
+        return ClassModel::tr("no login");
+    case Need::NotBegun:
+        //: Of a student who has no attempt yet
+        return ClassModel::tr("new");
+    case Need::Nothing:
+        break;
+    }
+    return {};
+}
+
+QString nameOf(const MatrixStudent& student)
+{
+    return QString::fromStdString(student.fullName.empty() ? student.username : student.fullName);
+}
+
+void ClassModel::setOverview(const database::ClassOverview& overview, const QDateTime& now)
+{
+    beginResetModel();
+    m_overview = overview;
+    m_now = now;
+    m_needs.clear();
+    for (const MatrixStudent& student : m_overview.students)
+        m_needs << needOf(student);
+    m_overview.cells.resize(m_overview.students.size());
+    for (std::vector<MatrixCell>& row : m_overview.cells)
+        row.resize(m_overview.lessons.size());
+    endResetModel();
+}
+
+void ClassModel::setTitles(const LessonTitles& titles)
+{
+    m_titles = titles;
+    retell();
+}
+
+void ClassModel::retell()
+{
+    if (rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    if (rowCount() > 0)
+        emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
+}
+
+int ClassModel::count(Need need) const
+{
+    return static_cast<int>(std::count(m_needs.begin(), m_needs.end(), need));
+}
+
+std::optional<std::size_t> ClassModel::lessonOf(int column)
+{
+    return column < kFirstLesson ? std::nullopt : std::optional(static_cast<std::size_t>(column - kFirstLesson));
+}
+
+const MatrixCell* ClassModel::cell(const QModelIndex& index) const
+{
+    const auto lesson = lessonOf(index.column());
+    if (!index.isValid() || !lesson)
+        return nullptr;
+    return &m_overview.cells[static_cast<std::size_t>(index.row())][*lesson];
+}
+
+int ClassModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_overview.students.size());
+}
+
+int ClassModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : kFirstLesson + static_cast<int>(m_overview.lessons.size());
+}
+
+/// One cell as a sentence, for a tooltip and for who hears it.
+QString ClassModel::cellWords(const QModelIndex& index) const
+{
+    const MatrixStudent& student = m_overview.students[static_cast<std::size_t>(index.row())];
+    const MatrixCell* one = cell(index);
+    if (one == nullptr)
+        return student.lastAttemptUtc.empty()
+                   ? tr("%1: no attempt yet").arg(nameOf(student))
+                   : tr("%1: last attempt %2").arg(nameOf(student), when(student.lastAttemptUtc));
+    const QString who = QStringLiteral("%1, %2").arg(
+        nameOf(student), lessonTitle(m_titles, m_overview.lessons[*lessonOf(index.column())]));
+    if (one->attempts == 0)
+        return tr("%1: not tried").arg(who);
+    const QString count = tr("%n attempt(s)", nullptr, one->attempts);
+    const QString best = text::points(one->bestTenths);
+    //: %1: student and lesson; %2: points; %3: "4 attempts"; %4: a date
+    return (one->passed ? tr("%1: best %2, passed, %3, last %4") : tr("%1: best %2, not passed, %3, last %4"))
+        .arg(who, best, count, when(one->lastUtc));
+}
+
+QVariant ClassModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const MatrixCell* one = cell(index);
+    switch (role) {
+    case Qt::DisplayRole:
+        if (one == nullptr) {
+            const std::string& last = m_overview.students[static_cast<std::size_t>(index.row())].lastAttemptUtc;
+            return last.empty() ? QStringLiteral("–") : whenShort(last, m_now);
+        }
+        return one->attempts == 0 ? QStringLiteral("–") : QLocale().toString((one->bestTenths + 5) / 10);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return cellWords(index);
+    case Qt::TextAlignmentRole:
+        return QVariant(one == nullptr ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
+    default:
+        return {};
+    }
+}
+
+QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation == Qt::Horizontal) {
+        const auto lesson = lessonOf(section);
+        if (role == Qt::DisplayRole || role == Qt::ToolTipRole)
+            return lesson ? lessonTitle(m_titles, m_overview.lessons[*lesson])
+                          //: Column: when the student's last attempt was
+                          : tr("Last");
+        if (role == Qt::TextAlignmentRole)
+            return QVariant(lesson ? static_cast<int>(Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap)
+                                   : static_cast<int>(Qt::AlignLeft | Qt::AlignBottom));
+        return {};
+    }
+    if (section >= m_needs.size())
+        return {};
+    const MatrixStudent& student = m_overview.students[static_cast<std::size_t>(section)];
+    switch (role) {
+    case Qt::DisplayRole: {
+        const QString word = needWord(m_needs[section]);
+        return word.isEmpty() ? nameOf(student) : QStringLiteral("%1  ▲ %2").arg(nameOf(student), word);
+    }
+    case Qt::ToolTipRole:
+        return student.lastLoginUtc.empty()
+                   ? tr("%1, %2: never logged in").arg(nameOf(student), QString::fromStdString(student.username))
+                   : tr("%1, %2: last login %3")
+                         .arg(nameOf(student), QString::fromStdString(student.username), when(student.lastLoginUtc));
+    case Qt::TextAlignmentRole:
+        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+    default:
+        return {};
+    }
+}
+
+charts::Table ClassModel::table() const
+{
+    charts::Table made;
+    made.heads << tr("user name") << tr("name") << tr("needs") << tr("last login, UTC") << tr("last attempt, UTC");
+    for (const std::string& id : m_overview.lessons) {
+        const QString title = lessonTitle(m_titles, id);
+        made.heads << tr("%1: best score").arg(title) << tr("%1: attempts").arg(title) << tr("%1: passed").arg(title);
+    }
+    for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
+        const MatrixStudent& student = m_overview.students[k];
+        QList<charts::Cell> row{QString::fromStdString(student.username), QString::fromStdString(student.fullName),
+                                needWord(m_needs[static_cast<qsizetype>(k)]),
+                                QString::fromStdString(student.lastLoginUtc),
+                                QString::fromStdString(student.lastAttemptUtc)};
+        for (const MatrixCell& one : m_overview.cells[k]) {
+            row << (one.attempts == 0 ? charts::Cell(QString()) : charts::Cell(one.bestTenths / 10.0));
+            row << charts::Cell(std::int64_t{one.attempts});
+            row << charts::Cell(std::int64_t{one.passed ? 1 : 0});
+        }
+        made.rows << row;
+    }
+    return made;
+}
+
+ClassFilter::ClassFilter(ClassModel* source) : QSortFilterProxyModel(source), m_source(source)
+{
+    setSourceModel(source);
+}
+
+void ClassFilter::setNeed(Need need)
+{
+    m_need = need;
+    invalidateFilter();
+}
+
+void ClassFilter::sort(int column, Qt::SortOrder order)
+{
+    m_isDescending = order == Qt::DescendingOrder;
+    QSortFilterProxyModel::sort(column, order);
+}
+
+bool ClassFilter::filterAcceptsRow(int row, const QModelIndex&) const
+{
+    return m_need == Need::Nothing || m_source->need(row) == m_need;
+}
+
+bool ClassFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const
+{
+    // Who has nothing in this column comes last, whichever way it is sorted.
+    const auto order = [&](bool isLeftNone, bool isRightNone, bool isLess) {
+        if (isLeftNone != isRightNone)
+            return isRightNone != m_isDescending;
+        return isLess;
+    };
+    const MatrixCell* a = m_source->cell(left);
+    const MatrixCell* b = m_source->cell(right);
+    if (a != nullptr && b != nullptr)
+        return order(a->attempts == 0, b->attempts == 0, a->bestTenths < b->bestTenths);
+    const std::string& last = m_source->overview().students[static_cast<std::size_t>(left.row())].lastAttemptUtc;
+    const std::string& other = m_source->overview().students[static_cast<std::size_t>(right.row())].lastAttemptUtc;
+    return order(last.empty(), other.empty(), last < other);
+}
+
+void ScoreCell::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const MatrixCell* one = m_model->cell(m_filter->mapToSource(index));
+    if (one == nullptr)
+        return QStyledItemDelegate::paint(painter, option, index);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QPalette& p = option.palette;
+    const QRectF box = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
+    painter->fillRect(option.rect, p.color(QPalette::Base));  // what is chosen has a ring, so that it keeps its shade
+    if (one->attempts > 0) {
+        QColor ground = tones(p).accent;
+        const double share = std::clamp((one->bestTenths - kPaleAt) / (kFullTenths - kPaleAt), 0.0, 1.0);
+        ground.setAlphaF(static_cast<float>(kFaintest + (kFullest - kFaintest) * share));
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(ground);
+        painter->drawRoundedRect(box, 4.0, 4.0);
+    }
+    if (option.state.testFlag(QStyle::State_Selected)) {
+        painter->setPen(QPen(p.color(QPalette::Link), 2.0));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRoundedRect(box, 4.0, 4.0);
+    }
+    painter->setFont(typeface(kBody, one->passed ? QFont::DemiBold : QFont::Normal));
+    painter->setPen(p.color(one->attempts == 0 ? QPalette::PlaceholderText : QPalette::Text));
+    const QString words = index.data().toString();
+    painter->drawText(box, Qt::AlignCenter, words);
+    if (one->passed) {
+        const double left = box.center().x() + 0.5 * painter->fontMetrics().horizontalAdvance(words) + 5.0;
+        const double y = box.center().y();
+        painter->setPen(QPen(p.color(QPalette::Text), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawPolyline(QPolygonF{{left, y + 0.5}, {left + 3.0, y + 3.5}, {left + 8.5, y - 4.0}});
+    }
+    painter->restore();
+}
+
+}  // namespace ui::people

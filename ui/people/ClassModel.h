@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QAbstractTableModel>
+#include <QDateTime>
+#include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
+
+#include "database/overview.h"
+#include "ui/charts/Table.h"
+#include "ui/people/PeopleWords.h"
+
+namespace ui::people {
+
+/// Why a student needs his teacher.
+enum class Need {
+    Nothing,
+    Stuck,          ///< lessons::isStuck() at the lesson he tried last
+    NeverLoggedIn,  ///< perhaps he cannot
+    NotBegun        ///< he has logged in, and not had an attempt graded yet
+};
+
+[[nodiscard]] Need needOf(const database::MatrixStudent& student);
+/// "stuck", "no login", "new"; empty for nothing.
+[[nodiscard]] QString needWord(Need need);
+/// The full name, or the user name where there is none.
+[[nodiscard]] QString nameOf(const database::MatrixStudent& student);
+
+/// A class as a matrix: students down, with their names as headings; the last attempt and then a column for each lesson
+/// across.
+class ClassModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    static constexpr int kLast = 0;         ///< column of the last attempt
+    static constexpr int kFirstLesson = 1;  ///< columns before the first lesson
+
+    explicit ClassModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+    /// @param now  days are counted from here
+    void setOverview(const database::ClassOverview& overview, const QDateTime& now);
+    void setTitles(const LessonTitles& titles);
+    void retell();
+
+    [[nodiscard]] const database::ClassOverview& overview() const { return m_overview; }
+    [[nodiscard]] Need need(int row) const { return m_needs[row]; }
+    /// How many need so.
+    [[nodiscard]] int count(Need need) const;
+    /// Nothing for the column of the last attempt.
+    [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
+    /// Index into the overview's lessons.
+    [[nodiscard]] static std::optional<std::size_t> lessonOf(int column);
+    /// The whole matrix: names, what they need, last attempt, and of each lesson the best score and how often.
+    [[nodiscard]] charts::Table table() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    [[nodiscard]] QString cellWords(const QModelIndex& index) const;
+
+    database::ClassOverview m_overview;
+    QList<Need> m_needs;
+    LessonTitles m_titles;
+    QDateTime m_now;
+};
+
+/// All students, or those who need something; sorted by value, those who have none last.
+class ClassFilter final : public QSortFilterProxyModel
+{
+    Q_OBJECT
+public:
+    explicit ClassFilter(ClassModel* source);
+
+    /// @param need  Nothing: all students
+    void setNeed(Need need);
+    void sort(int column, Qt::SortOrder order) override;
+
+protected:
+    [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+private:
+    ClassModel* m_source;
+    Need m_need = Need::Nothing;
+    bool m_isDescending = false;
+};
+
+/// A cell of the matrix: the best score on a ground that is the fuller the higher it is, with a tick where the lesson
+/// was passed; a dash where it was not tried.
+class ScoreCell final : public QStyledItemDelegate
+{
+    Q_OBJECT
+public:
+    ScoreCell(const QSortFilterProxyModel* filter, const ClassModel* model, QObject* parent)
+        : QStyledItemDelegate(parent), m_filter(filter), m_model(model)
+    {}
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+private:
+    const QSortFilterProxyModel* m_filter;
+    const ClassModel* m_model;
+};
+
+}  // namespace ui::people

@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/ClassPage.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/charts/ChartPanel.h"
+#include "ui/people/ClassCharts.h"
+#include "ui/people/ListTable.h"
+#include "ui/shell/Announce.h"
+#include "ui/shell/Theme.h"
+
+namespace ui::people {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kLessonPx = 104;
+constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
+constexpr int kNamesPx = 230;
+constexpr std::array kNeeds{Need::Stuck, Need::NeverLoggedIn, Need::NotBegun};
+
+}  // namespace
+
+ClassPage::ClassPage(const Actions& actions, QWidget* parent)
+    : Page(actions, {}, parent), m_model(new ClassModel(this)), m_filter(new ClassFilter(m_model))
+{
+    body()->setSpacing(kSpace2);
+    body()->addWidget(makeHead());
+    body()->addWidget(makeMatrix(), 1);
+    body()->addWidget(makeCharts(), 1);
+    retell();
+}
+
+/// Which class, who needs the teacher, and what he can do for all.
+QWidget* ClassPage::makeHead()
+{
+    auto* part = new QWidget(this);
+    auto* row = new QHBoxLayout(part);
+    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    row->setSpacing(kSpace2);
+    m_class = new QComboBox(part);
+    m_class->setObjectName(QStringLiteral("classChooser"));
+    m_class->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_class->setMinimumContentsLength(16);
+    m_class->setMinimumHeight(32);
+    connect(m_class, &QComboBox::currentIndexChanged, this, [this] {
+        if (chosenClass().value != 0)
+            emit classChosen(chosenClass().value);
+    });
+    row->addWidget(m_class);
+    row->addSpacing(kSpace2);
+    m_needs = new QLabel(part);
+    m_needs->setObjectName(QStringLiteral("needs"));
+    m_needs->setTextFormat(Qt::PlainText);
+    m_needs->setFont(typeface(kBody, QFont::DemiBold));
+    row->addWidget(m_needs);
+    m_need = new QButtonGroup(this);
+    m_need->setExclusive(false);
+    for (const Need need : kNeeds) {
+        auto* button = new QPushButton(part);
+        button->setProperty("kind", "segment");
+        button->setCheckable(true);
+        m_need->addButton(button, static_cast<int>(need));
+        row->addWidget(button);
+    }
+    // One of them, or none: then everybody is listed.
+    connect(m_need, &QButtonGroup::idToggled, this, [this](int id, bool isOn) {
+        for (QAbstractButton* button : m_need->buttons())
+            if (isOn && m_need->id(button) != id) {
+                const QSignalBlocker quiet(m_need);
+                button->setChecked(false);
+            }
+        m_filter->setNeed(m_need->checkedId() < 0 ? Need::Nothing : static_cast<Need>(m_need->checkedId()));
+    });
+    row->addStretch(1);
+    m_report = new QToolButton(part);
+    m_report->setProperty("kind", "chooser");
+    m_report->setPopupMode(QToolButton::InstantPopup);
+    m_report->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_report->setMinimumHeight(36);
+    m_report->setObjectName(QStringLiteral("classReport"));
+    auto* menu = new QMenu(m_report);
+    m_savePdf = menu->addAction(QString(), this, &ClassPage::pdfWanted);
+    m_print = menu->addAction(QString(), this, &ClassPage::printWanted);
+    m_saveCsv = menu->addAction(QString(), this, &ClassPage::askForFile);
+    m_report->setMenu(menu);
+    row->addWidget(m_report);
+    m_assign = new QPushButton(part);
+    m_assign->setObjectName(QStringLiteral("assignLessons"));
+    m_assign->setProperty("kind", "filled");
+    m_assign->setAutoDefault(true);
+    connect(m_assign, &QPushButton::clicked, this, &ClassPage::assignWanted);
+    row->addWidget(m_assign);
+    return part;
+}
+
+QWidget* ClassPage::makeMatrix()
+{
+    m_stack = new QStackedWidget(this);
+    auto* part = new QWidget(m_stack);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    column->setSpacing(kSpace1);
+    m_table = new ListTable(part);
+    m_table->setObjectName(QStringLiteral("matrix"));
+    m_table->installEventFilter(this);
+    m_table->setModel(m_filter);
+    m_table->setItemDelegate(new ScoreCell(m_filter, m_model, m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
+    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    QHeaderView* lessons = m_table->horizontalHeader();
+    lessons->setSectionResizeMode(QHeaderView::Interactive);
+    lessons->setDefaultSectionSize(kLessonPx);
+    lessons->setFixedHeight(kHeadPx);
+    lessons->setSortIndicatorClearable(true);
+    lessons->setSortIndicator(-1, Qt::AscendingOrder);
+    QHeaderView* names = m_table->verticalHeader();
+    names->setFixedWidth(kNamesPx);
+    names->setSectionsClickable(true);
+    connect(names, &QHeaderView::sectionDoubleClicked, this, [this](int row) {
+        const QModelIndex source = m_filter->mapToSource(m_filter->index(row, 0));
+        emit studentWanted(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
+    });
+    connect(m_table, &QTableView::clicked, this, &ClassPage::takeCell);
+    // A double click has been a click before: keys only.
+    connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) {
+        if (m_table->isByKey())
+            takeCell(index);
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentColumnChanged, this,
+            [this](const QModelIndex& now) {
+                if (const auto lesson = ClassModel::lessonOf(now.column()))
+                    m_lesson->setCurrentIndex(static_cast<int>(*lesson));
+            });
+    connect(lessons, &QHeaderView::sectionClicked, this, [this](int clicked) {
+        if (const auto lesson = ClassModel::lessonOf(clicked))
+            m_lesson->setCurrentIndex(static_cast<int>(*lesson));
+    });
+    column->addWidget(m_table, 1);
+    auto* feet = new QHBoxLayout;
+    m_legend = new QLabel(part);
+    m_said = new QLabel(part);
+    m_said->setObjectName(QStringLiteral("said"));
+    for (QLabel* words : {m_legend, m_said}) {
+        words->setTextFormat(Qt::PlainText);
+        words->setFont(typeface(kSmall));
+        words->setForegroundRole(QPalette::PlaceholderText);
+        words->setMinimumWidth(1);
+    }
+    feet->addWidget(m_legend, 1);
+    feet->addWidget(m_said);
+    column->addLayout(feet);
+    m_stack->addWidget(part);
+
+    m_empty = new QLabel(m_stack);
+    m_empty->setObjectName(QStringLiteral("classEmpty"));
+    m_empty->setTextFormat(Qt::PlainText);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_stack->addWidget(m_empty);
+    return m_stack;
+}
+
+QWidget* ClassPage::makeCharts()
+{
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    column->setSpacing(kSpace2);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(kSpace2);
+    m_lessonWord = new QLabel(part);
+    m_lessonWord->setFont(typeface(kBody, QFont::DemiBold));
+    m_lesson = new QComboBox(part);
+    m_lesson->setObjectName(QStringLiteral("lessonChooser"));
+    m_lesson->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_lesson->setMinimumContentsLength(30);
+    m_lesson->setMinimumHeight(32);
+    m_lessonWord->setBuddy(m_lesson);
+    connect(m_lesson, &QComboBox::currentIndexChanged, this, &ClassPage::takeLesson);
+    head->addWidget(m_lessonWord);
+    head->addWidget(m_lesson);
+    head->addStretch(1);
+    column->addLayout(head);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace4);
+    const auto panel = [&](const char* name) {
+        auto* frame = new QFrame(part);
+        frame->setProperty("kind", "card");
+        auto* inside = new QVBoxLayout(frame);
+        inside->setContentsMargins(kSpace1, kSpace1, kSpace1, kSpace1);
+        auto* made = new charts::ChartPanel(frame);
+        made->setObjectName(QLatin1String(name));
+        inside->addWidget(made);
+        row->addWidget(frame, 1);
+        return made;
+    };
+    m_distribution = panel("distribution");
+    m_learning = panel("learning");
+    m_difficulty = panel("difficulty");
+    column->addLayout(row, 1);
+    return part;
+}
+
+void ClassPage::setClasses(const QList<database::SchoolClass>& classes)
+{
+    m_classes = classes;
+    const database::ClassId before = chosenClass();
+    fillClasses();
+    if (chosenClass() != before && chosenClass().value != 0)
+        emit classChosen(chosenClass().value);
+    retell();
+}
+
+void ClassPage::fillClasses()
+{
+    const database::ClassId kept = chosenClass();
+    const QSignalBlocker quiet(m_class);
+    m_class->clear();
+    for (const database::SchoolClass& one : m_classes) {
+        //: %1: name of a class; %2: how many students
+        m_class->addItem(tr("%1 (%2)").arg(QString::fromStdString(one.name)).arg(one.students),
+                         static_cast<qlonglong>(one.id.value));
+        if (one.id == kept)
+            m_class->setCurrentIndex(m_class->count() - 1);
+    }
+}
+
+void ClassPage::setOverview(const database::ClassOverview& overview, const QDateTime& now)
+{
+    const QString before = chosenLesson();
+    const bool wasEmpty = m_model->rowCount() == 0;
+    m_model->setOverview(overview, now);
+    for (QAbstractButton* button : m_need->buttons())
+        button->setChecked(false);
+    fitColumns();
+    fillLessons();
+    tellNeeds();
+    m_said->clear();
+    if (wasEmpty && isVisible())
+        m_table->setFocus();
+    if (chosenLesson() != before || chosenLesson().isEmpty())
+        takeLesson();
+}
+
+void ClassPage::setLessonTitles(const LessonTitles& titles)
+{
+    m_titles = titles;
+    m_model->setTitles(titles);
+    fillLessons();
+}
+
+void ClassPage::setResults(const database::LessonResults& results, int passMarkTenths,
+                           const std::map<std::string, QString>& criteria)
+{
+    // The answer may come after another lesson was chosen.
+    if (QString::fromStdString(results.lessonId) != chosenLesson())
+        return;
+    m_results = results;
+    m_passMarkTenths = passMarkTenths;
+    m_criteria = criteria;
+    drawCharts();
+}
+
+database::ClassId ClassPage::chosenClass() const
+{
+    return {m_class->currentData().toLongLong()};
+}
+
+QString ClassPage::chosenLesson() const
+{
+    return m_lesson->currentData().toString();
+}
+
+void ClassPage::fillLessons()
+{
+    const QString kept = chosenLesson();
+    const QSignalBlocker quiet(m_lesson);
+    m_lesson->clear();
+    for (const std::string& id : m_model->overview().lessons) {
+        m_lesson->addItem(lessonTitle(m_titles, id), QString::fromStdString(id));
+        if (m_lesson->itemData(m_lesson->count() - 1).toString() == kept)
+            m_lesson->setCurrentIndex(m_lesson->count() - 1);
+    }
+    m_lesson->setEnabled(m_lesson->count() > 0);
+}
+
+void ClassPage::takeLesson()
+{
+    m_results = {};
+    m_passMarkTenths = 0;
+    drawCharts();
+    if (!chosenLesson().isEmpty())
+        emit lessonChosen(chosenLesson());
+}
+
+void ClassPage::takeCell(const QModelIndex& index)
+{
+    const QModelIndex source = m_filter->mapToSource(index);
+    if (!source.isValid())
+        return;
+    const auto& student = m_model->overview().students[static_cast<std::size_t>(source.row())];
+    const database::MatrixCell* cell = m_model->cell(source);
+    if (cell == nullptr) {
+        if (!student.lastAttemptUtc.empty())
+            emit studentWanted(student.id.value);
+    } else if (cell->attempts > 0) {
+        const std::string& lesson = m_model->overview().lessons[*ClassModel::lessonOf(source.column())];
+        emit attemptsWanted(student.id.value, QString::fromStdString(lesson));
+    }
+}
+
+void ClassPage::tellNeeds()
+{
+    int all = 0;
+    for (const Need need : kNeeds) {
+        const int count = m_model->count(need);
+        all += count;
+        QAbstractButton* button = m_need->button(static_cast<int>(need));
+        //: %1: how many; %2: "stuck"
+        button->setText(tr("%1 %2").arg(count).arg(needWord(need)));
+        button->setVisible(count > 0);
+    }
+    const auto explain = [this](Need need, const QString& words) {
+        QAbstractButton* button = m_need->button(static_cast<int>(need));
+        button->setToolTip(words);
+        button->setAccessibleName(button->text());
+        button->setAccessibleDescription(words);
+    };
+    explain(Need::Stuck, tr("Show who made three attempts in a row at a lesson without passing, and without getting "
+                            "better by five points"));
+    explain(Need::NeverLoggedIn, tr("Show who has never logged in"));
+    explain(Need::NotBegun, tr("Show who has logged in and has no graded attempt yet"));
+    const bool hasStudents = m_model->rowCount() > 0;
+    m_needs->setText(!hasStudents ? QString()
+                     : all == 0   ? tr("Nobody needs you just now")
+                                //: Students who need their teacher; numbers of each kind follow
+                                : tr("%n need(s) you:", nullptr, all));
+    m_stack->setCurrentIndex(hasStudents ? 0 : 1);
+    m_empty->setText(m_classes.isEmpty()
+                         ? tr("Here you will see your classes: who needs you, and how everybody does at every lesson. "
+                              "An administrator gives you a class.")
+                         : tr("Nobody is in this class yet. Students are entered by an administrator, one by one or "
+                              "from a list."));
+    m_report->setEnabled(hasStudents);
+    m_assign->setEnabled(!m_classes.isEmpty());
+}
+
+void ClassPage::drawCharts()
+{
+    m_distribution->setChart(distributionChart(m_results, m_passMarkTenths));
+    m_learning->setChart(learningChart(m_results, m_passMarkTenths));
+    m_difficulty->setChart(difficultyChart(m_results, m_criteria));
+}
+
+/// Lessons share what room there is, down to what their titles need.
+void ClassPage::fitColumns()
+{
+    const int lessons = static_cast<int>(m_model->overview().lessons.size());
+    QHeaderView* columns = m_table->horizontalHeader();
+    if (lessons == 0)
+        return;
+    const int last = QFontMetrics(typeface(kBody)).horizontalAdvance(QStringLiteral("yesterday")) + kSpace6;
+    columns->resizeSection(ClassModel::kLast, last);
+    const int room = m_table->width() - kNamesPx - last - kSpace6;
+    const int each = std::clamp(room / lessons, kLessonPx, 2 * kLessonPx);
+    for (int k = 0; k < lessons; ++k)
+        columns->resizeSection(ClassModel::kFirstLesson + k, each);
+}
+
+void ClassPage::say(const QString& words)
+{
+    m_said->setText(words);
+    if (!words.isEmpty())
+        announce(*m_said);
+}
+
+bool ClassPage::saveTable(const QString& path)
+{
+    QSaveFile file(path);
+    const QByteArray bytes = charts::csv(table());
+    const bool isWritten = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    const QString name = QFileInfo(path).fileName();
+    say(isWritten ? tr("Saved: %1").arg(name)
+                  //: %2: the system's own words
+                  : tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString()));
+    return isWritten;
+}
+
+void ClassPage::askForFile()
+{
+    auto* dialog = new QFileDialog(this, tr("Save the matrix"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(QStringLiteral("CSV (*.csv)"));
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::saveTable);
+    dialog->open();
+}
+
+void ClassPage::retell()
+{
+    setTitle(tr("Class"));
+    m_class->setAccessibleName(tr("Class"));
+    m_lessonWord->setText(tr("How the class does at"));
+    m_lesson->setAccessibleName(tr("Lesson whose charts are shown"));
+    m_table->setAccessibleName(tr("Best scores, students by lessons"));
+    m_assign->setText(tr("Assign lessons"));
+    m_assign->setAccessibleName(m_assign->text());
+    m_report->setText(tr("Report"));
+    m_report->setAccessibleName(m_report->text());
+    m_savePdf->setText(tr("Save as PDF …"));
+    m_print->setText(tr("Print …"));
+    m_saveCsv->setText(tr("Save the matrix as a table (CSV) …"));
+    m_legend->setText(
+        tr("Best score of each student; a tick: passed. A heading sorts, once more the other way, then by "
+           "name. A cell opens the attempts."));
+    m_legend->setToolTip(m_legend->text());
+    m_model->retell();
+    fillClasses();
+    fillLessons();
+    tellNeeds();
+    drawCharts();
+}
+
+void ClassPage::changeEvent(QEvent* event)
+{
+    Page::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retell();
+}
+
+bool ClassPage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_table && event->type() == QEvent::Resize)
+        fitColumns();
+    return Page::eventFilter(watched, event);
+}
+
+void ClassPage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    m_table->setFocus();
+}
+
+}  // namespace ui::people

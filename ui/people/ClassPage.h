@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QDateTime>
+#include <QList>
+
+#include "database/overview.h"
+#include "database/people.h"
+#include "ui/people/ClassModel.h"
+#include "ui/shell/Page.h"
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace ui::charts {
+class ChartPanel;
+}
+
+namespace ui::people {
+
+class ListTable;
+
+/// A class as its teacher sees it: who needs him, every student's best score at every lesson, and of one lesson how the
+/// class does: distribution, learning curve, difficulty.
+class ClassPage final : public shell::Page
+{
+    Q_OBJECT
+public:
+    ClassPage(const shell::Actions& actions, QWidget* parent);
+
+    /// Those that are his. What is chosen stays, where it is among them.
+    void setClasses(const QList<database::SchoolClass>& classes);
+    /// @param now  days are counted from here
+    void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
+    void setLessonTitles(const LessonTitles& titles);
+    /// Of the lesson that is chosen.
+    /// @param passMarkTenths  of its rubric; 0: not known
+    /// @param criteria        names by id
+    void setResults(const database::LessonResults& results, int passMarkTenths,
+                    const std::map<std::string, QString>& criteria);
+
+    [[nodiscard]] database::ClassId chosenClass() const;
+    /// Empty: there is none.
+    [[nodiscard]] QString chosenLesson() const;
+    [[nodiscard]] charts::Table table() const { return m_model->table(); }
+    /// Writes the matrix and says below it what became of that.
+    bool saveTable(const QString& path);
+    void say(const QString& words);
+
+signals:
+    void classChosen(qint64 classId);
+    /// How the class does at it is wanted.
+    void lessonChosen(const QString& lessonId);
+    void attemptsWanted(qint64 personId, const QString& lessonId);
+    /// All attempts of a student.
+    void studentWanted(qint64 personId);
+    void assignWanted();
+    void pdfWanted();
+    void printWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QWidget* makeHead();
+    QWidget* makeMatrix();
+    QWidget* makeCharts();
+    void fillLessons();
+    void fillClasses();
+    void takeLesson();
+    void takeCell(const QModelIndex& index);
+    void retell();
+    void tellNeeds();
+    void drawCharts();
+    void fitColumns();
+    void askForFile();
+
+    QList<database::SchoolClass> m_classes;
+    database::LessonResults m_results;
+    int m_passMarkTenths = 0;
+    std::map<std::string, QString> m_criteria;
+    LessonTitles m_titles;
+    ClassModel* m_model;
+    ClassFilter* m_filter;
+    QComboBox* m_class = nullptr;
+    QLabel* m_needs = nullptr;
+    QButtonGroup* m_need = nullptr;
+    QPushButton* m_assign = nullptr;
+    QToolButton* m_report = nullptr;
+    QAction* m_saveCsv = nullptr;
+    QAction* m_savePdf = nullptr;
+    QAction* m_print = nullptr;
+    QStackedWidget* m_stack = nullptr;
+    ListTable* m_table = nullptr;
+    QLabel* m_legend = nullptr;
+    QLabel* m_empty = nullptr;
+    QLabel* m_lessonWord = nullptr;
+    QComboBox* m_lesson = nullptr;
+    QLabel* m_said = nullptr;
+    charts::ChartPanel* m_distribution = nullptr;
+    charts::ChartPanel* m_learning = nullptr;
+    charts::ChartPanel* m_difficulty = nullptr;
+};
+
+}  // namespace ui::people

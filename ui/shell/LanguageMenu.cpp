@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/LanguageMenu.h"
+
+#include <QActionGroup>
+
+#include "ui/shell/Memory.h"
+#include "ui/text/EveryLanguage.h"
+#include "ui/text/Language.h"
+
+namespace ui::shell {
+namespace {
+
+const QString kLanguage = QStringLiteral("window/language");
+
+}  // namespace
+
+LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent)
+{
+    setObjectName(QStringLiteral("languages"));
+    auto* one = new QActionGroup(this);
+    for (const QString& code : text::Language::available()) {
+        QAction* action = addAction(text::Language::nameOf(code));
+        action->setCheckable(true);
+        action->setData(code);
+        one->addAction(action);
+        // When the menu has closed: the words of all windows change under it.
+        connect(
+            action, &QAction::triggered, this,
+            [code] {
+                memory().setValue(kLanguage, code);
+                text::Language::choose(code);
+            },
+            Qt::QueuedConnection);
+    }
+    text::inEveryLanguage(this, [this] {
+        setTitle(tr("Language"));
+        setAccessibleName(title());
+        for (QAction* action : actions())
+            action->setChecked(action->data().toString() == text::Language::current());
+    });
+}
+
+QString LanguageMenu::remembered()
+{
+    const QString code = memory().value(kLanguage).toString();
+    return text::Language::isAvailable(code) ? code : QString();
+}
+
+}  // namespace ui::shell
