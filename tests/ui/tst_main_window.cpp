@@ -2816,6 +2816,11 @@ void TestMainWindow::wordsFoldWhereThereIsNoRoom()
     name->setText(QStringLiteral("lower left first molar ").repeated(20));
     bar.fold();
     QVERIFY(!name->isVisibleTo(&bar));
+    // Words of another language need another width.
+    ui::text::inEveryLanguage(name, [name] { name->setText(QStringLiteral("36")); });
+    QEvent chosen(QEvent::LanguageChange);
+    QApplication::sendEvent(&bar, &chosen);
+    QVERIFY(name->isVisibleTo(&bar));
 }
 
 void TestMainWindow::whatIsBelowIsPointedAt()

@@ -33,6 +33,14 @@ void FoldingBar::mayGo(QWidget* widget)
     m_dispensable = widget;
 }
 
+bool FoldingBar::event(QEvent* event)
+{
+    const bool taken = QFrame::event(event);
+    if (event->type() == QEvent::LanguageChange)  // all that stands in the row has its new words by now
+        fold();
+    return taken;
+}
+
 void FoldingBar::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
