@@ -139,7 +139,7 @@ void ChartPanel::setChart(const Chart& chart)
 
 int ChartPanel::ticks() const
 {
-    return std::clamp(m_view->height() / kTickPx, 2, kMostTicks);
+    return ticksFor(m_view->height());
 }
 
 void ChartPanel::redraw()

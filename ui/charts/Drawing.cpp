@@ -295,6 +295,12 @@ Ink paperInk()
             QColor(0xE2, 0xE2, 0xE2)};
 }
 
+int ticksFor(double heightPx)
+{
+    constexpr double kTickPx = 48.0;  // with its share of what title and legend take
+    return std::clamp(static_cast<int>(heightPx / kTickPx), 2, kMostTicks);
+}
+
 void draw(const Chart& content, const Ink& ink, QChart& into, int ticks)
 {
     into.setBackgroundVisible(false);
@@ -332,7 +338,7 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink&
         auto* drawn = new QChart;
         drawn->setAnimationOptions(QChart::NoAnimation);
         scene.addItem(drawn);
-        draw(chart, ink, *drawn);
+        draw(chart, ink, *drawn, ticksFor(plot.height()));
         drawn->resize(plot.size());
         scene.setSceneRect(QRectF(QPointF(0.0, 0.0), plot.size()));
         drawn->layout()->activate();

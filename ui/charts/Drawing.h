@@ -31,6 +31,8 @@ struct Ink
 [[nodiscard]] Ink paperInk();
 
 inline constexpr int kMostTicks = 6;
+/// So many of the upright axis have room on a chart of this height.
+[[nodiscard]] int ticksFor(double heightPx);
 
 /// Fills an empty chart with axes and series. Everything lies linearly between the ends of frameOf(chart).
 /// @param ticks  about so many on the upright axis: as many as there is room for

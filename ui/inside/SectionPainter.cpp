@@ -27,12 +27,16 @@ using core::terrain::Material;
 using core::terrain::MaterialSpan;
 using core::terrain::ToothAnatomy;
 
-constexpr QRgb kGround = 0xFF15181A;
-constexpr QRgb kGrid = 0xFF2C3134;
+/// Of a picture on the screen, and on paper.
+struct Ground
+{
+    QRgb ground, grid, words;
+};
+constexpr Ground kScreen{0xFF15181A, 0xFF2C3134, 0xFFB6BDBF};
+constexpr Ground kPaper{0xFFFFFFFF, 0xFFDADDDF, 0xFF2A2F31};
 constexpr QRgb kOverTissue = 0x30000000;  ///< grid lines over the tooth
-constexpr QRgb kWords = 0xFFB6BDBF;
-constexpr QRgb kSurface = 0xFF56C7C9;  ///< the surface as it was
-constexpr QRgb kIdeal = 0xFFFFD23F;    ///< and as it ought to become
+constexpr QRgb kSurface = 0xFF56C7C9;     ///< the surface as it was
+constexpr QRgb kIdeal = 0xFFFFD23F;       ///< and as it ought to become
 constexpr QRgb kUnderIdeal = 0xB0101214;
 constexpr QRgb kBand = 0x9056C7C9;  ///< between the limits of a tolerance
 constexpr QRgb kBandEdge = 0xFF0B4F51;
@@ -109,9 +113,9 @@ void paintGrid(QPainter& painter, const Frame& frame, const QColor& colour)
         painter.drawLine(QPointF(frame.plot.left(), frame.y(mm)), QPointF(frame.plot.right(), frame.y(mm)));
 }
 
-void paintLabels(QPainter& painter, const Frame& frame)
+void paintLabels(QPainter& painter, const Frame& frame, const QColor& words)
 {
-    painter.setPen(QColor(kWords));
+    painter.setPen(words);
     painter.setFont(shell::typeface(shell::kSmall));
     const int every = frame.pxPerMm >= kLabelPx ? 1 : frame.pxPerMm >= kLabelPx / 2 ? 2 : 5;
     const auto multiple = [every](double mm) { return static_cast<int>(std::lround(mm)) % every == 0; };
@@ -299,7 +303,7 @@ bool meetsTooth(const Section& section)
 }
 
 /// In the lower half, out of the way of a bur.
-void paintNothingHere(QPainter& painter, const QRectF& plot)
+void paintNothingHere(QPainter& painter, const QRectF& plot, const Ground& ground)
 {
     const QString words = QCoreApplication::translate("Section", "The plane does not meet the tooth here.");
     painter.setFont(shell::typeface(shell::kBody));
@@ -307,16 +311,16 @@ void paintNothingHere(QPainter& painter, const QRectF& plot)
     const int flags = Qt::AlignCenter | Qt::TextWordWrap;
     const QRectF plate = painter.boundingRect(room, flags, words).adjusted(-10.0, -6.0, 10.0, 6.0);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(kGround));
+    painter.setBrush(QColor(ground.ground));
     painter.drawRoundedRect(plate, shell::kRadius, shell::kRadius);
-    painter.setPen(QColor(kWords));
+    painter.setPen(QColor(ground.words));
     painter.drawText(room, flags, words);
 }
 
 void paintEnds(QPainter& painter, const QRectF& head, const SectionScene& scene)
 {
     const ToothAnatomy& anatomy = *scene.tooth->anatomy;
-    painter.setPen(QColor(kWords));
+    painter.setPen(QColor((scene.onPaper ? kPaper : kScreen).words));
     painter.setFont(shell::typeface(shell::kSmall, QFont::Medium));
     painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
                      QChar(0x2190) + QStringLiteral(" ") +
@@ -369,13 +373,14 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
 {
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
-    painter.fillRect(area, QColor(kGround));
+    const Ground& ground = scene.onPaper ? kPaper : kScreen;
+    painter.fillRect(area, QColor(ground.ground));
     const PictureKey key = keyOf(scene);
     const double keyPx = key.heightFor(area.width() - 16.0) + kBelowKeyPx;
     const QRectF plot = area.adjusted(kGutterPx, kHeadPx, -8.0, -kFootPx - keyPx);
     const Frame frame = frameFor(plot, scene);
     painter.setRenderHint(QPainter::Antialiasing, false);
-    paintGrid(painter, frame, QColor(kGrid));
+    paintGrid(painter, frame, QColor(ground.grid));
 
     const double pixelRatio = painter.device()->devicePixelRatioF();
     const int columns = std::max(2, static_cast<int>(std::ceil(plot.width() * pixelRatio)));
@@ -394,11 +399,11 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
         paintBand(painter, frame, scene, section);
     if (scene.ideal) {
         // Dark beneath, so that it is seen on every tissue.
-        QPen ground = idealPen();
-        ground.setColor(QColor::fromRgba(kUnderIdeal));
-        ground.setStyle(Qt::SolidLine);
-        ground.setWidthF(4.0);
-        paintHeights(painter, section, frame, &SectionSample::idealTopMm, ground);
+        QPen under = idealPen();
+        under.setColor(QColor::fromRgba(kUnderIdeal));
+        under.setStyle(Qt::SolidLine);
+        under.setWidthF(4.0);
+        paintHeights(painter, section, frame, &SectionSample::idealTopMm, under);
         paintHeights(painter, section, frame, &SectionSample::idealTopMm, idealPen());
     }
     paintHeights(painter, section, frame, &SectionSample::originalTopMm, surfacePen());
@@ -407,11 +412,12 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     if (scene.markMm)
         paintMark(painter, frame, scene);
     if (!meetsTooth(section))
-        paintNothingHere(painter, plot);
+        paintNothingHere(painter, plot, ground);
     painter.setClipRect(area);
-    paintLabels(painter, frame);
+    paintLabels(painter, frame, QColor(ground.words));
     paintEnds(painter, QRectF(plot.left(), area.top(), plot.width(), kHeadPx), scene);
-    key.paint(painter, QRectF(area.left() + 8.0, area.bottom() - keyPx, area.width() - 16.0, keyPx), QColor(kWords));
+    key.paint(painter, QRectF(area.left() + 8.0, area.bottom() - keyPx, area.width() - 16.0, keyPx),
+              QColor(ground.words));
     painter.restore();
 }
 

@@ -31,11 +31,12 @@ struct SectionScene
     std::optional<double> downToPulpMm;  ///< from the tip: a dotted line is drawn so far down
     std::optional<glm::dvec3> markMm;    ///< a place in the plane that is ringed
     render::Palette palette = render::Palette::Natural;
+    bool onPaper = false;  ///< dark words on white instead
 };
 
 /// Paints the crown, and of the root what there is room for, on a millimetre grid: the materials, the original surface
 /// and the ideal one as lines, the bur, where the two ends of the plane point, and what the colours mean. Dark in
-/// either theme, like the room with the tooth. Needs no window. About 1.5 ms at 320 x 500.
+/// either theme, like the room with the tooth, but on paper. Needs no window. About 1.5 ms at 320 x 500.
 void paintSection(QPainter& painter, const QRectF& area, const SectionScene& scene);
 
 }  // namespace ui::inside

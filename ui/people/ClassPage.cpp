@@ -39,7 +39,7 @@ constexpr std::array kNeeds{Need::Stuck, Need::NeverLoggedIn, Need::NotBegun};
 }  // namespace
 
 ClassPage::ClassPage(const Actions& actions, QWidget* parent)
-    : Page(actions, {}, parent), m_model(new ClassModel(this)), m_filter(new ClassFilter(m_model))
+    : Page(actions, parent), m_model(new ClassModel(this)), m_filter(new ClassFilter(m_model))
 {
     body()->setSpacing(kSpace2);
     body()->addWidget(makeHead());

@@ -123,6 +123,17 @@ void HeatMap::setColours(render::Palette colours)
     draw();
 }
 
+void HeatMap::setOnPaper(bool onPaper)
+{
+    m_onPaper = onPaper;
+    update();
+}
+
+QColor HeatMap::wordColour() const
+{
+    return QColor(m_onPaper ? kDark : kWords);
+}
+
 QPointF HeatMap::Frame::at(double i, double j) const
 {
     return {plot.left() + (i - firstI) * pxPerCell, plot.top() + (lastJ - j) * pxPerCell};
@@ -216,7 +227,7 @@ void HeatMap::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(kGround));
+    painter.setBrush(m_onPaper ? QColor(Qt::white) : QColor(kGround));
     painter.drawRoundedRect(rect(), kRadius, kRadius);
     if (!m_work.tooth)
         return;
@@ -233,7 +244,7 @@ void HeatMap::paintEnds(QPainter& painter, const Frame&) const
     const auto towards = [&](double quarters) {
         return text::directionName(anatomy, quarters * 0.5 * std::numbers::pi);
     };
-    painter.setPen(QColor(kWords));
+    painter.setPen(wordColour());
     painter.setFont(typeface(kSmall, QFont::Medium));
     const QRectF room = QRectF(rect()).adjusted(0.0, 0.0, 0.0, -kLegendPx);
     painter.drawText(QRectF(room.left(), room.top() + 2.0, room.width(), kHeadPx), Qt::AlignCenter, towards(1.0));
@@ -292,7 +303,7 @@ void HeatMap::paintLegend(QPainter& painter, const QRectF& area) const
                 if (hasInk(above, x, y))
                     painter.fillRect(QRectF(bar.left() + x, bar.top() + y, 1.0, 1.0), QColor(kDark));
     }
-    painter.setPen(QColor(kWords));
+    painter.setPen(wordColour());
     painter.setFont(typeface(kSmall));
     const QRectF words(area.left(), area.top(), area.width(), 16.0);
     if (m_probed) {
@@ -303,7 +314,7 @@ void HeatMap::paintLegend(QPainter& painter, const QRectF& area) const
                          std::abs(above) <= kToldFromMm ? tr("as it ought to be")
                          : above < 0.0                  ? tr("%1 mm too deep").arg(mm)
                                                         : tr("%1 mm still to go").arg(mm));
-        painter.setPen(QColor(kWords));
+        painter.setPen(wordColour());
     } else {
         painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("still to go"));
         painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, tr("too deep"));

@@ -25,6 +25,8 @@ public:
     /// Rings a column, and draws the line of the section through it; nothing: neither.
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
+    /// Dark words on white.
+    void setOnPaper(bool onPaper);
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
@@ -52,6 +54,7 @@ private:
     void paintEnds(QPainter& painter, const Frame& frame) const;
     void paintMark(QPainter& painter, const Frame& frame) const;
     void paintLegend(QPainter& painter, const QRectF& area) const;
+    [[nodiscard]] QColor wordColour() const;
 
     ScoredWork m_work;
     int m_i0 = 0;  ///< the part of the grid with tooth, both ends included
@@ -61,6 +64,7 @@ private:
     std::optional<std::size_t> m_mark;
     core::imaging::SectionPlane m_plane;
     render::Palette m_colours = render::Palette::Natural;
+    bool m_onPaper = false;
     QImage m_picture;  ///< of the plot, in the pixels of the screen
     std::optional<std::size_t> m_probed;
 };

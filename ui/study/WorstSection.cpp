@@ -46,6 +46,12 @@ void WorstSection::setColours(render::Palette colours)
     update();
 }
 
+void WorstSection::setOnPaper(bool onPaper)
+{
+    m_scene.onPaper = onPaper;
+    update();
+}
+
 void WorstSection::paintEvent(QPaintEvent*)
 {
     if (!m_work.tooth)

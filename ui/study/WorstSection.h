@@ -19,6 +19,7 @@ public:
     /// @param node  ringed; nothing: only the plane
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
+    void setOnPaper(bool onPaper);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports are painted by one painter code: here onto pictures and drawings, in the program onto paper and into PDF.
+#include <QApplication>
+#include <QBuffer>
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QSvgGenerator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "lessons/LessonCatalog.h"
+#include "ui/report/Printing.h"
+#include "ui/report/Report.h"
+#include "ui/shell/Theme.h"
+
+using database::AttemptRecord;
+using ui::report::ClassReport;
+using ui::report::ScoreCard;
+
+namespace {
+
+constexpr QSizeF kA4{510.0, 757.0};  ///< points within margins of 15 mm
+constexpr QSizeF kLetter{527.0, 707.0};
+constexpr double kDotsPerPoint = 2.0;
+const QString kCode = "K7QF-93XM-2ND8";
+
+ui::report::Proof proof()
+{
+    return {kCode, "0.1.0", QDateTime(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC)};
+}
+
+/// A cavity of a shipped lesson with a pit in its floor, marked.
+ScoreCard scoreCard()
+{
+    ScoreCard card;
+    lessons::Assignment assignment;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->id == "class1-36")
+            assignment = lessons::assign(*entry.read.lesson).value().assignment;
+    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+    ui::study::ScoredWork work;
+    work.ideal = assignment.shownIdeal();
+    std::vector<float> top = *work.ideal;
+    for (int j = 0; j < anatomy.grid.side; ++j)
+        for (int i = 0; i < anatomy.grid.side; ++i)
+            if (const std::size_t k = anatomy.grid.index(i, j);
+                top[k] < anatomy.top[k] && anatomy.grid.nodeMm(i, j).x < anatomy.grid.middleMm().x - 1.0)
+                top[k] -= 0.4F;
+    auto tooth = core::terrain::restored(assignment.anatomy, top);
+    const auto marked = lessons::mark(assignment, tooth).value();
+    work.tooth = std::make_shared<const core::terrain::Tooth>(std::move(tooth));
+    work.measured = marked.measured;
+    card.work = work;
+    card.sheet = marked.sheet;
+    card.lesson = "Class I on 36";
+    card.person = "Ada Lovelace";
+    card.proof = proof();
+    AttemptRecord& attempt = card.attempt;
+    attempt.id = 9;
+    attempt.uid = "0123456789abcdef0123456789abcdef";
+    attempt.finishedUtc = "2026-11-20T10:15:00Z";
+    attempt.scoreTenths = card.sheet.totalTenths;
+    attempt.passMarkTenths = card.sheet.passMarkTenths;
+    attempt.passed = card.sheet.passed();
+    attempt.expectedTenths = 900;
+    attempt.durationMs = 727'000;
+    attempt.meanForceMn = 850;
+    attempt.peakForceMn = 2100;
+    attempt.preset = "natural v4";
+    attempt.presetHash = std::string(64, 'b');
+    attempt.device = "pointer";
+    attempt.method = "spring";
+    attempt.grid = 256;
+    attempt.viewMode = "flat";
+    attempt.seed = "42";
+    attempt.program = "0.1.0";
+    attempt.recordingHash = std::string(64, 'c');
+    for (int k = 9; k > 0; --k) {
+        AttemptRecord one = attempt;
+        one.id = k;
+        one.scoreTenths = 400 + 45 * k;
+        one.passed = one.scoreTenths >= one.passMarkTenths;
+        one.durationMs = 900'000 - 30'000 * k;
+        card.history << one;
+        card.band.insert(card.band.begin(), {k, 12, 340 + 40 * k, 450 + 42 * k, 560 + 41 * k});
+    }
+    card.talk.comments.push_back(
+        {1, "Grace Hopper", "2026-11-20T11:00:00Z", "Here you pressed too hard.", {}, 102'000});
+    return card;
+}
+
+ClassReport classReport(int students, int lessonCount)
+{
+    ClassReport report;
+    report.className = "DEN101-A";
+    report.teacher = "Grace Hopper";
+    report.proof = proof();
+    report.passMarkTenths = 750;
+    for (int k = 0; k < lessonCount; ++k) {
+        report.overview.lessons.push_back("lesson-" + std::to_string(k));
+        report.titles.insert(QString("lesson-%1").arg(k), QString("Class %1 on tooth 36, mesial").arg(k + 1));
+    }
+    for (int k = 0; k < students; ++k) {
+        database::MatrixStudent one;
+        one.id = {k + 1};
+        one.fullName = "Student " + std::to_string(1001 + k);
+        one.lastLoginUtc = k == 1 ? "" : "2026-11-19T08:00:00Z";
+        one.lastAttemptUtc = k == 1 ? "" : "2026-11-18T08:00:00Z";
+        if (k == 0) {
+            one.recentTenths = {500, 500, 500};
+            one.recentPassed = {false, false, false};
+        }
+        std::vector<database::MatrixCell> row(report.overview.lessons.size());
+        for (std::size_t lesson = 0; lesson < row.size(); ++lesson)
+            if ((static_cast<std::size_t>(k) + lesson) % 4 != 1) {
+                const int best = 300 + (k * 97 + static_cast<int>(lesson) * 61) % 700;
+                row[lesson] = {2, best, best >= 750, "2026-11-18T08:00:00Z"};
+            }
+        report.overview.students.push_back(one);
+        report.overview.cells.push_back(row);
+    }
+    report.results.lessonId = "lesson-0";
+    for (int k = 0; k < students; ++k)
+        report.results.bestTenths.push_back(300 + 700 * k / students);
+    if (students >= 5)
+        for (int k = 1; k < 7; ++k)
+            report.results.curve.push_back({k, students, 380 + 50 * k, 500 + 50 * k, 640 + 45 * k});
+    report.results.difficulty = {"lesson-0", students, students - 3, 583.0, 2.4, {{"depth", 0.42}, {"walls", 0.2}}};
+    return report;
+}
+
+/// The pages as pictures.
+template <typename Content>
+QList<QImage> pagesOf(const Content& content, const QSizeF& paper)
+{
+    QList<QImage> pages;
+    QImage page((paper * kDotsPerPoint).toSize(), QImage::Format_RGB32);
+    QPainter painter;
+    const auto begin = [&] {
+        page.fill(Qt::white);
+        painter.begin(&page);
+        painter.scale(kDotsPerPoint, kDotsPerPoint);
+    };
+    begin();
+    const int count = ui::report::paint(
+        painter, paper,
+        [&] {
+            painter.end();
+            pages << page.copy();
+            begin();
+        },
+        content);
+    painter.end();
+    pages << page;
+    return count == pages.size() ? pages : QList<QImage>{};
+}
+
+/// All words, as a drawing has them.
+template <typename Content>
+QString wordsOf(const Content& content, const QSizeF& paper)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(paper.toSize());
+    QPainter painter(&generator);
+    ui::report::paint(
+        painter, paper, [] {}, content);
+    painter.end();
+    static const QRegularExpression tags("<[^>]*>");
+    return QString::fromUtf8(bytes).replace(tags, " ").replace("&quot;", "\"").simplified();
+}
+
+/// Share of the picture that is not white.
+double inked(const QImage& page)
+{
+    qint64 dark = 0;
+    for (int y = 0; y < page.height(); ++y)
+        for (int x = 0; x < page.width(); ++x)
+            dark += qGray(page.pixel(x, y)) < 200 ? 1 : 0;
+    return static_cast<double>(dark) / static_cast<double>(page.width() * page.height());
+}
+
+}  // namespace
+
+class TestReport : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void aScoreCardSaysEverything();
+    void anInstructorsScoreIsSignedAndTheMachinesStays();
+    void pagesAreFilledAndNotOverfull_data();
+    void pagesAreFilledAndNotOverfull();
+    void paperIsWhiteInTheDarkThemeToo();
+    void aClassReportNamesWhoNeedsTheTeacher();
+    void nothingIsToldOfFourPeople();
+    void aPdfIsWritten_data();
+    void aPdfIsWritten();
+    void whatCannotBeWrittenIsTold();
+
+private:
+    ScoreCard m_card;
+};
+
+void TestReport::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
+    m_card = scoreCard();
+}
+
+void TestReport::aScoreCardSaysEverything()
+{
+    const QString words = wordsOf(m_card, kA4);
+    QStringList expected{"Class I on 36",
+                         "Ada Lovelace",
+                         kCode,
+                         "Cusp 0.1.0",
+                         "natural v4",
+                         "pointer",
+                         "256 columns",
+                         "seed: 42",
+                         "Here you pressed too hard.",
+                         "at 1:42 of the replay",
+                         "undercuts",
+                         "90.0 points",
+                         QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)),
+                         QString(16, 'b')};
+    QVERIFY(!m_card.sheet.criteria.empty());
+    for (const QString& part : expected)
+        QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
+}
+
+void TestReport::anInstructorsScoreIsSignedAndTheMachinesStays()
+{
+    ScoreCard card = m_card;
+    card.attempt.scoreTenths = 684;
+    card.attempt.givenTenths = 801;
+    card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
+    const QString words = wordsOf(card, kA4);
+    for (const char* part :
+         {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand."})
+        QVERIFY2(words.contains(part), part);
+}
+
+void TestReport::pagesAreFilledAndNotOverfull_data()
+{
+    QTest::addColumn<bool>("isCard");
+    QTest::addColumn<QSizeF>("paper");
+    QTest::addColumn<int>("fewest");
+    QTest::newRow("card A4") << true << kA4 << 1;
+    QTest::newRow("card Letter") << true << kLetter << 1;
+    QTest::newRow("class A4") << false << kA4 << 3;
+    QTest::newRow("class Letter") << false << kLetter << 3;
+}
+
+void TestReport::pagesAreFilledAndNotOverfull()
+{
+    QFETCH(bool, isCard);
+    QFETCH(QSizeF, paper);
+    QFETCH(int, fewest);
+    const QList<QImage> pages = isCard ? pagesOf(m_card, paper) : pagesOf(classReport(60, 14), paper);
+    QVERIFY(pages.size() >= fewest && pages.size() <= 8);
+    for (qsizetype k = 0; k < pages.size(); ++k) {
+        QVERIFY(inked(pages[k]) > 0.002);
+        QVERIFY(inked(pages[k]) < 0.35);
+        // Between the content and the foot nothing is painted: the line of the foot is not crossed.
+        const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
+        int dark = 0;
+        for (int x = 0; x < pages[k].width(); ++x)
+            dark += qGray(pages[k].pixel(x, foot)) < 128 ? 1 : 0;
+        QCOMPARE(dark, 0);
+    }
+}
+
+void TestReport::paperIsWhiteInTheDarkThemeToo()
+{
+    const QList<QImage> dark = pagesOf(m_card, kA4);
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+    const QList<QImage> light = pagesOf(m_card, kA4);
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
+    QCOMPARE(dark, light);
+}
+
+void TestReport::aClassReportNamesWhoNeedsTheTeacher()
+{
+    const QString words = wordsOf(classReport(23, 5), kA4);
+    for (const QString& part : {QString("Class DEN101-A"), QString("Grace Hopper"), kCode, QString("Never logged in"),
+                                QString("Stuck ("), QString("20 of 23 passed"), QString("Learning curve")})
+        QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
+}
+
+void TestReport::nothingIsToldOfFourPeople()
+{
+    const QString words = wordsOf(classReport(4, 3), kA4);
+    QVERIFY(!words.contains("of 4 passed"));
+    QVERIFY(words.contains("5 people"));
+}
+
+void TestReport::aPdfIsWritten_data()
+{
+    QTest::addColumn<int>("paper");
+    QTest::addColumn<QByteArray>("box");
+    QTest::newRow("A4") << int(QPageSize::A4) << QByteArray("/MediaBox [0 0 595");
+    QTest::newRow("Letter") << int(QPageSize::Letter) << QByteArray("/MediaBox [0 0 612");
+}
+
+void TestReport::aPdfIsWritten()
+{
+    QFETCH(int, paper);
+    QFETCH(QByteArray, box);
+    const QTemporaryDir folder;
+    const auto size = static_cast<QPageSize::PageSizeId>(paper);
+    QVERIFY(ui::report::savePdf(folder.filePath("card.pdf"), "Class I on 36", m_card, size));
+    QVERIFY(ui::report::savePdf(folder.filePath("class.pdf"), "DEN101-A", classReport(60, 14), size));
+    for (const char* name : {"card.pdf", "class.pdf"}) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("%PDF-"));
+        QVERIFY2(bytes.contains(box), name);
+    }
+}
+
+void TestReport::whatCannotBeWrittenIsTold()
+{
+    QVERIFY(!ui::report::savePdf("/nowhere/at/all/card.pdf", "Class I on 36", m_card));
+}
+
+QTEST_MAIN(TestReport)
+#include "tst_report.moc"

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include <memory>
+
+#include "ui/people/TalkPanel.h"
+#include "ui/shell/Theme.h"
+
+using database::AttemptTalk;
+using ui::people::TalkPanel;
+
+namespace {
+
+using Place = std::array<double, 3>;
+
+AttemptTalk talk()
+{
+    AttemptTalk made;
+    made.comments.push_back(
+        {1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", Place{1.0, 2.0, 3.0}, 102'000});
+    made.comments.push_back({2, "Ada Lovelace", "2026-11-20T12:00:00Z", "The bur slipped.", {}, {}});
+    made.overrides.push_back({"Grace Hopper", "2026-11-20T11:00:00Z", 800, "The wall is fine by hand."});
+    return made;
+}
+
+}  // namespace
+
+class TestTalkPanel : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void theMachinesScoreStaysInSight();
+    void everythingIsSignedAndInOrder();
+    void whoMayNotWriteReads();
+    void aCommentIsPinned();
+    void pinsLeadThere();
+    void aScoreNeedsAReason();
+    void whatWasRefusedStaysTyped();
+
+private:
+    template <typename Widget>
+    Widget* get(const char* name)
+    {
+        return m_panel->findChild<Widget*>(name);
+    }
+    QString words()
+    {
+        QStringList all;
+        for (QLabel* label : m_panel->findChildren<QLabel*>())
+            if (label->isVisible())
+                all << label->text();
+        return all.join(u'\n');
+    }
+
+    std::unique_ptr<TalkPanel> m_panel;
+};
+
+void TestTalkPanel::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+}
+
+void TestTalkPanel::init()
+{
+    m_panel = std::make_unique<TalkPanel>(nullptr);
+    m_panel->setMay(true, true);
+    m_panel->setScore(684, 750, false);
+    m_panel->resize(460, 640);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+}
+
+void TestTalkPanel::theMachinesScoreStaysInSight()
+{
+    QCOMPARE(get<QLabel>("counts")->text(), QString("68.4 points, not passed"));
+    QVERIFY(!get<QPushButton>("machineAgain")->isVisible());
+    m_panel->setTalk(talk());
+    QCOMPARE(get<QLabel>("counts")->text(), QString("80.0 points, passed"));
+    QCOMPARE(get<QLabel>("machine")->text(), QString("Given by Grace Hopper. The machine's score: 68.4 points."));
+    QVERIFY(get<QPushButton>("machineAgain")->isVisible());
+    AttemptTalk taken = talk();
+    taken.overrides.push_back({"Grace Hopper", "2026-11-20T13:00:00Z", {}, "My mistake."});
+    m_panel->setTalk(taken);
+    QCOMPARE(get<QLabel>("counts")->text(), QString("68.4 points, not passed"));
+    QVERIFY(words().contains("let the machine's score count again: My mistake."));
+}
+
+void TestTalkPanel::everythingIsSignedAndInOrder()
+{
+    m_panel->setTalk(talk());
+    const QString all = words();
+    const auto first = all.indexOf("Here you pressed too hard.");
+    const auto second = all.indexOf("gave 80.0 points: The wall is fine by hand.");
+    const auto third = all.indexOf("The bur slipped.");
+    QVERIFY(first > 0 && second > first && third > second);
+    QVERIFY(all.contains("Grace Hopper, 20/11/2026"));
+}
+
+void TestTalkPanel::whoMayNotWriteReads()
+{
+    m_panel->setTalk(talk());
+    m_panel->setMay(false, false);
+    QVERIFY(!get<QPlainTextEdit>("commentWords")->isVisible());
+    QVERIFY(!get<QLineEdit>("reason")->isVisible());
+    QVERIFY(words().contains("Here you pressed too hard."));
+    m_panel->setTalk({});
+    QVERIFY(get<QLabel>("noTalk")->text().contains("What your instructor says"));
+}
+
+void TestTalkPanel::aCommentIsPinned()
+{
+    std::optional<std::int64_t> moment;
+    std::optional<Place> place;
+    QString said;
+    int asked = 0;
+    connect(m_panel.get(), &TalkPanel::commentWanted, this,
+            [&](const QString& w, std::optional<std::int64_t> m, std::optional<Place> p) {
+                said = w;
+                moment = m;
+                place = p;
+                ++asked;
+            });
+    QVERIFY(!get<QPushButton>("addComment")->isEnabled());
+    QVERIFY(!get<QCheckBox>("atMoment")->isVisible());
+    get<QPlainTextEdit>("commentWords")->setPlainText("  Lift the bur here. ");
+    m_panel->setMoment(102'400);
+    m_panel->setPlace(Place{1.0, 2.0, 3.0});
+    QCOMPARE(get<QCheckBox>("atMoment")->text(), QString("at 1:42 of the replay"));
+    get<QPushButton>("addComment")->click();
+    QCOMPARE(said, QString("Lift the bur here."));
+    QVERIFY(!moment && !place);
+    get<QCheckBox>("atMoment")->setChecked(true);
+    get<QCheckBox>("atPlace")->setChecked(true);
+    get<QPushButton>("addComment")->click();
+    QCOMPARE(asked, 2);
+    QCOMPARE(moment, std::optional<std::int64_t>(102'400));
+    QCOMPARE(place, std::optional<Place>(Place{1.0, 2.0, 3.0}));
+    // It was kept: the field is free for the next.
+    AttemptTalk kept;
+    kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    m_panel->setTalk(kept);
+    QVERIFY(get<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
+}
+
+void TestTalkPanel::pinsLeadThere()
+{
+    m_panel->setTalk(talk());
+    double at = 0.0;
+    Place place{};
+    connect(m_panel.get(), &TalkPanel::momentWanted, this, [&](double seconds) { at = seconds; });
+    connect(m_panel.get(), &TalkPanel::placeWanted, this, [&](Place p) { place = p; });
+    for (QPushButton* button : m_panel->findChildren<QPushButton*>())
+        if (button->property("kind") == "chip")
+            button->click();
+    QCOMPARE(at, 102.0);
+    QCOMPARE(place, (Place{1.0, 2.0, 3.0}));
+}
+
+void TestTalkPanel::aScoreNeedsAReason()
+{
+    std::optional<std::optional<int>> given;
+    QString why;
+    connect(m_panel.get(), &TalkPanel::overrideWanted, this, [&](std::optional<int> tenths, const QString& reason) {
+        given = tenths;
+        why = reason;
+    });
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
+    get<QDoubleSpinBox>("givenPoints")->setValue(77.7);
+    QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
+    get<QLineEdit>("reason")->setText("   ");
+    QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
+    get<QLineEdit>("reason")->setText("Wall seen by hand");
+    get<QPushButton>("giveScore")->click();
+    QVERIFY(given && *given == 777);
+    QCOMPARE(why, QString("Wall seen by hand"));
+    m_panel->setTalk(talk());
+    get<QPushButton>("machineAgain")->click();
+    QVERIFY(given && !*given);
+}
+
+void TestTalkPanel::whatWasRefusedStaysTyped()
+{
+    get<QPlainTextEdit>("commentWords")->setPlainText("Lift the bur here.");
+    get<QPushButton>("addComment")->click();
+    m_panel->refuse("The database cannot be reached.");
+    QVERIFY(get<QLabel>("fault")->isVisible());
+    QCOMPARE(get<QPlainTextEdit>("commentWords")->toPlainText(), QString("Lift the bur here."));
+    get<QPushButton>("addComment")->click();
+    QVERIFY(!get<QLabel>("fault")->isVisible());
+}
+
+QTEST_MAIN(TestTalkPanel)
+#include "tst_talk_panel.moc"

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/TalkPanel.h"
+
+#include <cmath>
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/people/PeopleWords.h"
+#include "ui/shell/Announce.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
+
+namespace ui::people {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kWordsPx = 72;
+constexpr double kFullPoints = 100.0;
+
+QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
+{
+    auto* made = new QLabel(parent);
+    made->setTextFormat(Qt::PlainText);
+    made->setFont(typeface(size, weight));
+    made->setForegroundRole(role);
+    made->setWordWrap(true);
+    return made;
+}
+
+}  // namespace
+
+TalkPanel::TalkPanel(QWidget* parent)
+    : QWidget(parent), m_counts(label(kTitle, QFont::DemiBold, QPalette::WindowText, this)),
+      m_machine(label(kBody, QFont::Normal, QPalette::PlaceholderText, this)), m_listSlot(new QVBoxLayout),
+      m_fault(label(kBody, QFont::Normal, QPalette::WindowText, this))
+{
+    m_counts->setObjectName(QStringLiteral("counts"));
+    m_machine->setObjectName(QStringLiteral("machine"));
+    m_fault->setObjectName(QStringLiteral("fault"));
+    m_fault->hide();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    column->addWidget(m_counts);
+    column->addWidget(m_machine);
+    column->addLayout(m_listSlot);
+    makeComposer(*column);
+    makeOverride(*column);
+    column->addWidget(m_fault);
+    column->addStretch(1);
+    retell();
+}
+
+void TalkPanel::makeComposer(QVBoxLayout& column)
+{
+    m_composer = new QWidget(this);
+    auto* inside = new QVBoxLayout(m_composer);
+    inside->setContentsMargins(0, kSpace2, 0, 0);
+    inside->setSpacing(kSpace2);
+    m_words = new QPlainTextEdit(m_composer);
+    m_words->setObjectName(QStringLiteral("commentWords"));
+    m_words->setTabChangesFocus(true);
+    m_words->setFixedHeight(kWordsPx);
+    inside->addWidget(m_words);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace4);
+    m_atMoment = new QCheckBox(m_composer);
+    m_atMoment->setObjectName(QStringLiteral("atMoment"));
+    m_atPlace = new QCheckBox(m_composer);
+    m_atPlace->setObjectName(QStringLiteral("atPlace"));
+    m_add = new QPushButton(m_composer);
+    m_add->setObjectName(QStringLiteral("addComment"));
+    m_add->setAutoDefault(true);
+    row->addWidget(m_atMoment);
+    row->addWidget(m_atPlace);
+    row->addStretch(1);
+    row->addWidget(m_add);
+    inside->addLayout(row);
+    column.addWidget(m_composer);
+    const auto ready = [this] { m_add->setEnabled(!m_words->toPlainText().trimmed().isEmpty()); };
+    connect(m_words, &QPlainTextEdit::textChanged, this, ready);
+    ready();
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        m_fault->hide();
+        emit commentWanted(m_words->toPlainText().trimmed(), m_atMoment->isChecked() ? m_moment : std::nullopt,
+                           m_atPlace->isChecked() ? m_place : std::nullopt);
+    });
+}
+
+void TalkPanel::makeOverride(QVBoxLayout& column)
+{
+    m_override = new QWidget(this);
+    auto* inside = new QVBoxLayout(m_override);
+    inside->setContentsMargins(0, kSpace2, 0, 0);
+    inside->setSpacing(kSpace2);
+    inside->addWidget(line(m_override));
+    m_overrideTitle = label(kBody, QFont::DemiBold, QPalette::WindowText, m_override);
+    inside->addWidget(m_overrideTitle);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace2);
+    m_points = new QDoubleSpinBox(m_override);
+    m_points->setObjectName(QStringLiteral("givenPoints"));
+    m_points->setRange(0.0, kFullPoints);
+    m_points->setDecimals(1);
+    m_points->setMinimumHeight(34);
+    m_reason = new QLineEdit(m_override);
+    m_reason->setObjectName(QStringLiteral("reason"));
+    row->addWidget(m_points);
+    row->addWidget(m_reason, 1);
+    inside->addLayout(row);
+    auto* buttons = new QHBoxLayout;
+    m_again = new QPushButton(m_override);
+    m_again->setObjectName(QStringLiteral("machineAgain"));
+    m_give = new QPushButton(m_override);
+    m_give->setObjectName(QStringLiteral("giveScore"));
+    for (QPushButton* button : {m_again, m_give})
+        button->setAutoDefault(true);
+    buttons->addStretch(1);
+    buttons->addWidget(m_again);
+    buttons->addWidget(m_give);
+    inside->addLayout(buttons);
+    column.addWidget(m_override);
+    const auto ready = [this] {
+        const bool hasReason = !m_reason->text().trimmed().isEmpty();
+        m_give->setEnabled(hasReason);
+        m_again->setEnabled(hasReason);
+    };
+    connect(m_reason, &QLineEdit::textChanged, this, ready);
+    ready();
+    const auto ask = [this](std::optional<int> tenths) {
+        m_fault->hide();
+        emit overrideWanted(tenths, m_reason->text().trimmed());
+    };
+    connect(m_give, &QPushButton::clicked, this,
+            [this, ask] { ask(static_cast<int>(std::lround(10.0 * m_points->value()))); });
+    connect(m_again, &QPushButton::clicked, this, [ask] { ask(std::nullopt); });
+}
+
+void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMachine)
+{
+    m_machineTenths = machineTenths;
+    m_passMarkTenths = passMarkTenths;
+    m_passedByMachine = passedByMachine;
+    m_points->setValue(machineTenths / 10.0);
+    tellScore();
+}
+
+void TalkPanel::setTalk(const database::AttemptTalk& talk)
+{
+    if (!talk.comments.empty() && talk.comments.size() > m_talk.comments.size() &&
+        QString::fromStdString(talk.comments.back().words) == m_words->toPlainText().trimmed())
+        m_words->clear();
+    if (!talk.overrides.empty() && talk.overrides.size() > m_talk.overrides.size() &&
+        QString::fromStdString(talk.overrides.back().reason) == m_reason->text().trimmed())
+        m_reason->clear();
+    m_talk = talk;
+    fill();
+    tellScore();
+}
+
+void TalkPanel::setMay(bool comment, bool override)
+{
+    m_mayComment = comment;
+    m_mayOverride = override;
+    m_composer->setVisible(comment);
+    m_override->setVisible(override);
+    fill();
+}
+
+void TalkPanel::setMoment(std::optional<std::int64_t> ms)
+{
+    m_moment = ms;
+    tellPins();
+}
+
+void TalkPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm)
+{
+    m_place = placeMm;
+    tellPins();
+}
+
+void TalkPanel::refuse(const QString& sentence)
+{
+    m_fault->setText(sentence);
+    m_fault->setVisible(!sentence.isEmpty());
+    if (!sentence.isEmpty())
+        announce(*m_fault);
+}
+
+/// What counts, and beneath it what the machine said, whenever that is another.
+void TalkPanel::tellScore()
+{
+    const auto& overrides = m_talk.overrides;
+    const std::optional<int> given = overrides.empty() ? std::nullopt : overrides.back().givenTenths;
+    const bool passed = given ? *given >= m_passMarkTenths : m_passedByMachine;
+    const QString points = text::points(given.value_or(m_machineTenths));
+    m_counts->setText(passed ? tr("%1 points, passed").arg(points) : tr("%1 points, not passed").arg(points));
+    m_machine->setText(given ? tr("Given by %1. The machine's score: %2 points.")
+                                   .arg(QString::fromStdString(overrides.back().author), text::points(m_machineTenths))
+                             : tr("The machine's score"));
+    m_again->setVisible(given.has_value());
+}
+
+void TalkPanel::tellPins()
+{
+    m_atMoment->setVisible(m_moment.has_value());
+    m_atMoment->setText(m_moment ? tr("at %1 of the replay").arg(clock(*m_moment)) : QString());
+    m_atMoment->setAccessibleName(tr("Pin the comment to this moment"));
+    m_atPlace->setVisible(m_place.has_value());
+    m_atPlace->setText(tr("at the marked place"));
+    m_atPlace->setAccessibleName(tr("Pin the comment to this place"));
+}
+
+/// Comments and given scores, as they followed each other.
+void TalkPanel::fill()
+{
+    delete m_list;
+    m_list = new QWidget(this);
+    auto* column = new QVBoxLayout(m_list);
+    column->setContentsMargins(0, kSpace2, 0, 0);
+    column->setSpacing(kSpace4);
+    const auto entry = [&](const std::string& author, const std::string& utc, const QString& words) {
+        auto* inside = new QVBoxLayout;
+        inside->setSpacing(kSpace1);
+        QLabel* who = label(kSmall, QFont::DemiBold, QPalette::PlaceholderText, m_list);
+        who->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(author), when(utc)));
+        QLabel* what = label(kBody, QFont::Normal, QPalette::WindowText, m_list);
+        what->setText(words);
+        what->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        inside->addWidget(who);
+        inside->addWidget(what);
+        column->addLayout(inside);
+        return inside;
+    };
+    const auto addComment = [&](const database::AttemptComment& comment) {
+        QVBoxLayout* inside = entry(comment.author, comment.writtenUtc, QString::fromStdString(comment.words));
+        if (!comment.momentMs && !comment.placeMm)
+            return;
+        auto* pins = new QHBoxLayout;
+        pins->setSpacing(kSpace2);
+        const auto pin = [&](const QString& words, const QString& name) {
+            auto* button = new QPushButton(words, m_list);
+            button->setProperty("kind", "chip");
+            button->setAccessibleName(name);
+            pins->addWidget(button);
+            return button;
+        };
+        if (comment.momentMs) {
+            const QString at = clock(*comment.momentMs);
+            //: %1: minutes and seconds
+            connect(pin(tr("▶ %1").arg(at), tr("Show the moment %1").arg(at)), &QPushButton::clicked, this,
+                    [this, ms = *comment.momentMs] { emit momentWanted(static_cast<double>(ms) / 1000.0); });
+        }
+        if (comment.placeMm)
+            connect(pin(tr("◎ place"), tr("Show the place")), &QPushButton::clicked, this,
+                    [this, place = *comment.placeMm] { emit placeWanted(place); });
+        pins->addStretch(1);
+        inside->addLayout(pins);
+    };
+    const auto addOverride = [&](const database::AttemptOverride& given) {
+        const QString reason = QString::fromStdString(given.reason);
+        entry(given.author, given.givenUtc,
+              given.givenTenths ? tr("gave %1 points: %2").arg(text::points(*given.givenTenths), reason)
+                                : tr("let the machine's score count again: %1").arg(reason));
+    };
+    auto comment = m_talk.comments.begin();
+    auto given = m_talk.overrides.begin();
+    while (comment != m_talk.comments.end() || given != m_talk.overrides.end())
+        if (given == m_talk.overrides.end() ||
+            (comment != m_talk.comments.end() && comment->writtenUtc <= given->givenUtc))
+            addComment(*comment++);
+        else
+            addOverride(*given++);
+    if (m_talk.comments.empty() && m_talk.overrides.empty()) {
+        QLabel* none = label(kBody, QFont::Normal, QPalette::PlaceholderText, m_list);
+        none->setObjectName(QStringLiteral("noTalk"));
+        none->setText(m_mayComment ? tr("Nobody has written anything yet. A comment can be pinned to a moment of the "
+                                        "replay and to a place on the tooth.")
+                                   : tr("Nobody has written anything yet. What your instructor says is here."));
+        column->addWidget(none);
+    }
+    m_listSlot->addWidget(m_list);
+    m_list->setVisible(true);
+}
+
+void TalkPanel::retell()
+{
+    m_words->setPlaceholderText(tr("Write a comment"));
+    m_words->setAccessibleName(tr("Comment"));
+    m_add->setText(tr("Add comment"));
+    m_overrideTitle->setText(tr("Give another score"));
+    m_points->setAccessibleName(tr("Points given"));
+    //: Behind a number
+    m_points->setSuffix(tr(" points"));
+    m_reason->setPlaceholderText(tr("Reason, which the student reads"));
+    m_reason->setAccessibleName(tr("Reason"));
+    m_give->setText(tr("Give this score"));
+    m_again->setText(tr("Back to the machine's score"));
+    for (QPushButton* button : {m_add, m_give, m_again})
+        button->setAccessibleName(button->text());
+    setMay(m_mayComment, m_mayOverride);
+    tellScore();
+    tellPins();
+}
+
+void TalkPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retell();
+}
+
+}  // namespace ui::people

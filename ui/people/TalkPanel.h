@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include <QString>
+#include <QWidget>
+
+#include "database/overview.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ui::people {
+
+/// What people say of an attempt: comments, each perhaps pinned to a moment and to a place on the tooth, and the score
+/// that an instructor gave instead of the machine's, with the reason. Everything is signed. The machine's score stays
+/// in sight. Who may not write reads.
+class TalkPanel final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TalkPanel(QWidget* parent);
+
+    /// @param machineTenths  what the machine gave
+    void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
+    /// What was being written is cleared when it is among these.
+    void setTalk(const database::AttemptTalk& talk);
+    void setMay(bool comment, bool override);
+    /// Where the replay is; nothing: none is open.
+    void setMoment(std::optional<std::int64_t> ms);
+    /// The place that is probed on the tooth, in its frame, mm.
+    void setPlace(const std::optional<std::array<double, 3>>& placeMm);
+    /// Says why what was written could not be kept. It stays where it was typed.
+    void refuse(const QString& sentence);
+
+signals:
+    void commentWanted(const QString& words, std::optional<std::int64_t> momentMs,
+                       std::optional<std::array<double, 3>> placeMm);
+    /// @param tenths  nothing: the machine's score counts again
+    void overrideWanted(std::optional<int> tenths, const QString& reason);
+    /// A pinned comment is to be seen where it belongs.
+    void momentWanted(double seconds);
+    void placeWanted(std::array<double, 3> placeMm);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void makeComposer(QVBoxLayout& column);
+    void makeOverride(QVBoxLayout& column);
+    void retell();
+    void fill();
+    void tellScore();
+    void tellPins();
+
+    database::AttemptTalk m_talk;
+    int m_machineTenths = 0;
+    int m_passMarkTenths = 0;
+    bool m_passedByMachine = false;
+    bool m_mayComment = false;
+    bool m_mayOverride = false;
+    std::optional<std::int64_t> m_moment;
+    std::optional<std::array<double, 3>> m_place;
+    QLabel* m_counts;
+    QLabel* m_machine;
+    QWidget* m_list = nullptr;
+    QVBoxLayout* m_listSlot;
+    QWidget* m_composer = nullptr;
+    QPlainTextEdit* m_words = nullptr;
+    QCheckBox* m_atMoment = nullptr;
+    QCheckBox* m_atPlace = nullptr;
+    QPushButton* m_add = nullptr;
+    QWidget* m_override = nullptr;
+    QLabel* m_overrideTitle = nullptr;
+    QDoubleSpinBox* m_points = nullptr;
+    QLineEdit* m_reason = nullptr;
+    QPushButton* m_give = nullptr;
+    QPushButton* m_again = nullptr;
+    QLabel* m_fault;
+};
+
+}  // namespace ui::people

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "ui/people/ClassCharts.h"
+#include "ui/people/ClassModel.h"
+#include "ui/report/Report.h"
+#include "ui/report/Sheet.h"
+#include "ui/shell/Theme.h"
+
+namespace ui::report {
+namespace {
+
+using people::Need;
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::report::ClassReport)
+};
+
+constexpr double kNamePt = 130.0;
+constexpr double kLastPt = 48.0;
+constexpr double kCellPt = 44.0;
+constexpr double kRowPt = 14.0;
+constexpr double kHeadsPt = 38.0;  ///< four lines of a lesson's title
+constexpr double kChartPt = 150.0;
+
+/// Who needs the teacher, by name.
+void paintNeeds(Sheet& sheet, const people::ClassModel& model)
+{
+    const auto list = [&](Need need, const QString& what) {
+        QStringList names;
+        for (int row = 0; row < model.rowCount(); ++row)
+            if (model.need(row) == need)
+                names << people::nameOf(model.overview().students[static_cast<std::size_t>(row)]);
+        if (!names.isEmpty())
+            //: %1: what they need; %2: names
+            sheet.say(Words::tr("%1: %2").arg(what, names.join(QStringLiteral(", "))), kTextPt);
+    };
+    list(Need::Stuck, Words::tr("Stuck (three attempts in a row, not passed, not better by five points)"));
+    list(Need::NeverLoggedIn, Words::tr("Never logged in"));
+    list(Need::NotBegun, Words::tr("Logged in, no graded attempt yet"));
+}
+
+/// On paper "yesterday" is soon wrong.
+QString day(const std::string& utc)
+{
+    const QDateTime at = people::momentOf(utc);
+    return at.isValid() ? QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat) : QStringLiteral("–");
+}
+
+/// Some of the lessons: as many as the paper is wide.
+void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int count)
+{
+    const auto heads = [&] {
+        const double top = sheet.top();
+        const auto head = [&](double left, double wide, int column, int flags) {
+            sheet.put(QRectF(left, top, wide - 3.0, kHeadsPt),
+                      model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(), kSmallPt, QFont::DemiBold,
+                      flags | Qt::AlignBottom | Qt::TextWordWrap);
+        };
+        head(kNamePt, kLastPt, people::ClassModel::kLast, Qt::AlignLeft);
+        for (int k = 0; k < count; ++k)
+            head(kNamePt + kLastPt + k * kCellPt, kCellPt, people::ClassModel::kFirstLesson + first + k,
+                 Qt::AlignHCenter);
+        sheet.skip(kHeadsPt + 2.0);
+        sheet.rule();
+    };
+    sheet.need(kHeadsPt + 4.0 * kRowPt);
+    heads();
+    for (int row = 0; row < model.rowCount(); ++row) {
+        if (sheet.left() < kRowPt) {
+            sheet.need(kRowPt);
+            heads();
+        }
+        const QRectF name(0.0, sheet.top(), kNamePt - 4.0, kRowPt);
+        QPainter& painter = sheet.painter();
+        painter.setFont(shell::typeface(kTextPt));
+        const QString whole = model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString();
+        sheet.put(name, painter.fontMetrics().elidedText(whole, Qt::ElideRight, static_cast<int>(name.width())),
+                  kTextPt, QFont::Normal, Qt::AlignLeft | Qt::AlignVCenter);
+        sheet.put(QRectF(kNamePt, sheet.top(), kLastPt, kRowPt),
+                  day(model.overview().students[static_cast<std::size_t>(row)].lastAttemptUtc), kSmallPt, QFont::Normal,
+                  Qt::AlignLeft | Qt::AlignVCenter);
+        for (int k = 0; k < count; ++k) {
+            const QModelIndex index = model.index(row, people::ClassModel::kFirstLesson + first + k);
+            const database::MatrixCell& cell = *model.cell(index);
+            const QRectF box(kNamePt + kLastPt + k * kCellPt, sheet.top(), kCellPt - 1.0, kRowPt - 1.0);
+            if (cell.attempts > 0) {
+                // The higher the darker, never so dark that black cannot be read on it.
+                const int grey = 250 - cell.bestTenths * 70 / 1000;
+                painter.fillRect(box, QColor(grey, grey, grey));
+            }
+            QString words = model.data(index, Qt::DisplayRole).toString();
+            if (cell.passed)
+                words += QStringLiteral(" ✓");
+            sheet.put(box, words, kTextPt, cell.passed ? QFont::DemiBold : QFont::Normal, Qt::AlignCenter);
+        }
+        sheet.skip(kRowPt);
+    }
+    sheet.skip(2.0);
+}
+
+}  // namespace
+
+int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ClassReport& report)
+{
+    people::ClassModel model(nullptr);
+    model.setOverview(report.overview, report.proof.printed);
+    model.setTitles(report.titles);
+    Sheet sheet(painter, pagePt, next, report.className, report.proof);
+    sheet.say(Words::tr("Class %1").arg(report.className), kTitlePt, QFont::DemiBold);
+    const QString students = Words::tr("%n student(s)", nullptr, model.rowCount());
+    sheet.say(report.teacher.isEmpty() ? students : QStringLiteral("%1, %2").arg(report.teacher, students), kHeadPt);
+    sheet.skip(4.0);
+    paintNeeds(sheet, model);
+
+    sheet.head(Words::tr("Best scores; ✓: passed"), kHeadsPt + 4.0 * kRowPt);
+    const auto lessons = static_cast<int>(report.overview.lessons.size());
+    const int most = std::max(1, static_cast<int>((pagePt.width() - kNamePt - kLastPt) / kCellPt));
+    const int parts = std::max(1, (lessons + most - 1) / most);
+    const int each = std::max(1, (lessons + parts - 1) / parts);
+    for (int first = 0; first < lessons; first += each)
+        paintPart(sheet, model, first, std::min(each, lessons - first));
+
+    if (!report.results.lessonId.empty()) {
+        sheet.head(Words::tr("The class at: %1").arg(people::lessonTitle(report.titles, report.results.lessonId)),
+                   kChartPt);
+        sheet.chartRow({people::distributionChart(report.results, report.passMarkTenths),
+                        people::learningChart(report.results, report.passMarkTenths)},
+                       kChartPt);
+        sheet.chart(people::difficultyChart(report.results, report.criteria), kChartPt);
+    }
+    return sheet.pages();
+}
+
+}  // namespace ui::report

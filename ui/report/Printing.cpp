@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/Printing.h"
+
+#include <memory>
+
+#include <QLocale>
+#include <QMarginsF>
+#include <QPageLayout>
+#include <QPdfWriter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QSaveFile>
+
+namespace ui::report {
+namespace {
+
+constexpr double kMarginMm = 15.0;
+constexpr int kPdfDpi = 300;
+
+template <typename Content>
+bool save(const QString& path, const QString& title, const Content& content, QPageSize::PageSizeId paper)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    {
+        QPdfWriter writer(&file);
+        writer.setTitle(title);
+        writer.setCreator(QStringLiteral("Cusp %1").arg(content.proof.program));
+        writer.setResolution(kPdfDpi);
+        writer.setPageSize(QPageSize(paper));
+        writer.setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
+        if (!paintOn(writer, content))
+            return false;
+    }
+    return file.commit();
+}
+
+template <typename Content>
+void ask(QWidget* window, const QString& title, const Content& content, const std::function<void(bool)>& done)
+{
+    auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(title);
+    printer->setPageSize(QPageSize(usualPaper()));
+    printer->setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
+    auto* dialog = new QPrintDialog(printer.get(), window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // The printer lives as long as the dialog that knows it.
+    QObject::connect(dialog, &QDialog::accepted, window,
+                     [printer, content, done] { done(paintOn(*printer, content)); });
+    dialog->open();
+}
+
+}  // namespace
+
+QPageSize::PageSizeId usualPaper()
+{
+    return QLocale::system().measurementSystem() == QLocale::ImperialUSSystem ? QPageSize::Letter : QPageSize::A4;
+}
+
+bool savePdf(const QString& path, const QString& title, const ScoreCard& card, QPageSize::PageSizeId paper)
+{
+    return save(path, title, card, paper);
+}
+
+bool savePdf(const QString& path, const QString& title, const ClassReport& report, QPageSize::PageSizeId paper)
+{
+    return save(path, title, report, paper);
+}
+
+void print(QWidget* window, const QString& title, const ScoreCard& card, const std::function<void(bool)>& done)
+{
+    ask(window, title, card, done);
+}
+
+void print(QWidget* window, const QString& title, const ClassReport& report, const std::function<void(bool)>& done)
+{
+    ask(window, title, report, done);
+}
+
+}  // namespace ui::report

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QPageSize>
+#include <QString>
+
+#include "ui/report/Report.h"
+
+class QWidget;
+
+namespace ui::report {
+
+/// A4, or Letter where that is the paper.
+[[nodiscard]] QPageSize::PageSizeId usualPaper();
+
+/// Writes a PDF with margins of 15 mm. False: it could not be written, and what was there before is as it was.
+[[nodiscard]] bool savePdf(const QString& path, const QString& title, const ScoreCard& card,
+                           QPageSize::PageSizeId paper = usualPaper());
+[[nodiscard]] bool savePdf(const QString& path, const QString& title, const ClassReport& report,
+                           QPageSize::PageSizeId paper = usualPaper());
+
+/// Asks which printer, beside the window's own events, and prints there.
+/// @param done  told whether it was printed; not called if the person thinks otherwise
+void print(QWidget* window, const QString& title, const ScoreCard& card, const std::function<void(bool)>& done);
+void print(QWidget* window, const QString& title, const ClassReport& report, const std::function<void(bool)>& done);
+
+}  // namespace ui::report

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QLocale>
+
+#include "ui/people/HistoryCharts.h"
+#include "ui/report/Report.h"
+#include "ui/report/Sheet.h"
+#include "ui/study/CriterionRow.h"
+#include "ui/study/HeatMap.h"
+#include "ui/study/WorstSection.h"
+#include "ui/text/Texts.h"
+
+namespace ui::report {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::report::ScoreCard)
+};
+
+constexpr QSize kPicturePx{520, 460};
+constexpr double kPicturePt = 210.0;
+constexpr double kChartPt = 158.0;
+constexpr double kLostPt = 70.0;  ///< width of the column of points
+constexpr std::size_t kMomentsTold = 3;
+constexpr std::size_t kShownHash = 16;
+
+/// A picture of the score page, on white, in colours and patterns for every eye.
+template <typename Picture>
+QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node)
+{
+    Picture widget(nullptr);
+    widget.resize(kPicturePx);
+    widget.setOnPaper(true);
+    widget.setColours(render::Palette::Distinct);
+    widget.setWork(work);
+    if (node)
+        widget.setMark(node, study::planeThrough(work, *node));
+    QImage image(kPicturePx, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    widget.render(&painter, {}, {}, QWidget::DrawChildren);  // without the ground of the theme
+    return image;
+}
+
+void paintResult(Sheet& sheet, const ScoreCard& card)
+{
+    const database::AttemptRecord& attempt = card.attempt;
+    sheet.say(Words::tr("Score card: %1").arg(card.lesson), kTitlePt, QFont::DemiBold);
+    //: %1: a person; %2: date and time
+    sheet.say(Words::tr("%1, %2").arg(card.person, people::when(attempt.finishedUtc)), kHeadPt);
+    sheet.skip(4.0);
+    const bool passed = attempt.countsAsPassed();
+    const QString points = text::points(attempt.countingTenths());
+    sheet.say((passed ? Words::tr("%1 of 100 points: passed (pass mark %2)")
+                      : Words::tr("%1 of 100 points: not passed (pass mark %2)"))
+                  .arg(points, text::points(attempt.passMarkTenths)),
+              kTitlePt, QFont::DemiBold);
+    if (attempt.givenTenths) {
+        sheet.say(
+            Words::tr("Given by an instructor. The machine's score: %1 points.").arg(text::points(attempt.scoreTenths)),
+            kTextPt, QFont::DemiBold);
+        if (!card.talk.overrides.empty()) {
+            const database::AttemptOverride& given = card.talk.overrides.back();
+            //: %1: a person; %2: date and time; %3: why
+            sheet.say(Words::tr("%1, %2: %3")
+                          .arg(QString::fromStdString(given.author), people::when(given.givenUtc),
+                               QString::fromStdString(given.reason)),
+                      kTextPt);
+        }
+    }
+    if (attempt.expectedTenths)
+        sheet.say(Words::tr("Expected before the score was seen: %1 points").arg(text::points(*attempt.expectedTenths)),
+                  kTextPt);
+    //: "12:07"
+    sheet.say(Words::tr("Time %1 min; force while cutting %2 N on the average, %3 N at most")
+                  .arg(people::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
+                       text::number(0.001 * attempt.peakForceMn, 2)),
+              kTextPt);
+}
+
+QString momentsOf(const ScoreCard& card, std::size_t k)
+{
+    if (k >= card.moments.size())
+        return {};
+    QStringList told;
+    const auto read = study::asRead(card.moments[k]);
+    for (std::size_t m = 0; m < std::min(kMomentsTold, read.size()); ++m)
+        told << study::momentWords(read[m], card.sheet.criteria[k]);
+    if (read.size() > kMomentsTold)
+        told << Words::tr("and %n more", nullptr, static_cast<int>(read.size() - kMomentsTold));
+    return told.join(QStringLiteral("; "));
+}
+
+QString lostWords(const lessons::Criterion& criterion)
+{
+    if (criterion.weightTenths == 0)  // a limit: it costs no points, it decides
+        return criterion.share > 0.0 ? Words::tr("not kept") : Words::tr("kept");
+    //: Lost of a weight, both points: "−4.4 of 30.0"
+    return Words::tr("%1 of %2")
+        .arg(text::number(-0.1 * criterion.lostTenths, 1), text::points(criterion.weightTenths));
+}
+
+void paintCriteria(Sheet& sheet, const ScoreCard& card)
+{
+    sheet.head(Words::tr("Where the points went"), 40.0);
+    for (std::size_t k = 0; k < card.sheet.criteria.size(); ++k) {
+        const lessons::Criterion& criterion = card.sheet.criteria[k];
+        const double wide = sheet.width() - kLostPt;
+        QStringList why{text::criterionWorked(criterion, card.sheet.verdict)};
+        if (const QString moments = momentsOf(card, k); !moments.isEmpty())
+            why << moments;
+        const QString name = text::criterionName(criterion) + QStringLiteral(": ") + text::criterionMeasured(criterion);
+        const double nameHigh = sheet.heightOf(wide, name, kTextPt, QFont::DemiBold);
+        const double whyHigh = sheet.heightOf(wide, why.join(u'\n'), kTextPt, QFont::Normal);
+        sheet.need(nameHigh + whyHigh + 8.0);
+        sheet.rule();
+        constexpr int kLeft = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+        sheet.put(QRectF(0.0, sheet.top(), wide, nameHigh + 1.0), name, kTextPt, QFont::DemiBold, kLeft);
+        sheet.put(QRectF(wide, sheet.top(), kLostPt, nameHigh + 1.0), lostWords(criterion), kTextPt, QFont::DemiBold,
+                  Qt::AlignRight | Qt::AlignTop);
+        sheet.put(QRectF(0.0, sheet.top() + nameHigh + 1.0, wide, whyHigh + 1.0), why.join(u'\n'), kTextPt,
+                  QFont::Normal, kLeft);
+        sheet.skip(nameHigh + whyHigh + 4.0);
+    }
+    sheet.rule();
+    sheet.say(text::scoreSum(card.sheet), kTextPt, QFont::DemiBold);
+}
+
+void paintPictures(Sheet& sheet, const ScoreCard& card)
+{
+    if (!card.work)
+        return;
+    const auto node = study::farthestOff(*card.work);
+    sheet.head(Words::tr("On the tooth, and in a section through the place that is farthest off"), kPicturePt);
+    const double wide = 0.5 * (sheet.width() - 10.0);
+    const double high = std::min(kPicturePt, wide * kPicturePx.height() / kPicturePx.width());
+    const double drawn = high * kPicturePx.width() / kPicturePx.height();
+    double left = 0.0;
+    for (const QImage& picture :
+         {pictureOf<study::HeatMap>(*card.work, node), pictureOf<study::WorstSection>(*card.work, node)}) {
+        const QRectF box(left, sheet.top(), drawn, high);
+        sheet.painter().setRenderHint(QPainter::SmoothPixmapTransform);
+        sheet.painter().drawImage(box, picture);
+        sheet.painter().setPen(QPen(QColor(0x80, 0x80, 0x80), 0.4));
+        sheet.painter().setBrush(Qt::NoBrush);
+        sheet.painter().drawRect(box);
+        left += wide + 10.0;
+    }
+    sheet.skip(high + 4.0);
+}
+
+void paintTalk(Sheet& sheet, const ScoreCard& card)
+{
+    if (card.talk.comments.empty())
+        return;
+    sheet.head(Words::tr("Comments"), 20.0);
+    for (const database::AttemptComment& comment : card.talk.comments) {
+        QString who = Words::tr("%1, %2").arg(QString::fromStdString(comment.author), people::when(comment.writtenUtc));
+        if (comment.momentMs)
+            who += Words::tr(", at %1 of the replay").arg(people::clock(*comment.momentMs));
+        sheet.say(who + QStringLiteral(": ") + QString::fromStdString(comment.words), kTextPt);
+    }
+}
+
+/// What has to be the same for the same score.
+void paintCircumstances(Sheet& sheet, const ScoreCard& card)
+{
+    const database::AttemptRecord& attempt = card.attempt;
+    const auto shown = [](const std::string& hash) { return QString::fromStdString(hash.substr(0, kShownHash)); };
+    const auto or_ = [](const std::string& words) {
+        return words.empty() ? QStringLiteral("–") : QString::fromStdString(words);
+    };
+    sheet.head(Words::tr("How it was marked and made"), 40.0);
+    const QString rubric =
+        QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
+    sheet.say(Words::tr("Rubric: %1, version %2, content %3")
+                  .arg(rubric)
+                  .arg(card.sheet.rubricVersion)
+                  .arg(shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash)),
+              kTextPt);
+    sheet.say(Words::tr("Hardness: %1, content %2").arg(or_(attempt.preset), shown(attempt.presetHash)), kTextPt);
+    sheet.say(Words::tr("Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5")
+                  .arg(or_(attempt.device), or_(attempt.method))
+                  .arg(attempt.grid)
+                  .arg(or_(attempt.viewMode), or_(attempt.seed)),
+              kTextPt);
+    sheet.say(Words::tr("Made with Cusp %1; recording %2; attempt %3")
+                  .arg(or_(attempt.program), shown(attempt.recordingHash), QString::fromStdString(attempt.uid)),
+              kTextPt);
+    sheet.say(Words::tr("Not measured: undercuts and walls past 90°, because the model is a height field."), kTextPt);
+}
+
+}  // namespace
+
+int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card)
+{
+    Sheet sheet(painter, pagePt, next, QStringLiteral("%1, %2").arg(card.person, card.lesson), card.proof);
+    paintResult(sheet, card);
+    paintCriteria(sheet, card);
+    paintPictures(sheet, card);
+    people::ChartedAttempts charted;
+    charted.newestFirst = card.history;
+    charted.isOneLesson = true;
+    charted.band = card.band;
+    if (!card.history.isEmpty()) {
+        sheet.chart(people::scoreChart(charted), kChartPt);
+        sheet.chart(people::speedChart(charted), kChartPt);
+    }
+    paintTalk(sheet, card);
+    paintCircumstances(sheet, card);
+    return sheet.pages();
+}
+
+}  // namespace ui::report
