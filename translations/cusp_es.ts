@@ -481,6 +481,11 @@
         <source>Choose a password first.</source>
         <translation>Elija primero una contraseña.</translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Lo que guarda la escuela no se puede mostrar ahora; lo que usted hace se conserva. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1302,6 +1307,10 @@
     <message>
         <source>Not exported: %1</source>
         <translation>No se exportó: %1</translation>
+    </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>Preparando la hoja de puntuación …</translation>
     </message>
 </context>
 <context>
@@ -2366,6 +2375,115 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::people::TalkPanel</name>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1 puntos, aprobado</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1 puntos, no aprobado</translation>
+    </message>
+    <message>
+        <source>Given by %1. The machine&apos;s score: %2 points.</source>
+        <translation>Dada por %1. La puntuación de la máquina: %2 puntos.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score</source>
+        <translation>La puntuación de la máquina</translation>
+    </message>
+    <message>
+        <source>at %1 of the replay</source>
+        <translation>en %1 de la reproducción</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this moment</source>
+        <translation>Fijar el comentario a este momento</translation>
+    </message>
+    <message>
+        <source>at the marked place</source>
+        <translation>en el lugar marcado</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this place</source>
+        <translation>Fijar el comentario a este lugar</translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <extracomment>%1: minutes and seconds</extracomment>
+        <translation>▶ %1</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>Mostrar el momento %1</translation>
+    </message>
+    <message>
+        <source>◎ place</source>
+        <translation>◎ lugar</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Mostrar el lugar</translation>
+    </message>
+    <message>
+        <source>gave %1 points: %2</source>
+        <translation>dio %1 puntos: %2</translation>
+    </message>
+    <message>
+        <source>let the machine&apos;s score count again: %1</source>
+        <translation>devolvió la validez a la puntuación de la máquina: %1</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>Nadie ha escrito nada todavía. Un comentario se puede fijar a un momento de la reproducción y a un lugar del diente.</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What your instructor says is here.</source>
+        <translation>Nadie ha escrito nada todavía. Aquí está lo que dice su docente.</translation>
+    </message>
+    <message>
+        <source>Write a comment</source>
+        <translation>Escriba un comentario</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation>Añadir comentario</translation>
+    </message>
+    <message>
+        <source>Give another score</source>
+        <translation>Dar otra puntuación</translation>
+    </message>
+    <message>
+        <source>Points given</source>
+        <translation>Puntos dados</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <extracomment>Behind a number</extracomment>
+        <translation> puntos</translation>
+    </message>
+    <message>
+        <source>Reason, which the student reads</source>
+        <translation>Motivo, que el estudiante lee</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>Give this score</source>
+        <translation>Dar esta puntuación</translation>
+    </message>
+    <message>
+        <source>Back to the machine&apos;s score</source>
+        <translation>Volver a la puntuación de la máquina</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::Words</name>
     <message>
         <source>Free practice</source>
@@ -2928,6 +3046,158 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>Nunca han iniciado sesión</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>Sesión iniciada, aún sin intentos calificados</translation>
+    </message>
+    <message>
+        <source>Class %1</source>
+        <translation>Grupo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n estudiante</numerusform>
+            <numerusform>%n estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Best scores; ✓: passed</source>
+        <translation>Mejores puntuaciones; ✓: aprobado</translation>
+    </message>
+    <message>
+        <source>The class at: %1</source>
+        <translation>El grupo en: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ScoreCard</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>Hoja de puntuación: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a person; %2: date and time</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: passed (pass mark %2)</source>
+        <translation>%1 de 100 puntos: aprobado (nota de aprobado %2)</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: not passed (pass mark %2)</source>
+        <translation>%1 de 100 puntos: no aprobado (nota de aprobado %2)</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
+        <translation>Dada por un docente. La puntuación de la máquina: %1 puntos.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <extracomment>%1: a person; %2: date and time; %3: why</extracomment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Expected before the score was seen: %1 points</source>
+        <translation>Se esperaban antes de ver la puntuación: %1 puntos</translation>
+    </message>
+    <message>
+        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <extracomment>&quot;12:07&quot;</extracomment>
+        <translation>Tiempo %1 min; fuerza al tallar: media %2 N, máxima %3 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>no conservada</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservada</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Lost of a weight, both points: &quot;−4.4 of 30.0&quot;</extracomment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>Adónde fueron los puntos</translation>
+    </message>
+    <message>
+        <source>On the tooth, and in a section through the place that is farthest off</source>
+        <translation>En el diente, y en un corte por el lugar más desviado</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Comentarios</translation>
+    </message>
+    <message>
+        <source>, at %1 of the replay</source>
+        <translation>, en %1 de la reproducción</translation>
+    </message>
+    <message>
+        <source>How it was marked and made</source>
+        <translation>Cómo se calificó y se hizo</translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation>Rúbrica: %1, versión %2, contenido %3</translation>
+    </message>
+    <message>
+        <source>Hardness: %1, content %2</source>
+        <translation>Dureza: %1, contenido %2</translation>
+    </message>
+    <message>
+        <source>Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5</source>
+        <translation>Dispositivo: %1; contacto: %2; cuadrícula: %3 columnas por lado; vista: %4; semilla: %5</translation>
+    </message>
+    <message>
+        <source>Made with Cusp %1; recording %2; attempt %3</source>
+        <translation>Hecho con Cusp %1; grabación %2; intento %3</translation>
+    </message>
+    <message>
+        <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
+        <translation>No se miden los socavados ni las paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::Sheet</name>
+    <message>
+        <source>Cusp %1, printed %2</source>
+        <translation>Cusp %1, impreso el %2</translation>
+    </message>
+    <message>
+        <source>%1, page %2</source>
+        <translation>%1, página %2</translation>
+    </message>
+    <message>
+        <source>Audit code: %1</source>
+        <translation>Código de auditoría: %1</translation>
+    </message>
+</context>
+<context>
     <name>ui::settings::SettingsPage</name>
     <message>
         <source>Settings</source>
@@ -3456,6 +3726,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Every setting with its range</source>
         <translation>Cada opción con su intervalo</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Mis intentos</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>Ver cómo fueron sus intentos</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>Ver cómo va un grupo y quién necesita ayuda</translation>
     </message>
 </context>
 <context>

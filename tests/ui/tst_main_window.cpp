@@ -72,6 +72,7 @@
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace core::session;
