@@ -3130,11 +3130,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>not kept</source>
-        <translation>no conservada</translation>
+        <translation>no respetado</translation>
     </message>
     <message>
         <source>kept</source>
-        <translation>conservada</translation>
+        <translation>respetado</translation>
     </message>
     <message>
         <source>%1 of %2</source>
