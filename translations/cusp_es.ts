@@ -2650,7 +2650,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Compare blind with</source>
-        <translation>Comparar a ciegas con</translation>
+        <translation>A ciegas con</translation>
     </message>
     <message>
         <source>Preset to compare with</source>
