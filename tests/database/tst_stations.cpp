@@ -49,7 +49,8 @@ int beStation(const QStringList& words)
     Outbox outbox(QDir(words[1]).filePath("outbox"), *key);
     const auto deliver = [&] {
         for (const QString& file : outbox.waiting())
-            if (const auto letter = outbox.read(file); letter && deliverAttempt(school, letter->attempt, letter->recording))
+            if (const auto letter = outbox.read(file);
+                letter && deliverAttempt(school, letter->attempt, letter->recording))
                 outbox.remove(file);
     };
     deliver();
