@@ -459,27 +459,27 @@
     </message>
     <message>
         <source>Another program is writing to it. Try again in a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Programm schreibt gerade hinein. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Server der Schule antwortet nicht. Cusp versucht es von selbst wieder.</translation>
     </message>
     <message>
         <source>Your role does not allow it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Rolle erlaubt das nicht.</translation>
     </message>
     <message>
         <source>Name or password is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name oder Passwort ist falsch.</translation>
     </message>
     <message>
         <source>Too many logins have failed. Wait a moment and try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu viele Anmeldungen sind fehlgeschlagen. Warten Sie einen Moment und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Choose a password first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst ein Passwort.</translation>
     </message>
 </context>
 <context>
@@ -805,26 +805,26 @@
     <name>Login</name>
     <message>
         <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name oder Passwort ist falsch. Versuchen Sie es noch einmal, oder bitten Sie die Verwaltung um einen Einmalcode.</translation>
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Zu viele Anmeldungen sind fehlgeschlagen. Warten Sie %n Sekunde und versuchen Sie es noch einmal.</numerusform>
+            <numerusform>Zu viele Anmeldungen sind fehlgeschlagen. Warten Sie %n Sekunden und versuchen Sie es noch einmal.</numerusform>
         </translation>
     </message>
     <message>
         <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Name hat nur Buchstaben, Ziffern und . _ - @. Ein Passwort hat acht Zeichen oder mehr und ist nicht der Name.</translation>
     </message>
     <message>
         <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inzwischen wurde hier jemand eingetragen. Melden Sie sich als Verwaltung an.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, oder üben Sie ohne Anmeldung.</translation>
     </message>
 </context>
 <context>
@@ -1308,62 +1308,62 @@
     <name>ui::charts::ChartPanel</name>
     <message>
         <source>Save as picture (PNG) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Bild speichern (PNG) …</translation>
     </message>
     <message>
         <source>Save as drawing (SVG) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Zeichnung speichern (SVG) …</translation>
     </message>
     <message>
         <source>Save as table (CSV) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Tabelle speichern (CSV) …</translation>
     </message>
     <message>
         <source>Save this chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Diagramm speichern</translation>
     </message>
     <message>
         <source>Save the chart &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Diagramm „%1“ speichern</translation>
     </message>
     <message>
         <source>Save the chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm speichern</translation>
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnte nicht geschrieben werden (%2). Versuchen Sie einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
     <name>ui::charts::Table</name>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihe</translation>
     </message>
     <message>
         <source>class, lower quartile</source>
-        <translation type="unfinished"></translation>
+        <translation>Klasse, unteres Quartil</translation>
     </message>
     <message>
         <source>class, median</source>
-        <translation type="unfinished"></translation>
+        <translation>Klasse, Median</translation>
     </message>
     <message>
         <source>class, upper quartile</source>
-        <translation type="unfinished"></translation>
+        <translation>Klasse, oberes Quartil</translation>
     </message>
     <message>
         <source>from</source>
-        <translation type="unfinished"></translation>
+        <translation>von</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
 </context>
 <context>
@@ -1685,420 +1685,800 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::people::ClassCharts</name>
+    <message>
+        <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
+        <translation>Zu sehen, sobald %1 Personen die Lektion versucht haben, damit niemand erkennbar ist.</translation>
+    </message>
+    <message>
+        <source>Best score</source>
+        <translation>Bestes Ergebnis</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Studierende</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message numerus="yes">
+        <source>Best scores of %n student(s)</source>
+        <translation>
+            <numerusform>Bestes Ergebnis von %n Person</numerusform>
+            <numerusform>Beste Ergebnisse von %n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Learning curve</source>
+        <translation>Lernkurve</translation>
+    </message>
+    <message>
+        <source>Of those who made so many attempts</source>
+        <translation>Von denen, die so viele Versuche gemacht haben</translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation>Verloren, % des Gewichts</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>%1: the class loses %2 % of its points</source>
+        <translation>%1: Die Klasse verliert %2 % der Punkte dafür</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Schwierigkeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2 points: %n student(s)</source>
+        <translation>
+            <numerusform>%1 bis %2 Punkte: %n Person</numerusform>
+            <numerusform>%1 bis %2 Punkte: %n Studierende</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed; first attempts: %3 points</source>
+        <translation>%1 von %2 haben bestanden; erste Versuche: %3 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
+        <translation>%1 von %2 haben bestanden, im Mittel nach %3 Versuchen; erste Versuche: %4 Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassModel</name>
+    <message>
+        <source>stuck</source>
+        <extracomment>Of a student</extracomment>
+        <translation>kommt nicht weiter</translation>
+    </message>
+    <message>
+        <source>no login</source>
+        <translation>nie angemeldet</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a student who has no attempt yet</extracomment>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>%1: no attempt yet</source>
+        <translation>%1: noch kein Versuch</translation>
+    </message>
+    <message>
+        <source>%1: last attempt %2</source>
+        <translation>%1: letzter Versuch %2</translation>
+    </message>
+    <message>
+        <source>%1: not tried</source>
+        <translation>%1: nicht versucht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: best %2, passed, %3, last %4</source>
+        <extracomment>%1: student and lesson; %2: points; %3: &quot;4 attempts&quot;; %4: a date</extracomment>
+        <translation>%1: bestes Ergebnis %2, bestanden, %3, zuletzt %4</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed, %3, last %4</source>
+        <translation>%1: bestes Ergebnis %2, nicht bestanden, %3, zuletzt %4</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <extracomment>Column: when the student&apos;s last attempt was</extracomment>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>%1, %2: never logged in</source>
+        <translation>%1, %2: nie angemeldet</translation>
+    </message>
+    <message>
+        <source>%1, %2: last login %3</source>
+        <translation>%1, %2: zuletzt angemeldet %3</translation>
+    </message>
+    <message>
+        <source>user name</source>
+        <translation>Benutzername</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>needs</source>
+        <translation>braucht</translation>
+    </message>
+    <message>
+        <source>last login, UTC</source>
+        <translation>letzte Anmeldung, UTC</translation>
+    </message>
+    <message>
+        <source>last attempt, UTC</source>
+        <translation>letzter Versuch, UTC</translation>
+    </message>
+    <message>
+        <source>%1: best score</source>
+        <translation>%1: bestes Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1: attempts</source>
+        <translation>%1: Versuche</translation>
+    </message>
+    <message>
+        <source>%1: passed</source>
+        <translation>%1: bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassPage</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: name of a class; %2: how many students</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: how many; %2: &quot;stuck&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Show who made three attempts in a row at a lesson without passing, and without getting better by five points</source>
+        <translation>Zeigt, wer an einer Lektion drei Versuche hintereinander nicht bestanden hat und nicht um fünf Punkte besser wurde</translation>
+    </message>
+    <message>
+        <source>Show who has never logged in</source>
+        <translation>Zeigt, wer sich noch nie angemeldet hat</translation>
+    </message>
+    <message>
+        <source>Show who has logged in and has no graded attempt yet</source>
+        <translation>Zeigt, wer sich angemeldet hat und noch keinen bewerteten Versuch hat</translation>
+    </message>
+    <message>
+        <source>Nobody needs you just now</source>
+        <translation>Gerade braucht Sie niemand</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n need(s) you:</source>
+        <translation>
+            <numerusform>%n braucht Sie:</numerusform>
+            <numerusform>%n brauchen Sie:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Here you will see your classes: who needs you, and how everybody does at every lesson. An administrator gives you a class.</source>
+        <translation>Hier sehen Sie Ihre Klassen: wer Sie braucht und wie alle bei jeder Lektion stehen. Eine Klasse gibt Ihnen, wer die Schule verwaltet.</translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Students are entered by an administrator, one by one or from a list.</source>
+        <translation>In dieser Klasse ist noch niemand. Studierende trägt ein, wer die Schule verwaltet, einzeln oder aus einer Liste.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation>%1 konnte nicht geschrieben werden (%2). Versuchen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Save the matrix</source>
+        <translation>Matrix speichern</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>How the class does at</source>
+        <translation>So steht die Klasse bei</translation>
+    </message>
+    <message>
+        <source>Lesson whose charts are shown</source>
+        <translation>Lektion, deren Diagramme zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Best scores, students by lessons</source>
+        <translation>Beste Ergebnisse, Studierende nach Lektionen</translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation>Lektionen aufgeben</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>Als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation>Drucken …</translation>
+    </message>
+    <message>
+        <source>Save the matrix as a table (CSV) …</source>
+        <translation>Matrix als Tabelle speichern (CSV) …</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::HistoryCharts</name>
     <message>
         <source>Attempt %1, %2</source>
         <extracomment>%1: a count; %2: date and time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Versuch %1, %2</translation>
     </message>
     <message>
         <source>Attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished"></translation>
+        <translation>Datum</translation>
     </message>
     <message>
         <source>The newest %1 of %2 attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neuesten %1 von %2 Versuchen</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 points, passed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte, bestanden</translation>
     </message>
     <message>
         <source>%1 points, not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte, nicht bestanden</translation>
     </message>
     <message>
         <source>(machine: %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Maschine: %1)</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <extracomment>%1: which attempt; %2: what it came to</extracomment>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Middle half</source>
-        <translation type="unfinished">Mittlere Hälfte</translation>
+        <translation>Mittlere Hälfte</translation>
     </message>
     <message>
         <source>Class median</source>
-        <translation type="unfinished"></translation>
+        <translation>Median der Klasse</translation>
     </message>
     <message>
         <source>Attempt %1: median %3, middle half %4 to %5, %2 people</source>
         <extracomment>Of a class; %1: a count of attempts, %2: of people, %3 to %5: points</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Versuch %1: Median %3, mittlere Hälfte %4 bis %5, %2 Personen</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished">Punkte</translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Passed</source>
-        <translation type="unfinished">Bestanden</translation>
+        <translation>Bestanden</translation>
     </message>
     <message>
         <source>Not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bestanden</translation>
     </message>
     <message>
         <source>Pass mark</source>
-        <translation type="unfinished">Bestehensgrenze</translation>
+        <translation>Bestehensgrenze</translation>
     </message>
     <message>
         <source>After the first graded attempt its score is here, and then how it goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem ersten bewerteten Versuch steht hier sein Ergebnis, und dann, wie es weitergeht.</translation>
     </message>
     <message>
         <source>Lost, % of what it counts</source>
-        <translation type="unfinished"></translation>
+        <translation>Verloren, % des Gewichts</translation>
     </message>
     <message>
         <source>Criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterium</translation>
     </message>
     <message>
         <source>%1: %2 % of its points lost</source>
         <extracomment>%1: a criterion; %2: a number</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 % der Punkte verloren</translation>
     </message>
     <message>
         <source>What costs points</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Punkte kostet</translation>
     </message>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Vom letzten Versuch</numerusform>
+            <numerusform>Mittel der letzten %n Versuche</numerusform>
         </translation>
     </message>
     <message>
         <source>After the first graded attempt you see here which criterion costs most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem ersten bewerteten Versuch sehen Sie hier, welches Kriterium am meisten kostet.</translation>
     </message>
     <message>
         <source>Minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Minuten</translation>
     </message>
     <message>
         <source>%1 min</source>
         <extracomment>%1: &quot;12:07&quot;</extracomment>
-        <translation type="unfinished">%1 min</translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>After the first graded attempt you see here how long it took.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem ersten bewerteten Versuch sehen Sie hier, wie lange er gedauert hat.</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste</translation>
     </message>
     <message>
         <source>mean %1 N, highest %2 N while cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>im Mittel %1 N, höchstens %2 N beim Schneiden</translation>
     </message>
     <message>
         <source>Newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton</translation>
     </message>
     <message>
         <source>Force while cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft beim Schneiden</translation>
     </message>
     <message>
         <source>After the first graded attempt you see here how hard the bur was pressed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem ersten bewerteten Versuch sehen Sie hier, wie stark der Bohrer gedrückt wurde.</translation>
     </message>
     <message>
         <source>%1 in %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2 min</translation>
     </message>
     <message>
         <source>Class median, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Median der Klasse, Zeit</translation>
     </message>
     <message>
         <source>Class median, points</source>
-        <translation type="unfinished"></translation>
+        <translation>Median der Klasse, Punkte</translation>
     </message>
     <message>
         <source>Speed and accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo und Genauigkeit</translation>
     </message>
     <message>
         <source>Good and quick is at the top left</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut und schnell ist oben links</translation>
     </message>
     <message>
         <source>After the first graded attempt you see here time against points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem ersten bewerteten Versuch sehen Sie hier Zeit gegen Punkte.</translation>
     </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>Given by an instructor. The machine&apos;s score: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Von einer Lehrkraft gegeben. Ergebnis der Maschine: %1</translation>
     </message>
     <message>
         <source>Mean and highest force while cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere und höchste Kraft beim Schneiden</translation>
     </message>
     <message>
         <source>%1, given by an instructor; the machine&apos;s score: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, von einer Lehrkraft gegeben; Ergebnis der Maschine: %2</translation>
     </message>
     <message>
         <source>Date</source>
         <extracomment>Column of a table of attempts</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Datum</translation>
     </message>
     <message>
         <source>Lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektion</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestanden?</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Force, N</source>
         <extracomment>Newtons</extracomment>
-        <translation type="unfinished">Kraft, N</translation>
+        <translation>Kraft, N</translation>
     </message>
 </context>
 <context>
     <name>ui::people::HistoryPage</name>
     <message>
         <source>Criteria</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterien</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">Kraft</translation>
+        <translation>Kraft</translation>
     </message>
     <message>
         <source>Speed and accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo und Genauigkeit</translation>
     </message>
     <message>
         <source>All lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Lektionen</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <extracomment>%1: a lesson; %2: how many attempts</extracomment>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
         </translation>
     </message>
     <message>
         <source>Of this attempt no recording was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von diesem Versuch wurde keine Aufzeichnung behalten.</translation>
     </message>
     <message>
         <source>See again how it was done</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal sehen, wie gearbeitet wurde</translation>
     </message>
     <message>
         <source>Your attempts</source>
-        <translation type="unfinished">Ihre Versuche</translation>
+        <translation>Ihre Versuche</translation>
     </message>
     <message>
         <source>Attempts of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche von %1</translation>
     </message>
     <message>
         <source>Show the attempts at this lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Versuche an dieser Lektion zeigen</translation>
     </message>
     <message>
         <source>Attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Open grade</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewertung öffnen</translation>
     </message>
     <message>
         <source>Replay</source>
-        <translation type="unfinished">Wiedergabe</translation>
+        <translation>Wiedergabe</translation>
     </message>
     <message>
         <source>No attempts yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Versuche</translation>
     </message>
     <message>
         <source>%1 has no attempts yet</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat noch keine Versuche</translation>
     </message>
     <message>
         <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier finden Sie jeden bewerteten Versuch: sein Ergebnis, was Punkte kostete, Zeit und Kraft, und wie es von Versuch zu Versuch geht. Machen Sie eine Lektion und lassen Sie sie bewerten.</translation>
     </message>
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobald ein Versuch bewertet ist, steht er hier.</translation>
     </message>
 </context>
 <context>
     <name>ui::people::LoginPage</name>
     <message>
         <source>Cusp</source>
-        <translation type="unfinished">Cusp</translation>
+        <translation>Cusp</translation>
     </message>
     <message>
         <source>Log in, so that your attempts are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Melden Sie sich an, damit Ihre Versuche behalten werden.</translation>
     </message>
     <message>
         <source>Log in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmelden</translation>
     </message>
     <message>
         <source>Choose a password</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort wählen</translation>
     </message>
     <message>
         <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Einmalcode stimmt. Von nun an melden Sie sich mit einem eigenen Passwort an: acht Zeichen oder mehr.</translation>
     </message>
     <message>
         <source>Set the password</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort festlegen</translation>
     </message>
     <message>
         <source>Welcome to Cusp</source>
-        <translation type="unfinished"></translation>
+        <translation>Willkommen bei Cusp</translation>
     </message>
     <message>
         <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist noch niemand eingetragen. Legen Sie die Schule an: Sie verwalten sie dann und tragen Lehrkräfte und Studierende ein. Oder üben Sie jetzt; dann wird nichts behalten.</translation>
     </message>
     <message>
         <source>Create the school</source>
-        <translation type="unfinished"></translation>
+        <translation>Schule anlegen</translation>
     </message>
     <message>
         <source>Locked by %1</source>
         <extracomment>%1: the name a user logs in with</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt von %1</translation>
     </message>
     <message>
         <source>The work on the table is as it was left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde.</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished">Weiter</translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Somebody else logs in</source>
-        <translation type="unfinished"></translation>
+        <translation>Jemand anderes meldet sich an</translation>
     </message>
     <message>
         <source>Practise now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt üben</translation>
     </message>
     <message>
         <source>Practise without login</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Anmeldung üben</translation>
     </message>
     <message>
         <source>Name to log in with</source>
-        <translation type="unfinished"></translation>
+        <translation>Name zum Anmelden</translation>
     </message>
     <message>
         <source>Given name</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorname</translation>
     </message>
     <message>
         <source>Family name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachname</translation>
     </message>
     <message>
         <source>Password or one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort oder Einmalcode</translation>
     </message>
     <message>
         <source>Password</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort</translation>
     </message>
     <message>
         <source>The password again</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Passwort noch einmal</translation>
     </message>
     <message>
         <source>Drill and be graded; nothing is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohren und bewertet werden; nichts wird behalten</translation>
     </message>
     <message>
         <source>The two passwords differ. Type the second one again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Passwörter sind verschieden. Geben Sie das zweite noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Sprache: %1</translation>
+    </message>
+    <message>
+        <source>Choose the language of all words</source>
+        <translation>Sprache aller Wörter wählen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::TalkPanel</name>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1 Punkte, bestanden</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1 Punkte, nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Given by %1. The machine&apos;s score: %2 points.</source>
+        <translation>Gegeben von %1. Ergebnis der Maschine: %2 Punkte.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score</source>
+        <translation>Das Ergebnis der Maschine</translation>
+    </message>
+    <message>
+        <source>at %1 of the replay</source>
+        <translation>bei %1 der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this moment</source>
+        <translation>Kommentar an diesen Moment heften</translation>
+    </message>
+    <message>
+        <source>at the marked place</source>
+        <translation>an der markierten Stelle</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this place</source>
+        <translation>Kommentar an diese Stelle heften</translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <extracomment>%1: minutes and seconds</extracomment>
+        <translation>▶ %1</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>Den Moment %1 zeigen</translation>
+    </message>
+    <message>
+        <source>◎ place</source>
+        <translation>◎ Stelle</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Die Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>gave %1 points: %2</source>
+        <translation>gab %1 Punkte: %2</translation>
+    </message>
+    <message>
+        <source>let the machine&apos;s score count again: %1</source>
+        <translation>ließ wieder das Ergebnis der Maschine gelten: %1</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>Noch hat niemand etwas geschrieben. Ein Kommentar lässt sich an einen Moment der Wiedergabe und an eine Stelle am Zahn heften.</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What your instructor says is here.</source>
+        <translation>Noch hat niemand etwas geschrieben. Was Ihre Lehrkraft sagt, steht hier.</translation>
+    </message>
+    <message>
+        <source>Write a comment</source>
+        <translation>Kommentar schreiben</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation>Kommentar hinzufügen</translation>
+    </message>
+    <message>
+        <source>Give another score</source>
+        <translation>Ein anderes Ergebnis geben</translation>
+    </message>
+    <message>
+        <source>Points given</source>
+        <translation>Gegebene Punkte</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <extracomment>Behind a number</extracomment>
+        <translation> Punkte</translation>
+    </message>
+    <message>
+        <source>Reason, which the student reads</source>
+        <translation>Begründung, die die Person liest</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Begründung</translation>
+    </message>
+    <message>
+        <source>Give this score</source>
+        <translation>Dieses Ergebnis geben</translation>
+    </message>
+    <message>
+        <source>Back to the machine&apos;s score</source>
+        <translation>Zurück zum Ergebnis der Maschine</translation>
     </message>
 </context>
 <context>
     <name>ui::people::Words</name>
     <message>
         <source>Free practice</source>
-        <translation type="unfinished"></translation>
+        <translation>Freies Üben</translation>
     </message>
     <message>
         <source>today</source>
-        <translation type="unfinished"></translation>
+        <translation>heute</translation>
     </message>
     <message>
         <source>yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>gestern</translation>
     </message>
 </context>
 <context>
@@ -2649,6 +3029,158 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>Kommen nicht weiter (drei Versuche hintereinander, nicht bestanden, nicht um fünf Punkte besser)</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>Nie angemeldet</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>Angemeldet, noch kein bewerteter Versuch</translation>
+    </message>
+    <message>
+        <source>Class %1</source>
+        <translation>Klasse %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Studierende</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Best scores; ✓: passed</source>
+        <translation>Beste Ergebnisse; ✓: bestanden</translation>
+    </message>
+    <message>
+        <source>The class at: %1</source>
+        <translation>Die Klasse bei: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ScoreCard</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a person; %2: date and time</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: passed (pass mark %2)</source>
+        <translation>%1 von 100 Punkten: bestanden (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: not passed (pass mark %2)</source>
+        <translation>%1 von 100 Punkten: nicht bestanden (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
+        <translation>Von einer Lehrkraft gegeben. Ergebnis der Maschine: %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <extracomment>%1: a person; %2: date and time; %3: why</extracomment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Expected before the score was seen: %1 points</source>
+        <translation>Erwartet, bevor das Ergebnis zu sehen war: %1 Punkte</translation>
+    </message>
+    <message>
+        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <extracomment>&quot;12:07&quot;</extracomment>
+        <translation>Zeit %1 min; Kraft beim Schneiden im Mittel %2 N, höchstens %3 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>nicht eingehalten</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>eingehalten</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Lost of a weight, both points: &quot;−4.4 of 30.0&quot;</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>Wo die Punkte geblieben sind</translation>
+    </message>
+    <message>
+        <source>On the tooth, and in a section through the place that is farthest off</source>
+        <translation>Auf dem Zahn und im Schnitt durch die Stelle, die am weitesten abweicht</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>How it was marked and made</source>
+        <translation>Wie bewertet und gearbeitet wurde</translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation>Bewertungsschema: %1, Version %2, Inhalt %3</translation>
+    </message>
+    <message>
+        <source>Hardness: %1, content %2</source>
+        <translation>Härte: %1, Inhalt %2</translation>
+    </message>
+    <message>
+        <source>Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5</source>
+        <translation>Gerät: %1; Kontakt: %2; Raster: %3 Säulen je Seite; Ansicht: %4; Zufallszahl: %5</translation>
+    </message>
+    <message>
+        <source>Made with Cusp %1; recording %2; attempt %3</source>
+        <translation>Entstanden mit Cusp %1; Aufzeichnung %2; Versuch %3</translation>
+    </message>
+    <message>
+        <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
+        <translation>Nicht gemessen: Unterschnitte und Wände über 90°, denn das Modell ist ein Höhenfeld.</translation>
+    </message>
+    <message>
+        <source>%1, %2, at %3 of the replay</source>
+        <translation>%1, %2, bei %3 der Wiedergabe</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::Sheet</name>
+    <message>
+        <source>Cusp %1, printed %2</source>
+        <translation>Cusp %1, gedruckt %2</translation>
+    </message>
+    <message>
+        <source>%1, page %2</source>
+        <translation>%1, Seite %2</translation>
+    </message>
+    <message>
+        <source>Audit code: %1</source>
+        <translation>Prüfcode: %1</translation>
+    </message>
+</context>
+<context>
     <name>ui::settings::SettingsPage</name>
     <message>
         <source>Settings</source>
@@ -3172,11 +3704,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Log in, or lock this place and let somebody else log in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmelden, oder diesen Platz sperren und jemand anderen anmelden lassen</translation>
     </message>
     <message>
         <source>Log in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmelden</translation>
     </message>
 </context>
 <context>
@@ -3408,6 +3940,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::shell::LanguageMenu</name>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::MainWindow</name>
     <message>
         <source>Cusp</source>
@@ -3574,10 +4113,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Abgenommene Ideale (%1)</translation>
     </message>
     <message>
-        <source>This attempt</source>
-        <translation>Dieser Versuch</translation>
-    </message>
-    <message>
         <source>You held against it, so your hand is free. Press A to be led again.</source>
         <translation>Sie haben dagegen gehalten, deshalb ist Ihre Hand frei. Mit A werden Sie wieder geführt.</translation>
     </message>
@@ -3740,12 +4275,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 <context>
     <name>ui::shell::PracticeRoom</name>
     <message>
-        <source>Tooth</source>
-        <translation>Zahn</translation>
-    </message>
-    <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>Maus über den Zahn führen, zum Präparieren linke Taste drücken; rechts ziehen dreht die Ansicht; F1 zeigt die Tasten</translation>
+    </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
     </message>
 </context>
 <context>
@@ -4953,7 +5488,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Log in and keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmelden und behalten</translation>
     </message>
     <message>
         <source>Drilled with the hardness preset %1.</source>
@@ -4963,15 +5498,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
         <extracomment>%1 is a number of people</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Kein Vergleich mit einer Klasse: Dazu braucht es %1 Personen, damit niemand erkennbar ist, und hier ist nur Ihr Ergebnis.</translation>
     </message>
     <message>
         <source>You are not logged in, so this grade is not kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sind nicht angemeldet, darum wird diese Bewertung nicht behalten.</translation>
     </message>
     <message>
         <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Bewertung ist auf diesem Computer aufgehoben. Die Datenbank der Schule bekommt sie, sobald sie zu erreichen ist.</translation>
     </message>
 </context>
 <context>

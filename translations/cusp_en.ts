@@ -809,9 +809,9 @@
     </message>
     <message numerus="yes">
         <source>Too many logins have failed. Wait %n second(s) and try again.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Too many logins have failed. Wait %n second and try again.</numerusform>
+            <numerusform>Too many logins have failed. Wait %n seconds and try again.</numerusform>
         </translation>
     </message>
     <message>
@@ -1677,6 +1677,269 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
 </context>
 <context>
+    <name>ui::people::ClassCharts</name>
+    <message>
+        <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Best scores of %n student(s)</source>
+        <translation>
+            <numerusform>Best score of %n student</numerusform>
+            <numerusform>Best scores of %n students</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of those who made so many attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the class loses %2 % of its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2 points: %n student(s)</source>
+        <translation>
+            <numerusform>%1 to %2 points: %n student</numerusform>
+            <numerusform>%1 to %2 points: %n students</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed; first attempts: %3 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassModel</name>
+    <message>
+        <source>stuck</source>
+        <extracomment>Of a student</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a student who has no attempt yet</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no attempt yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: last attempt %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: best %2, passed, %3, last %4</source>
+        <extracomment>%1: student and lesson; %2: points; %3: &quot;4 attempts&quot;; %4: a date</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed, %3, last %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <extracomment>Column: when the student&apos;s last attempt was</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: never logged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: last login %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>user name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last login, UTC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last attempt, UTC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: best score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassPage</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: name of a class; %2: how many students</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: how many; %2: &quot;stuck&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show who made three attempts in a row at a lesson without passing, and without getting better by five points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show who has never logged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show who has logged in and has no graded attempt yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody needs you just now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n need(s) you:</source>
+        <translation>
+            <numerusform>%n needs you:</numerusform>
+            <numerusform>%n need you:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Here you will see your classes: who needs you, and how everybody does at every lesson. An administrator gives you a class.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Students are entered by an administrator, one by one or from a list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the class does at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lesson whose charts are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best scores, students by lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the matrix as a table (CSV) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::people::HistoryCharts</name>
     <message>
         <source>Attempt %1, %2</source>
@@ -1697,9 +1960,9 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
         </translation>
     </message>
     <message>
@@ -1775,9 +2038,9 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Of the last attempt</numerusform>
+            <numerusform>Average of the last %n attempts</numerusform>
         </translation>
     </message>
     <message>
@@ -1928,9 +2191,9 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
         </translation>
     </message>
     <message>
@@ -2075,6 +2338,123 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>The two passwords differ. Type the second one again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the language of all words</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::TalkPanel</name>
+    <message>
+        <source>%1 points, passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given by %1. The machine&apos;s score: %2 points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pin the comment to this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the marked place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pin the comment to this place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <extracomment>%1: minutes and seconds</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>◎ place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gave %1 points: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let the machine&apos;s score count again: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What your instructor says is here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a comment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give another score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> points</source>
+        <extracomment>Behind a number</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason, which the student reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give this score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the machine&apos;s score</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2637,6 +3017,158 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Stroke %1, %2 s, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n student</numerusform>
+            <numerusform>%n students</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Best scores; ✓: passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The class at: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ScoreCard</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a person; %2: date and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: passed (pass mark %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: not passed (pass mark %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <extracomment>%1: a person; %2: date and time; %3: why</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected before the score was seen: %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <extracomment>&quot;12:07&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Lost of a weight, both points: &quot;−4.4 of 30.0&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the tooth, and in a section through the place that is farthest off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it was marked and made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hardness: %1, content %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made with Cusp %1; recording %2; attempt %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2, at %3 of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::Sheet</name>
+    <message>
+        <source>Cusp %1, printed %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, page %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit code: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3400,6 +3932,13 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::LanguageMenu</name>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::MainWindow</name>
     <message>
         <source>Cusp</source>
@@ -3566,10 +4105,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This attempt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>You held against it, so your hand is free. Press A to be led again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3732,11 +4267,11 @@ load NAME        feels a hardness preset that is kept</source>
 <context>
     <name>ui::shell::PracticeRoom</name>
     <message>
-        <source>Tooth</source>
+        <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
+        <source>This attempt</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -481,6 +481,11 @@
         <source>Choose a password first.</source>
         <translation>Elija primero una contraseña.</translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Lo que guarda la escuela no se puede mostrar ahora; lo que usted hace se conserva. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1303,6 +1308,10 @@
         <source>Not exported: %1</source>
         <translation>No se exportó: %1</translation>
     </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>Preparando la hoja de puntuación …</translation>
+    </message>
 </context>
 <context>
     <name>ui::charts::ChartPanel</name>
@@ -1632,7 +1641,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Bitewing</source>
-        <translation>Aleta de mordida</translation>
+        <translation>Interproximal</translation>
     </message>
     <message>
         <source>Beam from the side</source>
@@ -1682,6 +1691,277 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
         <translation>Nada en un escaneo indica qué lado es mesial, así que no tiene vecinos.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassCharts</name>
+    <message>
+        <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
+        <translation>Se muestra cuando %1 personas han intentado la lección, para que no se reconozca a nadie.</translation>
+    </message>
+    <message>
+        <source>Best score</source>
+        <translation>Mejor puntuación</translation>
+    </message>
+    <message>
+        <source>%1 to %2 points: </source>
+        <translation>%1 a %2 puntos: </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n estudiante</numerusform>
+            <numerusform>%n estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Nota de aprobado</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Estudiantes</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Distribución</translation>
+    </message>
+    <message numerus="yes">
+        <source>Best scores of %n student(s)</source>
+        <translation>
+            <numerusform>Mejores puntuaciones de %n estudiante</numerusform>
+            <numerusform>Mejores puntuaciones de %n estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Intento</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Learning curve</source>
+        <translation>Curva de aprendizaje</translation>
+    </message>
+    <message>
+        <source>Of those who made so many attempts</source>
+        <translation>De quienes hicieron tantos intentos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 de %2 aprobados</translation>
+    </message>
+    <message>
+        <source>, after %1 attempts on the average</source>
+        <translation>, tras %1 intentos de media</translation>
+    </message>
+    <message>
+        <source>; first attempts: %1 points</source>
+        <translation>; primeros intentos: %1 puntos</translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation>Perdido, % de lo que cuenta</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Criterio</translation>
+    </message>
+    <message>
+        <source>%1: the class loses %2 % of its points</source>
+        <translation>%1: el grupo pierde el %2 % de sus puntos</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Dificultad</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassModel</name>
+    <message>
+        <source>stuck</source>
+        <extracomment>Of a student</extracomment>
+        <translation>sin avance</translation>
+    </message>
+    <message>
+        <source>no login</source>
+        <translation>sin acceso</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a student who has no attempt yet</extracomment>
+        <translation>sin intentos</translation>
+    </message>
+    <message>
+        <source>%1: no attempt yet</source>
+        <translation>%1: aún sin intentos</translation>
+    </message>
+    <message>
+        <source>%1: last attempt %2</source>
+        <translation>%1: último intento %2</translation>
+    </message>
+    <message>
+        <source>%1: not tried</source>
+        <translation>%1: sin intentar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n intento</numerusform>
+            <numerusform>%n intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: best %2, passed, %3, last %4</source>
+        <extracomment>%1: student and lesson; %2: points; %3: &quot;4 attempts&quot;; %4: a date</extracomment>
+        <translation>%1: mejor %2, aprobado, %3, último %4</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed, %3, last %4</source>
+        <translation>%1: mejor %2, no aprobado, %3, último %4</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <extracomment>Column: when the student&apos;s last attempt was</extracomment>
+        <translation>Último</translation>
+    </message>
+    <message>
+        <source>%1, %2: never logged in</source>
+        <translation>%1, %2: nunca ha iniciado sesión</translation>
+    </message>
+    <message>
+        <source>%1, %2: last login %3</source>
+        <translation>%1, %2: último inicio de sesión %3</translation>
+    </message>
+    <message>
+        <source>user name</source>
+        <translation>nombre de usuario</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>needs</source>
+        <translation>necesita</translation>
+    </message>
+    <message>
+        <source>last login, UTC</source>
+        <translation>último inicio de sesión, UTC</translation>
+    </message>
+    <message>
+        <source>last attempt, UTC</source>
+        <translation>último intento, UTC</translation>
+    </message>
+    <message>
+        <source>%1: best score</source>
+        <translation>%1: mejor puntuación</translation>
+    </message>
+    <message>
+        <source>%1: attempts</source>
+        <translation>%1: intentos</translation>
+    </message>
+    <message>
+        <source>%1: passed</source>
+        <translation>%1: aprobado</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassPage</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: name of a class; %2: how many students</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: how many; %2: &quot;stuck&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Show who made three attempts in a row at a lesson without passing, and without getting better by five points</source>
+        <translation>Mostrar quién hizo tres intentos seguidos de una lección sin aprobar y sin mejorar cinco puntos</translation>
+    </message>
+    <message>
+        <source>Show who has never logged in</source>
+        <translation>Mostrar quién no ha iniciado sesión nunca</translation>
+    </message>
+    <message>
+        <source>Show who has logged in and has no graded attempt yet</source>
+        <translation>Mostrar quién ha iniciado sesión y aún no tiene ningún intento calificado</translation>
+    </message>
+    <message>
+        <source>Nobody needs you just now</source>
+        <translation>Nadie le necesita en este momento</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n need(s) you:</source>
+        <translation>
+            <numerusform>%n le necesita:</numerusform>
+            <numerusform>%n le necesitan:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Here you will see your classes: who needs you, and how everybody does at every lesson. An administrator gives you a class.</source>
+        <translation>Aquí verá sus grupos: quién le necesita y cómo le va a cada cual en cada lección. Un administrador le asigna un grupo.</translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Students are entered by an administrator, one by one or from a list.</source>
+        <translation>Todavía no hay nadie en este grupo. Un administrador registra a los estudiantes, uno a uno o desde una lista.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation>%1 no se pudo escribir (%2). Pruebe con otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Save the matrix</source>
+        <translation>Guardar la matriz</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>How the class does at</source>
+        <translation>Cómo le va al grupo en</translation>
+    </message>
+    <message>
+        <source>Lesson whose charts are shown</source>
+        <translation>Lección cuyos gráficos se muestran</translation>
+    </message>
+    <message>
+        <source>Best scores, students by lessons</source>
+        <translation>Mejores puntuaciones, estudiantes por lecciones</translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation>Asignar lecciones</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>Guardar como PDF …</translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation>Imprimir …</translation>
+    </message>
+    <message>
+        <source>Save the matrix as a table (CSV) …</source>
+        <translation>Guardar la matriz como tabla (CSV) …</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Mejor puntuación de cada estudiante; una marca: aprobado. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
     </message>
 </context>
 <context>
@@ -2085,6 +2365,123 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>The two passwords differ. Type the second one again.</source>
         <translation>Las dos contraseñas difieren. Escriba la segunda otra vez.</translation>
     </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Idioma: %1</translation>
+    </message>
+    <message>
+        <source>Choose the language of all words</source>
+        <translation>Elegir el idioma de todos los textos</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::TalkPanel</name>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1 puntos, aprobado</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1 puntos, no aprobado</translation>
+    </message>
+    <message>
+        <source>Given by %1. The machine&apos;s score: %2 points.</source>
+        <translation>Dada por %1. La puntuación de la máquina: %2 puntos.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score</source>
+        <translation>La puntuación de la máquina</translation>
+    </message>
+    <message>
+        <source>at %1 of the replay</source>
+        <translation>en %1 de la reproducción</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this moment</source>
+        <translation>Fijar el comentario a este momento</translation>
+    </message>
+    <message>
+        <source>at the marked place</source>
+        <translation>en el lugar marcado</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this place</source>
+        <translation>Fijar el comentario a este lugar</translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <extracomment>%1: minutes and seconds</extracomment>
+        <translation>▶ %1</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>Mostrar el momento %1</translation>
+    </message>
+    <message>
+        <source>◎ place</source>
+        <translation>◎ lugar</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Mostrar el lugar</translation>
+    </message>
+    <message>
+        <source>gave %1 points: %2</source>
+        <translation>dio %1 puntos: %2</translation>
+    </message>
+    <message>
+        <source>let the machine&apos;s score count again: %1</source>
+        <translation>devolvió la validez a la puntuación de la máquina: %1</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>Nadie ha escrito nada todavía. Un comentario se puede fijar a un momento de la reproducción y a un lugar del diente.</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What your instructor says is here.</source>
+        <translation>Nadie ha escrito nada todavía. Aquí está lo que dice su docente.</translation>
+    </message>
+    <message>
+        <source>Write a comment</source>
+        <translation>Escriba un comentario</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation>Añadir comentario</translation>
+    </message>
+    <message>
+        <source>Give another score</source>
+        <translation>Dar otra puntuación</translation>
+    </message>
+    <message>
+        <source>Points given</source>
+        <translation>Puntos dados</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <extracomment>Behind a number</extracomment>
+        <translation> puntos</translation>
+    </message>
+    <message>
+        <source>Reason, which the student reads</source>
+        <translation>Motivo, que el estudiante lee</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>Give this score</source>
+        <translation>Dar esta puntuación</translation>
+    </message>
+    <message>
+        <source>Back to the machine&apos;s score</source>
+        <translation>Volver a la puntuación de la máquina</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -2264,11 +2661,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Número de pruebas</translation>
     </message>
     <message>
-        <source>trials</source>
-        <extracomment>After a number: &quot;8 trials&quot;</extracomment>
-        <translation>pruebas</translation>
-    </message>
-    <message>
         <source>Compare A and B</source>
         <translation>Comparar A y B</translation>
     </message>
@@ -2308,6 +2700,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1 copy</source>
         <extracomment>%1 is the name of a preset that is duplicated</extracomment>
         <translation>%1, copia</translation>
+    </message>
+    <message>
+        <source>Trials:</source>
+        <extracomment>Before a number</extracomment>
+        <translation>Pruebas:</translation>
     </message>
 </context>
 <context>
@@ -2433,17 +2830,23 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Comparado</translation>
     </message>
     <message>
-        <source>%1: chosen %2 times. %3: chosen %4 times.</source>
-        <extracomment>%1 and %3 are presets, %2 and %4 counts</extracomment>
-        <translation>%1: elegido %2 veces. %3: elegido %4 veces.</translation>
-    </message>
-    <message>
-        <source>No difference: %1 times.</source>
-        <translation>Sin diferencia: %1 veces.</translation>
-    </message>
-    <message>
         <source>Who only guesses comes at least so far from even with a probability of %1.</source>
         <translation>Quien solo adivina se aparta al menos tanto del empate con una probabilidad de %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: chosen %n time(s).</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>
+            <numerusform>%1: elegido %n vez.</numerusform>
+            <numerusform>%1: elegido %n veces.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No difference: %n time(s).</source>
+        <translation>
+            <numerusform>Sin diferencia: %n vez.</numerusform>
+            <numerusform>Sin diferencia: %n veces.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2640,6 +3043,158 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Stroke %1, %2 s, %3</source>
         <translation>Pasada %1, %2 s, %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>Nunca han iniciado sesión</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>Sesión iniciada, aún sin intentos calificados</translation>
+    </message>
+    <message>
+        <source>Class %1</source>
+        <translation>Grupo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n estudiante</numerusform>
+            <numerusform>%n estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Best scores; ✓: passed</source>
+        <translation>Mejores puntuaciones; ✓: aprobado</translation>
+    </message>
+    <message>
+        <source>The class at: %1</source>
+        <translation>El grupo en: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ScoreCard</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>Hoja de puntuación: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a person; %2: date and time</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: passed (pass mark %2)</source>
+        <translation>%1 de 100 puntos: aprobado (nota de aprobado %2)</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: not passed (pass mark %2)</source>
+        <translation>%1 de 100 puntos: no aprobado (nota de aprobado %2)</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
+        <translation>Dada por un docente. La puntuación de la máquina: %1 puntos.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <extracomment>%1: a person; %2: date and time; %3: why</extracomment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Expected before the score was seen: %1 points</source>
+        <translation>Se esperaban antes de ver la puntuación: %1 puntos</translation>
+    </message>
+    <message>
+        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <extracomment>&quot;12:07&quot;</extracomment>
+        <translation>Tiempo %1 min; fuerza al tallar: media %2 N, máxima %3 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>no respetado</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>respetado</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Lost of a weight, both points: &quot;−4.4 of 30.0&quot;</extracomment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>Adónde fueron los puntos</translation>
+    </message>
+    <message>
+        <source>On the tooth, and in a section through the place that is farthest off</source>
+        <translation>En el diente, y en un corte por el lugar más desviado</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Comentarios</translation>
+    </message>
+    <message>
+        <source>, at %1 of the replay</source>
+        <translation>, en %1 de la reproducción</translation>
+    </message>
+    <message>
+        <source>How it was marked and made</source>
+        <translation>Cómo se calificó y se hizo</translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation>Rúbrica: %1, versión %2, contenido %3</translation>
+    </message>
+    <message>
+        <source>Hardness: %1, content %2</source>
+        <translation>Dureza: %1, contenido %2</translation>
+    </message>
+    <message>
+        <source>Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5</source>
+        <translation>Dispositivo: %1; contacto: %2; cuadrícula: %3 columnas por lado; vista: %4; semilla: %5</translation>
+    </message>
+    <message>
+        <source>Made with Cusp %1; recording %2; attempt %3</source>
+        <translation>Hecho con Cusp %1; grabación %2; intento %3</translation>
+    </message>
+    <message>
+        <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
+        <translation>No se miden los socavados ni las paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::Sheet</name>
+    <message>
+        <source>Cusp %1, printed %2</source>
+        <translation>Cusp %1, impreso el %2</translation>
+    </message>
+    <message>
+        <source>%1, page %2</source>
+        <translation>%1, página %2</translation>
+    </message>
+    <message>
+        <source>Audit code: %1</source>
+        <translation>Código de auditoría: %1</translation>
     </message>
 </context>
 <context>
@@ -3172,6 +3727,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Every setting with its range</source>
         <translation>Cada opción con su intervalo</translation>
     </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Mis intentos</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>Ver cómo fueron sus intentos</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>Ver cómo va un grupo y quién necesita ayuda</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -3402,6 +3973,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::LanguageMenu</name>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::MainWindow</name>
     <message>
         <source>Cusp</source>
@@ -3568,10 +4146,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Ideales capturados (%1)</translation>
     </message>
     <message>
-        <source>This attempt</source>
-        <translation>Este intento</translation>
-    </message>
-    <message>
         <source>You held against it, so your hand is free. Press A to be led again.</source>
         <translation>Opuso resistencia, así que su mano está libre. Pulse A para que se le guíe de nuevo.</translation>
     </message>
@@ -3734,12 +4308,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 <context>
     <name>ui::shell::PracticeRoom</name>
     <message>
-        <source>Tooth</source>
-        <translation>Diente</translation>
-    </message>
-    <message>
         <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
         <translation>Mueva el ratón sobre el diente y pulse el botón izquierdo para tallar; arrastrar con el derecho gira la vista; F1 muestra las teclas</translation>
+    </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Este intento</translation>
     </message>
 </context>
 <context>

@@ -47,10 +47,10 @@ Chart distributionChart(const database::LessonResults& results, int passMarkTent
             const auto count = static_cast<int>(std::count_if(results.bestTenths.begin(), results.bestTenths.end(),
                                                               [&](int t) { return t >= from && t < to; }));
             most = std::max(most, count);
-            histogram.bins << Histogram::Bin{
-                from / 10.0, (from + kBinTenths) / 10.0, count,
-                Words::tr("%1 to %2 points: ").arg(from / 10).arg((from + kBinTenths) / 10) +
-                    Words::tr("%n student(s)", nullptr, count)};
+            histogram.bins << Histogram::Bin{from / 10.0, (from + kBinTenths) / 10.0, count,
+                                             Words::tr("%1 to %2 points: %n student(s)", nullptr, count)
+                                                 .arg(from / 10)
+                                                 .arg((from + kBinTenths) / 10)};
         }
         if (passMarkTenths > 0)
             histogram.limits << Limit{passMarkTenths / 10.0, true, Words::tr("Pass mark")};
@@ -84,10 +84,16 @@ QString difficultyWords(const database::LessonDifficulty& difficulty)
 {
     if (difficulty.people < ::lessons::kFewestPeople)
         return tooFew();
-    QString words = Words::tr("%1 of %2 passed").arg(difficulty.passed).arg(difficulty.people);
-    if (difficulty.passed >= ::lessons::kFewestPeople)
-        words += Words::tr(", after %1 attempts on the average").arg(text::number(difficulty.attemptsToPass, 1));
-    return words + Words::tr("; first attempts: %1 points").arg(text::number(difficulty.meanTenths / 10.0, 1));
+    const QString first = text::number(difficulty.meanTenths / 10.0, 1);
+    if (difficulty.passed < ::lessons::kFewestPeople)
+        return Words::tr("%1 of %2 passed; first attempts: %3 points")
+            .arg(difficulty.passed)
+            .arg(difficulty.people)
+            .arg(first);
+    return Words::tr("%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points")
+        .arg(difficulty.passed)
+        .arg(difficulty.people)
+        .arg(text::number(difficulty.attemptsToPass, 1), first);
 }
 
 Chart difficultyChart(const database::LessonResults& results, const std::map<std::string, QString>& names)

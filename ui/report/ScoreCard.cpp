@@ -159,9 +159,12 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
         return;
     sheet.head(Words::tr("Comments"), 20.0);
     for (const database::AttemptComment& comment : card.talk.comments) {
-        QString who = Words::tr("%1, %2").arg(QString::fromStdString(comment.author), people::when(comment.writtenUtc));
-        if (comment.momentMs)
-            who += Words::tr(", at %1 of the replay").arg(people::clock(*comment.momentMs));
+        const QString author = QString::fromStdString(comment.author);
+        const QString at = people::when(comment.writtenUtc);
+        const QString who =
+            comment.momentMs
+                ? Words::tr("%1, %2, at %3 of the replay").arg(author, at, people::clock(*comment.momentMs))
+                : Words::tr("%1, %2").arg(author, at);
         sheet.say(who + QStringLiteral(": ") + QString::fromStdString(comment.words), kTextPt);
     }
 }
