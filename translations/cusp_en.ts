@@ -2039,7 +2039,7 @@ load NAME        feels a hardness preset that is kept</source>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Of the last attempt</numerusform>
+            <numerusform>Average of the last %n attempt</numerusform>
             <numerusform>Average of the last %n attempts</numerusform>
         </translation>
     </message>
