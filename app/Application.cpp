@@ -218,6 +218,7 @@ Application::~Application()
     m_replay.reset();
     // The window has asked about the work on the table before it let itself be closed.
     stopJournal(true);
+    m_people.reset();
     m_desk.reset();
 }
 
@@ -278,6 +279,10 @@ void Application::openDatabase()
     });
     connect(m_desk.get(), &SchoolDesk::damaged, this,
             [this](const core::Error& error) { m_window->showError(error, Failed::KeepingGrades); });
+    m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
+    connect(m_people.get(), &PeopleDesk::replayWanted, this,
+            [this](const core::recording::Recording& recording) { play(recording); });
+    connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
     if (m_options.asksWho)
         m_window->askWho(ui::people::Door::Login);
@@ -291,8 +296,10 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         if (!m_options.asksWho)
             m_window->showError(error, Failed::KeepingGrades, m_options.database);
         // A server may come back; a file that cannot be used does not by itself.
-        if (error.code != core::ErrorCode::ConnectionLost && error.code != core::ErrorCode::Busy)
+        if (error.code != core::ErrorCode::ConnectionLost && error.code != core::ErrorCode::Busy) {
+            m_people.reset();
             m_desk.reset();
+        }
         return;
     }
     m_window->setUnreachable({});
@@ -921,6 +928,34 @@ void Application::tellHistory()
                 m_window->showError(found.error(), Failed::KeepingGrades);
             }
             tellKeeping();
+        });
+}
+
+/// One that was kept: marked again from its recording, which comes to the same, and shows where and when.
+void Application::showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording)
+{
+    m_window->showBusy(tr("Working out the score card …"));
+    inBackground(
+        this, [recording] { return lessons::markAgain(recording); },
+        [this, attempt, recording](const core::Result<lessons::Remarked>& marked) {
+            if (!marked) {
+                m_window->showError(marked.error(), Failed::Marking);
+                return;
+            }
+            const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson());
+            std::optional<ui::study::Expectation> expected;
+            if (attempt.expectedTenths)
+                expected = ui::study::Expectation{*attempt.expectedTenths, {}};
+            const ui::study::ScoredWork work{std::make_shared<const core::terrain::Tooth>(marked->outcome.tooth),
+                                             assignment ? assignment->shownIdeal() : nullptr,
+                                             marked->mark.measured,
+                                             marked->infractions,
+                                             marked->conduct.aids,
+                                             lessons::presetUsed(recording),
+                                             assignment ? assignment->exercise : std::nullopt};
+            m_window->showOldScore(assignment && assignment->lesson ? ui::study::said(assignment->lesson->title)
+                                                                    : ui::text::toothTitle(*recording.anatomy()),
+                                   marked->mark.sheet, {attempt}, expected, work);
         });
 }
 

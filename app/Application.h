@@ -10,6 +10,7 @@
 
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
+#include "app/PeopleDesk.h"
 #include "app/ReplayDesk.h"
 #include "app/SchoolDesk.h"
 #include "core/session/Follower.h"
@@ -98,6 +99,7 @@ private:
     void keepGrade();
     void tellKeeping();
     void tellHistory();
+    void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
     void openBeside(const QString& path);
     void openExpert();
     void unpack(const QString& pack, const QString& name);
@@ -141,9 +143,10 @@ private:
     core::session::SessionLoop m_session;
     core::session::Follower m_follower;
     std::unique_ptr<ui::shell::MainWindow> m_window;
-    std::unique_ptr<SchoolDesk> m_desk;  ///< null: nothing is kept
-    QString m_stationFolder;             ///< of this computer's own files: journals, outbox, key
-    database::Session m_who;             ///< who works here
+    std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
+    std::unique_ptr<PeopleDesk> m_people;  ///< null where m_desk is
+    QString m_stationFolder;               ///< of this computer's own files: journals, outbox, key
+    database::Session m_who;               ///< who works here
     bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 

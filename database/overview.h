@@ -24,6 +24,15 @@ struct BandPoint
     bool operator==(const BandPoint&) const = default;
 };
 
+/// Half of a class's attempts at a lesson are better than this, and half quicker. Nothing for too few people.
+struct LessonMedians
+{
+    int people = 0;
+    int tenths = 0;
+    std::int64_t durationMs = 0;
+    bool operator==(const LessonMedians&) const = default;
+};
+
 /// Of one student at one lesson. Scores are those that count.
 struct MatrixCell
 {

@@ -21,6 +21,7 @@
 #include "core/terrain/Grid.h"
 #include "lessons/Assignment.h"
 #include "lessons/JsonKeys.h"
+#include "lessons/PresetFile.h"
 #include "lessons/RubricReader.h"
 
 namespace lessons {
@@ -62,6 +63,10 @@ std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
     }
     return hash.result().toHex().toStdString();
 }
+
+constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
+/// A preset's with its version and hash.
+constexpr qsizetype kLongestHardnessName = kLongestPresetName + 30;
 
 /// Turns the whole object of a lesson into a Lesson.
 class LessonMaker
@@ -311,12 +316,45 @@ private:
         }
     }
 
+    /// A preset's file beside the lesson. What it says of this tooth goes into the text of the lesson, so that a
+    /// recording knows it wherever it is.
+    void takePreset(Lesson& lesson, const QString& name)
+    {
+        const QString path = m_files->find(m_file, QStringLiteral("hardness"), name);
+        if (path.isEmpty())
+            return;
+        m_files->note(path);
+        const ReadPreset read = readPreset(path);
+        for (Fault fault : read.faults) {
+            fault.file = QFileInfo(path).absoluteFilePath();
+            m_faults.push_back(fault);
+        }
+        if (!read.preset)
+            return;
+        lesson.hardness = core::settings::hardnessFor(*read.preset, lesson.kind);
+        QJsonObject whole{{"name", QString::fromStdString(lesson.hardness->name)},
+                          {"axial_share", lesson.hardness->axialShare}};
+        for (std::size_t m = 0; m < kMaterials.size(); ++m)
+            whole.insert(QLatin1String(kMaterials[m]),
+                         QJsonObject{{"rate_mm3_per_ns", lesson.hardness->material[m].rateMm3PerNs},
+                                     {"threshold_n", lesson.hardness->material[m].thresholdN}});
+        m_whole.insert(QStringLiteral("hardness"), whole);
+        m_whole.remove(QStringLiteral("caries"));  // it says which rows of the preset these are
+        m_whole.remove(QStringLiteral("plastic"));
+    }
+
     /// The school's, of which the lesson says the rows; or "natural", or one of those with other figures for some of
     /// its materials.
     void takeHardness(Lesson& lesson)
     {
         lesson.kind.isPlastic = m_keys.flag("plastic", false);
         lesson.kind.hasFirmCaries = m_keys.choice("caries", {QStringLiteral("soft"), QStringLiteral("firm")}) == 1;
+        const QString file = m_whole.value(QStringLiteral("hardness")).toString();
+        if (m_files != nullptr && file.endsWith(QStringLiteral(".") + QLatin1String(kPresetSuffix))) {
+            static_cast<void>(m_keys.has("hardness"));
+            takePreset(lesson, file);
+            return;
+        }
         if (m_keys.has("hardness") && !(lesson.kind == core::settings::ToothKind{}))
             m_keys.fault("hardness", QStringLiteral("has its own caries and plastic; leave it out, or leave out "
                                                     "\"caries\" and \"plastic\""));
@@ -338,9 +376,7 @@ private:
             keys->fault("like", QString::fromStdString(known.error().detail));
         if (!lesson.hardness)
             return;
-        lesson.hardness->name = keys->neededText("name", 60);
-        static constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin",
-                                                                                           "pulp"};
+        lesson.hardness->name = keys->neededText("name", kLongestHardnessName);
         for (std::size_t m = 0; m < kMaterials.size(); ++m) {
             auto material = keys->object(kMaterials[m]);
             if (!material)

@@ -7,7 +7,7 @@
 
 namespace lessons {
 
-/// One text in several languages: language code ("en", "de", "es") to UTF-8.
+/// One text in several languages: language code ("en", "de", "es", "ja") to UTF-8.
 using LocalText = std::map<std::string, std::string>;
 
 /// The text in this language; else in English, else in the first there is; empty for an empty text. A code with a

@@ -30,23 +30,28 @@ struct Beginning
     const char* titleEn;
     const char* titleDe;
     const char* titleEs;
+    const char* titleJa;
     const char* goalEn;
     const char* goalDe;
     const char* goalEs;
+    const char* goalJa;
 };
 constexpr std::array<Beginning, 3> kBeginnings{
-    {{"remove_decay", "decay_removal", "Decay on %1", "Karies an %1", "Caries en %1",
+    {{"remove_decay", "decay_removal", "Decay on %1", "Karies an %1", "Caries en %1", "%1のう蝕",
       "Take all of the decay out and spare what is sound; keep the pulp closed.",
       "Entfernen Sie die ganze Karies und schonen Sie, was gesund ist; die Pulpa bleibt geschlossen.",
-      "Elimine toda la caries y respete lo que está sano; mantenga cerrada la pulpa."},
-     {"cut_ideal", "class1", "Preparation of %1", "Präparation an %1", "Preparación en %1",
+      "Elimine toda la caries y respete lo que está sano; mantenga cerrada la pulpa.",
+      "う蝕をすべて除去し、健全な部分を残してください。歯髄は露出させないでください。"},
+     {"cut_ideal", "class1", "Preparation of %1", "Präparation an %1", "Preparación en %1", "%1の窩洞形成",
       "Cut the preparation as shown: outline, depth, walls and floor.",
       "Präparieren Sie wie gezeigt: Umriss, Tiefe, Wände und Boden.",
-      "Talle la preparación como se muestra: contorno, profundidad, paredes y piso."},
+      "Talle la preparación como se muestra: contorno, profundidad, paredes y piso.",
+      "示されたとおりに形成してください：外形、深さ、壁、窩底。"},
      {"trace_shape", "trace_shape", "Practice block: %1", "Übungsblock: %1", "Bloque de práctica: %1",
-      "Mill the shape to its depth and stay inside its lines.",
+      "練習ブロック：%1", "Mill the shape to its depth and stay inside its lines.",
       "Fräsen Sie die Form in ihrer Tiefe und bleiben Sie in ihren Linien.",
-      "Frese la forma a su profundidad y no salga de sus líneas."}}};
+      "Frese la forma a su profundidad y no salga de sus líneas.",
+      "形をその深さまで削り、線の外に出ないでください。"}}};
 
 tl::unexpected<core::Error> refused(const QString& sentence)
 {
@@ -185,19 +190,20 @@ core::Result<QJsonObject> newLesson(const NewLesson& wishes, const QString& fold
         if (task == Task::TraceShape && wishes.block.isEmpty())
             return refused(QStringLiteral("a shape is traced in a practice block; name one, such as \"cross\""));
         const Beginning& beginning = kBeginnings[static_cast<std::size_t>(task)];
-        const auto texts = [](const QString& en, const QString& de, const QString& es) {
-            return QJsonObject{{"en", en}, {"de", de}, {"es", es}};
+        const auto texts = [](const QString& en, const QString& de, const QString& es, const QString& ja) {
+            return QJsonObject{{"en", en}, {"de", de}, {"es", es}, {"ja", ja}};
         };
         QString rubric = QLatin1String(beginning.rubric);
         object.insert(QStringLiteral("title"),
                       wishes.title.isEmpty()
                           ? QJsonValue(texts(QString::fromUtf8(beginning.titleEn).arg(toothName(wishes)),
                                              QString::fromUtf8(beginning.titleDe).arg(toothName(wishes)),
-                                             QString::fromUtf8(beginning.titleEs).arg(toothName(wishes))))
+                                             QString::fromUtf8(beginning.titleEs).arg(toothName(wishes)),
+                                             QString::fromUtf8(beginning.titleJa).arg(toothName(wishes))))
                           : QJsonValue(wishes.title));
         object.insert(QStringLiteral("goal"),
                       texts(QString::fromUtf8(beginning.goalEn), QString::fromUtf8(beginning.goalDe),
-                            QString::fromUtf8(beginning.goalEs)));
+                            QString::fromUtf8(beginning.goalEs), QString::fromUtf8(beginning.goalJa)));
         object.insert(QStringLiteral("task"), QLatin1String(beginning.task));
         object.insert(QStringLiteral("tooth"), toothOf(wishes));
         if (task == Task::RemoveDecay)
@@ -234,6 +240,7 @@ QJsonObject ownVersion(const ReadLesson& lesson)
         title.insert(QString::fromStdString(language),
                      QString::fromStdString(text) + (language == "de"   ? QStringLiteral(" (eigene Fassung)")
                                                      : language == "es" ? QStringLiteral(" (versión propia)")
+                                                     : language == "ja" ? QStringLiteral("（自分の版）")
                                                                         : QStringLiteral(" (own version)")));
     return {{QStringLiteral("format"), kLessonFormat},
             {QStringLiteral("based_on"), QFileInfo(lesson.file).fileName()},

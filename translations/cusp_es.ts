@@ -481,6 +481,11 @@
         <source>Choose a password first.</source>
         <translation>Elija primero una contraseña.</translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Lo que guarda la escuela no se puede mostrar ahora; lo que usted hace se conserva. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1303,6 +1308,10 @@
         <source>Not exported: %1</source>
         <translation>No se exportó: %1</translation>
     </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>Preparando la hoja de puntuación …</translation>
+    </message>
 </context>
 <context>
     <name>ui::charts::ChartPanel</name>
@@ -1632,7 +1641,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Bitewing</source>
-        <translation>Aleta de mordida</translation>
+        <translation>Interproximal</translation>
     </message>
     <message>
         <source>Beam from the side</source>
@@ -1695,6 +1704,17 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Mejor puntuación</translation>
     </message>
     <message>
+        <source>%1 to %2 points: </source>
+        <translation>%1 a %2 puntos: </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n estudiante</numerusform>
+            <numerusform>%n estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>Pass mark</source>
         <translation>Nota de aprobado</translation>
     </message>
@@ -1709,7 +1729,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message numerus="yes">
         <source>Best scores of %n student(s)</source>
         <translation>
-            <numerusform>Mejor puntuación de %n estudiante</numerusform>
+            <numerusform>Mejores puntuaciones de %n estudiante</numerusform>
             <numerusform>Mejores puntuaciones de %n estudiantes</numerusform>
         </translation>
     </message>
@@ -1730,6 +1750,18 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>De quienes hicieron tantos intentos</translation>
     </message>
     <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 de %2 aprobados</translation>
+    </message>
+    <message>
+        <source>, after %1 attempts on the average</source>
+        <translation>, tras %1 intentos de media</translation>
+    </message>
+    <message>
+        <source>; first attempts: %1 points</source>
+        <translation>; primeros intentos: %1 puntos</translation>
+    </message>
+    <message>
         <source>Lost, % of what it counts</source>
         <translation>Perdido, % de lo que cuenta</translation>
     </message>
@@ -1739,26 +1771,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1: the class loses %2 % of its points</source>
-        <translation>%1: la clase pierde el %2 % de sus puntos</translation>
+        <translation>%1: el grupo pierde el %2 % de sus puntos</translation>
     </message>
     <message>
         <source>Difficulty</source>
         <translation>Dificultad</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 to %2 points: %n student(s)</source>
-        <translation>
-            <numerusform>De %1 a %2 puntos: %n estudiante</numerusform>
-            <numerusform>De %1 a %2 puntos: %n estudiantes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 of %2 passed; first attempts: %3 points</source>
-        <translation>%1 de %2 aprobaron; primeros intentos: %3 puntos</translation>
-    </message>
-    <message>
-        <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
-        <translation>%1 de %2 aprobaron, tras %3 intentos de media; primeros intentos: %4 puntos</translation>
     </message>
 </context>
 <context>
@@ -1766,20 +1783,20 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>stuck</source>
         <extracomment>Of a student</extracomment>
-        <translation>sin avanzar</translation>
+        <translation>sin avance</translation>
     </message>
     <message>
         <source>no login</source>
-        <translation>sin sesión</translation>
+        <translation>sin acceso</translation>
     </message>
     <message>
         <source>new</source>
         <extracomment>Of a student who has no attempt yet</extracomment>
-        <translation>nuevo</translation>
+        <translation>sin intentos</translation>
     </message>
     <message>
         <source>%1: no attempt yet</source>
-        <translation>%1: ningún intento todavía</translation>
+        <translation>%1: aún sin intentos</translation>
     </message>
     <message>
         <source>%1: last attempt %2</source>
@@ -1812,11 +1829,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1, %2: never logged in</source>
-        <translation>%1, %2: nunca inició sesión</translation>
+        <translation>%1, %2: nunca ha iniciado sesión</translation>
     </message>
     <message>
         <source>%1, %2: last login %3</source>
-        <translation>%1, %2: última sesión %3</translation>
+        <translation>%1, %2: último inicio de sesión %3</translation>
     </message>
     <message>
         <source>user name</source>
@@ -1832,7 +1849,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>last login, UTC</source>
-        <translation>última sesión, UTC</translation>
+        <translation>último inicio de sesión, UTC</translation>
     </message>
     <message>
         <source>last attempt, UTC</source>
@@ -1869,15 +1886,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Show who has never logged in</source>
-        <translation>Mostrar quién nunca ha iniciado sesión</translation>
+        <translation>Mostrar quién no ha iniciado sesión nunca</translation>
     </message>
     <message>
         <source>Show who has logged in and has no graded attempt yet</source>
-        <translation>Mostrar quién inició sesión y aún no tiene ningún intento calificado</translation>
+        <translation>Mostrar quién ha iniciado sesión y aún no tiene ningún intento calificado</translation>
     </message>
     <message>
         <source>Nobody needs you just now</source>
-        <translation>Ahora nadie le necesita</translation>
+        <translation>Nadie le necesita en este momento</translation>
     </message>
     <message numerus="yes">
         <source>%n need(s) you:</source>
@@ -1888,11 +1905,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Here you will see your classes: who needs you, and how everybody does at every lesson. An administrator gives you a class.</source>
-        <translation>Aquí verá sus clases: quién le necesita y cómo le va a cada uno en cada lección. Un administrador le asigna una clase.</translation>
+        <translation>Aquí verá sus grupos: quién le necesita y cómo le va a cada cual en cada lección. Un administrador le asigna un grupo.</translation>
     </message>
     <message>
         <source>Nobody is in this class yet. Students are entered by an administrator, one by one or from a list.</source>
-        <translation>Todavía no hay nadie en esta clase. Un administrador inscribe a los estudiantes, uno a uno o desde una lista.</translation>
+        <translation>Todavía no hay nadie en este grupo. Un administrador registra a los estudiantes, uno a uno o desde una lista.</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -1900,7 +1917,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
-        <translation>No se pudo escribir %1 (%2). Pruebe con otra carpeta.</translation>
+        <translation>%1 no se pudo escribir (%2). Pruebe con otra carpeta.</translation>
     </message>
     <message>
         <source>Save the matrix</source>
@@ -1908,11 +1925,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation>Clase</translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>How the class does at</source>
-        <translation>Cómo le va a la clase en</translation>
+        <translation>Cómo le va al grupo en</translation>
     </message>
     <message>
         <source>Lesson whose charts are shown</source>
@@ -1944,7 +1961,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Mejor puntuación de cada estudiante; una marca: aprobado. Un encabezado ordena, otra vez al revés, después por nombre. Una celda abre los intentos.</translation>
+        <translation>Mejor puntuación de cada estudiante; una marca: aprobado. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
     </message>
 </context>
 <context>
@@ -2377,7 +2394,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>at %1 of the replay</source>
-        <translation>en el %1 de la reproducción</translation>
+        <translation>en %1 de la reproducción</translation>
     </message>
     <message>
         <source>Pin the comment to this moment</source>
@@ -2414,15 +2431,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>let the machine&apos;s score count again: %1</source>
-        <translation>volvió a la puntuación de la máquina: %1</translation>
+        <translation>devolvió la validez a la puntuación de la máquina: %1</translation>
     </message>
     <message>
         <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
-        <translation>Nadie ha escrito nada todavía. Un comentario puede fijarse a un momento de la reproducción y a un lugar del diente.</translation>
+        <translation>Nadie ha escrito nada todavía. Un comentario se puede fijar a un momento de la reproducción y a un lugar del diente.</translation>
     </message>
     <message>
         <source>Nobody has written anything yet. What your instructor says is here.</source>
-        <translation>Nadie ha escrito nada todavía. Lo que diga su docente aparecerá aquí.</translation>
+        <translation>Nadie ha escrito nada todavía. Aquí está lo que dice su docente.</translation>
     </message>
     <message>
         <source>Write a comment</source>
@@ -2451,7 +2468,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Reason, which the student reads</source>
-        <translation>Motivo, que leerá el estudiante</translation>
+        <translation>Motivo, que el estudiante lee</translation>
     </message>
     <message>
         <source>Reason</source>
@@ -3037,19 +3054,19 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
-        <translation>Sin avanzar (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
+        <translation>Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
     </message>
     <message>
         <source>Never logged in</source>
-        <translation>Nunca iniciaron sesión</translation>
+        <translation>Nunca han iniciado sesión</translation>
     </message>
     <message>
         <source>Logged in, no graded attempt yet</source>
-        <translation>Iniciaron sesión, ningún intento calificado todavía</translation>
+        <translation>Sesión iniciada, aún sin intentos calificados</translation>
     </message>
     <message>
         <source>Class %1</source>
-        <translation>Clase %1</translation>
+        <translation>Grupo %1</translation>
     </message>
     <message numerus="yes">
         <source>%n student(s)</source>
@@ -3064,14 +3081,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>The class at: %1</source>
-        <translation>La clase en: %1</translation>
+        <translation>El grupo en: %1</translation>
     </message>
 </context>
 <context>
     <name>ui::report::ScoreCard</name>
     <message>
         <source>Score card: %1</source>
-        <translation>Calificación: %1</translation>
+        <translation>Hoja de puntuación: %1</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -3097,12 +3114,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Expected before the score was seen: %1 points</source>
-        <translation>Esperado antes de ver la puntuación: %1 puntos</translation>
+        <translation>Se esperaban antes de ver la puntuación: %1 puntos</translation>
     </message>
     <message>
         <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
         <extracomment>&quot;12:07&quot;</extracomment>
-        <translation>Tiempo %1 min; fuerza al tallar %2 N de media, %3 N como máximo</translation>
+        <translation>Tiempo %1 min; fuerza al tallar: media %2 N, máxima %3 N</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
@@ -3130,11 +3147,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>On the tooth, and in a section through the place that is farthest off</source>
-        <translation>En el diente, y en un corte por el lugar que más se desvía</translation>
+        <translation>En el diente, y en un corte por el lugar más desviado</translation>
     </message>
     <message>
         <source>Comments</source>
         <translation>Comentarios</translation>
+    </message>
+    <message>
+        <source>, at %1 of the replay</source>
+        <translation>, en %1 de la reproducción</translation>
     </message>
     <message>
         <source>How it was marked and made</source>
@@ -3158,18 +3179,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
-        <translation>No se miden socavados ni paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
-    </message>
-    <message>
-        <source>%1, %2, at %3 of the replay</source>
-        <translation>%1, %2, en el %3 de la reproducción</translation>
+        <translation>No se miden los socavados ni las paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
     </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>
     <message>
         <source>Cusp %1, printed %2</source>
-        <translation>Cusp %1, impreso %2</translation>
+        <translation>Cusp %1, impreso el %2</translation>
     </message>
     <message>
         <source>%1, page %2</source>
@@ -3709,6 +3726,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Every setting with its range</source>
         <translation>Cada opción con su intervalo</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Mis intentos</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>Ver cómo fueron sus intentos</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>Ver cómo va un grupo y quién necesita ayuda</translation>
     </message>
 </context>
 <context>

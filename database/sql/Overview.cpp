@@ -259,6 +259,35 @@ core::Result<std::vector<BandPoint>> classBand(const School& school, const Sessi
     return curveOf(std::move(scoresOfNth));
 }
 
+core::Result<std::optional<LessonMedians>> classMedians(const School& school, const Session& session, PersonId person,
+                                                        const std::string& lessonId)
+{
+    if (auto who = admitTo(school, session, Operation::CompareWithClass, person); !who)
+        return tl::unexpected(who.error());
+    std::set<std::int64_t> people;
+    std::vector<int> scores;
+    std::vector<int> durations;
+    if (auto read = forEach(school.db,
+                            "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), a.duration_ms FROM attempts "
+                            "a JOIN people p ON p.id = a.person_id WHERE p.role = 'student' AND a.lesson_id = ? AND "
+                            "a.person_id IN (SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs ON "
+                            "mine.class_id = theirs.class_id WHERE mine.person_id = ?)",
+                            kDoing, {text(lessonId), number(person.value)},
+                            [&](const QSqlQuery& row) {
+                                people.insert(row.value(0).toLongLong());
+                                scores.push_back(row.value(1).toInt());
+                                durations.push_back(row.value(2).toInt());
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    if (people.size() < static_cast<std::size_t>(lessons::kFewestPeople))
+        return std::optional<LessonMedians>();
+    std::sort(scores.begin(), scores.end());
+    std::sort(durations.begin(), durations.end());
+    return std::optional(
+        LessonMedians{static_cast<int>(people.size()), quantile(scores, 0.5), quantile(durations, 0.5)});
+}
+
 core::Result<AttemptTalk> readTalk(const School& school, const Session& session, AttemptId id)
 {
     if (auto who = admit(school, session, Operation::OpenAttempt); !who)

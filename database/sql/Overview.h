@@ -21,6 +21,10 @@ namespace database::sql {
 [[nodiscard]] core::Result<std::vector<BandPoint>> classBand(const School& school, const Session& session,
                                                              PersonId person, const std::string& lessonId);
 
+/// Of the same people; nothing for fewer than lessons::kFewestPeople.
+[[nodiscard]] core::Result<std::optional<LessonMedians>> classMedians(const School& school, const Session& session,
+                                                                      PersonId person, const std::string& lessonId);
+
 /// What people have said of an attempt.
 [[nodiscard]] core::Result<AttemptTalk> readTalk(const School& school, const Session& session, AttemptId id);
 

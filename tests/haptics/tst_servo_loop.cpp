@@ -116,6 +116,7 @@ private slots:
     void handIsLedHomeOnRequest();
     void fixtureHoldsTheHandAndNothingElse();
     void everyHandIsHeldSteadily();
+    void anotherSpringUnderTheHandComesSoftly();
     void whatIsHandedOverCostsTheTickNoAllocation();
     void aLateLoopHoldsTheHandSteadilyToo_data();
     void aLateLoopHoldsTheHandSteadilyToo();
@@ -203,6 +204,9 @@ void TestServoLoop::tickNeitherAllocatesNorLocks()
     for (int n = 0; n < 6000; ++n) {
         if (n % 500 == 100)
             QVERIFY(bare.links->commands.tryPush(SetBur{static_cast<std::uint8_t>(n / 500 % 4)}));
+        if (n % 40 == 7)
+            QVERIFY(bare.links->commands.tryPush(
+                SetNumber{static_cast<std::uint8_t>(n / 40 % 16), 0.001F * static_cast<float>(n % 700)}));
         if (n % 1000 == 300) {
             bare.give(anatomy, ++serial, n % 2000 == 300);  // outside the measured tick
             contact::LiveTooth* old = nullptr;
@@ -224,6 +228,36 @@ void TestServoLoop::tickNeitherAllocatesNorLocks()
     QCOMPARE(locks, 0L);
     for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
         delete old;
+}
+
+/// The console turns the stiffness while the hand leans on the tooth.
+void TestServoLoop::anotherSpringUnderTheHandComesSoftly()
+{
+    Bare bare;
+    bare.give(block(), 1);
+    for (int n = 0; n < 300; ++n)
+        bare.lean(0.0, 0.0, 1.0);
+    const glm::dvec3 device = bare.servo.state().deviceMm;
+    const double mostPerTick = 1.1 * contact::ForceSettings{}.slewNPerS * 0.001;
+    for (const float nPerMm : {4.0F, 0.5F, 2.0F}) {
+        bare.drainEvents();
+        const double before = length(bare.servo.state().forceN);
+        QVERIFY(bare.links->commands.tryPush(SetNumber{9, nPerMm}));
+        double last = before;
+        for (int n = 0; n < 300; ++n) {
+            bare.device.tipMm = glm::vec3(device);
+            bare.servo.tick(1ms);
+            const double now = length(bare.servo.state().forceN);
+            QVERIFY2(std::abs(now - last) <= mostPerTick, qPrintable(QString("%1 N in a tick").arg(now - last)));
+            last = now;
+        }
+        QVERIFY2(nPerMm > 3.0F ? last > 1.5 * before : std::abs(last - before) > 0.1,
+                 qPrintable(QString::number(last)));
+        int told = 0;
+        for (ServoEvent event; bare.links->events.tryPop(event);)
+            told += event.kind == ServoEvent::Kind::Number ? 1 : 0;
+        QCOMPARE(told, 1);
+    }
 }
 
 void TestServoLoop::lostDeviceMeansNoForceWithinTenMs_data()

@@ -153,7 +153,8 @@ void TestLessonReader::everyShippedLessonIsSoundAndHasItsDecay()
         QVERIFY2(entry.read.faults.empty(), qPrintable(sentences(entry.read)));
         const Lesson& shipped = *entry.read.lesson;
         for (const LocalText* text : {&shipped.title, &shipped.goal})
-            QVERIFY2(text->contains("en") && text->contains("de") && text->contains("es"), shipped.id.c_str());
+            for (const char* language : {"en", "de", "es", "ja"})
+                QVERIFY2(text->contains(language), shipped.id.c_str());
         if (shipped.task != Task::RemoveDecay)
             continue;
         if (!support::isTried(decays++))

@@ -73,6 +73,7 @@ private slots:
     void namesAreFound();
     void labelsAreReadBack();
     void lessonSaysWhichRowsCut();
+    void lessonNamesAPresetsFile();
 };
 
 void TestPresets::fileComesBackEqual()
@@ -353,6 +354,43 @@ void TestPresets::lessonSaysWhichRowsCut()
     core::contact::ForceSettings force;
     core::settings::putForces(shipped, force);
     QVERIFY(force == core::contact::ForceSettings{});
+}
+
+/// A file beside it: what it says goes with the lesson into a recording, and into a pack.
+void TestPresets::lessonNamesAPresetsFile()
+{
+    QTemporaryDir folder;
+    const FeelPreset preset = hardTooth();
+    QVERIFY(lessons::writePreset(folder.filePath("hard.cusppreset"), preset));
+    QJsonObject object{{"format", 1},
+                       {"based_on", "decay-36-2-moderate.lesson.json"},
+                       {"id", "hard-36"},
+                       {"caries", "firm"},
+                       {"hardness", "hard.cusppreset"}};
+    const auto read = [&] {
+        return lessons::readLesson(write(folder.filePath("hard.lesson.json"), QJsonDocument(object).toJson()));
+    };
+    const lessons::ReadLesson found = read();
+    QVERIFY2(found.lesson && found.faults.empty(), found.faults.empty() ? "" : qPrintable(found.faults[0].sentence()));
+    const core::settings::HardnessPreset hardness = core::settings::hardnessFor(preset, {false, true});
+    QVERIFY(found.lesson->hardness == hardness);
+    QVERIFY(found.uses.contains(folder.filePath("hard.cusppreset")));
+    const lessons::ReadLesson again =
+        lessons::readLessonText(QByteArray::fromStdString(found.lesson->json), "recording");
+    QVERIFY2(again.lesson && again.faults.empty(), again.faults.empty() ? "" : qPrintable(again.faults[0].sentence()));
+    QVERIFY(again.lesson->hardness == hardness);
+    QCOMPARE(lessons::presetUsed(again.lesson->hardness->name, false).name, QString("Zähne, hart"));
+    // Another content of the file is another lesson.
+    FeelPreset other = preset;
+    other.enamelRate = 0.9;
+    QVERIFY(lessons::writePreset(folder.filePath("hard.cusppreset"), other));
+    QVERIFY(read().lesson->hash != found.lesson->hash);
+    write(folder.filePath("hard.cusppreset"), R"({"force": {"stiffness_n_per_mm": 15}})");
+    QVERIFY(!read().lesson);
+    object["hardness"] = "none.cusppreset";
+    QVERIFY(!read().lesson);
+    object["hardness"] = "../hard.cusppreset";
+    QVERIFY(!read().lesson);
 }
 
 QTEST_APPLESS_MAIN(TestPresets)

@@ -72,6 +72,7 @@
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/EveryLanguage.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace core::session;
@@ -2580,7 +2581,7 @@ void TestMainWindow::nothingIsClipped_data()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    for (const QString language : {"en", "de", "es"})
+    for (const QString language : {"en", "de", "es", "ja"})
         for (const QSize size :
              {QSize(800, 460), QSize(853, 533), QSize(960, 600), QSize(1016, 552), QSize(1280, 760), QSize(1920, 1080)})
             QTest::newRow(qPrintable(language + QString::number(size.width()))) << language << size;
@@ -2802,6 +2803,25 @@ void TestMainWindow::wordsFoldWhereThereIsNoRoom()
     QVERIFY(!buttons.front()->toolTip().isEmpty());
     bar.resize(2 * two, 52);
     QCOMPARE(buttons.front()->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    // What may go goes before any word folds, and comes back.
+    auto* name = new QLabel(QStringLiteral("lower left first molar"), &bar);
+    bar.row().addWidget(name);
+    bar.mayGo(name);
+    bar.fold();
+    QVERIFY(name->isVisibleTo(&bar));
+    bar.resize(bar.row().minimumSize().width() - 1, 52);
+    QVERIFY(!name->isVisibleTo(&bar));
+    QCOMPARE(buttons.front()->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    bar.resize(4 * two, 52);
+    QVERIFY(name->isVisibleTo(&bar));
+    name->setText(QStringLiteral("lower left first molar ").repeated(20));
+    bar.fold();
+    QVERIFY(!name->isVisibleTo(&bar));
+    // Words of another language need another width.
+    ui::text::inEveryLanguage(name, [name] { name->setText(QStringLiteral("36")); });
+    QEvent chosen(QEvent::LanguageChange);
+    QApplication::sendEvent(&bar, &chosen);
+    QVERIFY(name->isVisibleTo(&bar));
 }
 
 void TestMainWindow::whatIsBelowIsPointedAt()

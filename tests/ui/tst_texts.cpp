@@ -47,6 +47,8 @@ private slots:
     void spanishSaysUsted();
     void germanIsEmbedded();
     void spanishIsEmbedded();
+    void japaneseIsEmbedded();
+    void japaneseHasNoWordsOfAnotherScript();
 };
 
 namespace {
@@ -102,7 +104,7 @@ QString tsFile(const QString& language)
 void addLanguages()
 {
     QTest::addColumn<QString>("language");
-    for (const char* language : {"de", "es"})
+    for (const char* language : {"de", "es", "ja"})
         QTest::newRow(language) << language;
 }
 
@@ -396,6 +398,13 @@ void TestTexts::placeholdersMatch()
                 continue;
             for (const char* mark : {"%1", "%2", "%3", "%4", "%5", "%n"})
                 QVERIFY2(entry.source.contains(mark) == form.contains(mark), qPrintable(entry.source + " / " + form));
+            static const QRegularExpression tag("</?[a-z][^>]*>");
+            QStringList tags;
+            for (const auto& match : tag.globalMatch(entry.source))
+                tags << match.captured();
+            for (const auto& match : tag.globalMatch(form))
+                QVERIFY2(tags.removeOne(match.captured()), qPrintable(entry.source + " / " + form));
+            QVERIFY2(tags.isEmpty(), qPrintable(entry.source + " / " + form));
         }
 }
 
@@ -443,6 +452,28 @@ void TestTexts::spanishIsEmbedded()
     for (int k = 0; k < core::terrain::kMaterialCount; ++k)
         letters << ui::text::materialLetter(static_cast<Material>(k));
     QCOMPARE(letters.size(), core::terrain::kMaterialCount);
+}
+
+void TestTexts::japaneseIsEmbedded()
+{
+    QTranslator japanese;
+    QVERIFY(japanese.load(QLocale("ja_JP"), "cusp", "_", ":/i18n"));
+    QCoreApplication::installTranslator(&japanese);
+    QCOMPARE(ui::text::materialName(Material::Enamel), QString("エナメル質"));
+    QCOMPARE(ui::text::toothName(36), QString("下顎左側第一大臼歯"));
+    QSet<QString> letters;
+    for (int k = 0; k < core::terrain::kMaterialCount; ++k)
+        letters << ui::text::materialLetter(static_cast<Material>(k));
+    QCOMPARE(letters.size(), core::terrain::kMaterialCount);
+}
+
+/// What reads like a sentence of English was not translated.
+void TestTexts::japaneseHasNoWordsOfAnotherScript()
+{
+    static const QRegularExpression english("[a-z]{2,} [a-z]{2,} [a-z]{2,}");
+    for (const Entry& entry : entriesOf(tsFile("ja")))
+        for (const QString& form : entry.translations)
+            QVERIFY2(!form.contains(english), qPrintable(form));
 }
 
 QTEST_GUILESS_MAIN(TestTexts)

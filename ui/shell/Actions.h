@@ -53,6 +53,8 @@ public:
     QAction* lessons = nullptr;
     QAction* editLesson = nullptr;  ///< on the page of lessons
     QAction* presets = nullptr;
+    QAction* attempts = nullptr;  ///< hidden for a guest
+    QAction* classes = nullptr;   ///< hidden for who has none
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;

@@ -28,6 +28,19 @@ void FoldingBar::mayFold(QToolButton* button)
     m_buttons << button;
 }
 
+void FoldingBar::mayGo(QWidget* widget)
+{
+    m_dispensable = widget;
+}
+
+bool FoldingBar::event(QEvent* event)
+{
+    const bool taken = QFrame::event(event);
+    if (event->type() == QEvent::LanguageChange)  // all that stands in the row has its new words by now
+        fold();
+    return taken;
+}
+
 void FoldingBar::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
@@ -51,8 +64,15 @@ void FoldingBar::fold()
             button->setToolButtonStyle(style);
         m_row->invalidate();
     };
+    const auto isTooNarrow = [this] { return m_row->minimumSize().width() > width(); };
     show(Qt::ToolButtonTextBesideIcon);
-    if (m_row->minimumSize().width() > width())
+    if (m_dispensable != nullptr) {
+        m_dispensable->show();
+        m_row->invalidate();
+        m_dispensable->setVisible(!isTooNarrow());
+        m_row->invalidate();
+    }
+    if (isTooNarrow())
         show(Qt::ToolButtonIconOnly);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/HandpieceChooser.h"
 
+#include <algorithm>
+
+#include <QAction>
 #include <QHBoxLayout>
 #include <QToolButton>
 
@@ -13,17 +16,42 @@ namespace ui::shell {
 HandpieceChooser::HandpieceChooser(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent)
 {
     text::inEveryLanguage(this, [this] { setAccessibleName(tr("Handpieces")); });
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kSpace1);
+    m_row = new QHBoxLayout(this);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(kSpace1);
     for (QAction* action : actions) {
         QToolButton* button = barButton(action, true, this);
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
         button->setProperty("kind", "segment");
         button->setFont(typeface(kSmall, QFont::Medium));
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        row->addWidget(button);
+        m_row->addWidget(button);
+        // Once all buttons have their new words, or are there.
+        const auto later = [this] {
+            QMetaObject::invokeMethod(this, &HandpieceChooser::arrange, Qt::QueuedConnection);
+        };
+        followWords(action, button, later);
+        connect(action, &QAction::visibleChanged, this, later);
     }
+}
+
+void HandpieceChooser::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void HandpieceChooser::arrange()
+{
+    int widest = 0;
+    int count = 0;
+    for (const QToolButton* button : findChildren<QToolButton*>())
+        if (!button->isHidden()) {
+            widest = std::max(widest, button->sizeHint().width());
+            ++count;
+        }
+    const bool fits = count * widest + (count - 1) * kSpace1 <= width();
+    m_row->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 }  // namespace ui::shell

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 class QAction;
+class QBoxLayout;
 
 namespace ui::shell {
 
@@ -15,6 +16,15 @@ class HandpieceChooser : public QWidget
 public:
     /// @param actions  checkable and exclusive
     HandpieceChooser(const QList<QAction*>& actions, QWidget* parent);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    /// Side by side, or one below the other where their names are too long for that.
+    void arrange();
+
+    QBoxLayout* m_row;
 };
 
 }  // namespace ui::shell

@@ -35,6 +35,8 @@
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/ClassPage.h"
+#include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/presets/PresetsPage.h"
@@ -131,6 +133,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
+      m_history(new people::HistoryPage(*m_actions, m_pages)), m_classes(new people::ClassPage(*m_actions, m_pages)),
       m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
       m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
       m_watch(new console::WatchPanel(m_parameters, m_room)),
@@ -148,7 +151,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
-          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_presets)})
+          static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_history),
+          static_cast<QWidget*>(m_classes), static_cast<QWidget*>(m_presets)})
         m_pages->addWidget(page);
     registerParameters();
     m_settingsPage = new settings::SettingsPage(*m_actions, m_parameters, m_pages);
@@ -361,6 +365,8 @@ void MainWindow::connectActions()
     });
     on(m_actions->back, [this] { goBack(); });
     on(m_actions->account, [this] { changeAccount(); });
+    on(m_actions->attempts, [this] { emit attemptsWanted(); });
+    on(m_actions->classes, [this] { emit classesWanted(); });
     on(m_actions->quit, [this] { close(); });
 }
 
@@ -408,10 +414,32 @@ void MainWindow::setWho(const database::Session& who)
 {
     m_who = who;
     m_actions->showAccount(QString::fromStdString(who.username()));
+    m_actions->attempts->setVisible(!who.isGuest());
+    m_actions->classes->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
     if (!isAtDoor())
         return;
     m_mayLeaveDoor = true;
     goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
+}
+
+void MainWindow::openHistory()
+{
+    goTo(m_history);
+}
+
+void MainWindow::openClasses()
+{
+    goTo(m_classes);
+}
+
+void MainWindow::showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
+                              const QList<database::AttemptRecord>& history,
+                              const std::optional<study::Expectation>& expected,
+                              const std::optional<study::ScoredWork>& scored)
+{
+    m_busy->done();
+    m_scorePage->setScore(work, sheet, history, expected, scored);
+    goTo(m_scorePage);
 }
 
 void MainWindow::leaveAll()
@@ -1281,7 +1309,8 @@ void MainWindow::enableActions()
                 action->setEnabled(action == m_actions->fullScreen || action == m_actions->quit ||
                                    (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account)));
     else
-        for (QAction* action : {m_actions->account, m_actions->back, m_actions->help, m_actions->editLesson})
+        for (QAction* action : {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->back,
+                                m_actions->help, m_actions->editLesson})
             action->setEnabled(action != m_actions->editLesson || m_pages->currentWidget() == m_lessonsPage);
 }
 

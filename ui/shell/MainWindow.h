@@ -38,8 +38,10 @@
 class QStackedWidget;
 
 namespace ui::people {
+class ClassPage;
+class HistoryPage;
 class LoginPage;
-}
+}  // namespace ui::people
 
 namespace ui::tooth {
 class ToothView;
@@ -103,6 +105,8 @@ public:
 
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
+    [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
+    [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
     /// How the console keeps a preset and finds one.
     void setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
                   std::function<core::Result<core::settings::FeelPreset>(const QString&)> find);
@@ -188,6 +192,14 @@ public slots:
     /// Somebody is to log in, to create the school, or to come back. Nothing else can be done meanwhile but practising
     /// without a login where the door offers that.
     void askWho(people::Door door);
+    /// Opens the page of attempts, or that of classes.
+    void openHistory();
+    void openClasses();
+    /// Another attempt than the one on the table, with its score card.
+    /// @param work  its lesson, or its tooth
+    void showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
+                      const QList<database::AttemptRecord>& history, const std::optional<study::Expectation>& expected,
+                      const std::optional<study::ScoredWork>& scored);
     /// Who works here now.
     void setWho(const database::Session& who);
     /// Somebody else will work here: nothing that was said to the one before stays to be read.
@@ -207,6 +219,9 @@ signals:
     void loginWanted(const QString& username, const QString& password);
     void codeWanted(const QString& username, const QString& code, const QString& newPassword);
     void schoolWanted(const database::NewPerson& admin, const QString& password);
+    /// One's own attempts are to be seen.
+    void attemptsWanted();
+    void classesWanted();
     /// Practice without an account.
     void guestWanted();
     /// The grade that is shown shall be kept as that of whoever logs in now.
@@ -371,6 +386,8 @@ private:
     study::ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
     people::LoginPage* m_login;
+    people::HistoryPage* m_history;
+    people::ClassPage* m_classes;
     database::Session m_who;
     study::LessonEditor* m_editor;
     study::Forecast* m_forecast;

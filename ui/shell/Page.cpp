@@ -34,6 +34,13 @@ Page::Page(const Actions& actions, QWidget* parent)
     head->setSpacing(kSpace2);
     head->addWidget(back);
     head->addWidget(m_title, 1);
+    for (QAction* action : {actions.lessons, actions.attempts, actions.classes}) {
+        QPushButton* button = pageButton(action, "quiet", this);
+        button->setVisible(action->isVisible());
+        connect(action, &QAction::visibleChanged, button,
+                [button, action] { button->setVisible(action->isVisible()); });
+        head->addWidget(button);
+    }
     head->addWidget(pageButton(actions.account, "quiet", this));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace6);

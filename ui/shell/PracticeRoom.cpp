@@ -35,8 +35,7 @@ constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
 constexpr int kWidestSectionPx = 560;
 constexpr int kNarrowestViewPx = 280;
-constexpr int kNameFromPx = 960;        ///< a narrower room has no place for the tooth's long name
-constexpr int kReferenceFromPx = 1000;  ///< nor for what is rarely used
+constexpr int kReferenceFromPx = 1000;  ///< a narrower room has no place for what is rarely used
 
 }  // namespace
 
@@ -150,7 +149,8 @@ void PracticeRoom::makeNotice()
 
 QWidget* PracticeRoom::makeTopBar(const Actions& actions)
 {
-    auto* frame = new FoldingBar(this);
+    m_topBar = new FoldingBar(this);
+    FoldingBar* frame = m_topBar;
     QHBoxLayout* row = &frame->row();
     // Not barButton(): what this one shows is the tooth, not the action's words.
     m_tooth = new QToolButton(frame);
@@ -173,6 +173,8 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     m_name->setForegroundRole(QPalette::PlaceholderText);
     row->addWidget(m_tooth);
     row->addWidget(m_name, 1);
+    frame->mayGo(m_name);
+    row->addStretch();  // where the name is gone
     auto* lessons = barButton(actions.lessons, true, frame);
     row->addWidget(lessons);
     frame->mayFold(lessons);
@@ -216,6 +218,7 @@ void PracticeRoom::setTooth(const QString& title, const QString& name)
 {
     m_tooth->setText(title);
     m_name->setText(name);
+    m_topBar->fold();
 }
 
 void PracticeRoom::setHintVisible(bool visible)
@@ -277,8 +280,8 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 void PracticeRoom::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_name->setVisible(width() >= kNameFromPx);
     m_saveReference->setVisible(width() >= kReferenceFromPx);  // its key works all the same
+    m_topBar->fold();
     // A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth
     // as much as it can.
     const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);

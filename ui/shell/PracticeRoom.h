@@ -26,6 +26,7 @@ class LessonStrip;
 namespace ui::shell {
 
 class Actions;
+class FoldingBar;
 class SidePanel;
 class TabularLabel;
 class ViewMenu;
@@ -88,6 +89,7 @@ private:
     study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
+    FoldingBar* m_topBar = nullptr;
     QToolButton* m_saveReference = nullptr;
     QHBoxLayout* m_middle = nullptr;
     QVBoxLayout* m_viewColumn = nullptr;

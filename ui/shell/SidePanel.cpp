@@ -241,6 +241,8 @@ SidePanel::Figure SidePanel::addFigure(QBoxLayout* layout, const char* objectNam
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(0);
     auto* words = quietLabel(block);
+    words->setWordWrap(true);
+    lines->addStretch(1);
     lines->addWidget(words);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);

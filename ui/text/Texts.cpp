@@ -66,6 +66,7 @@ QString remedy(Failed failed)
     case Failed::OpeningRecording:
         return QCoreApplication::translate("Error", "Copy it again from where it was made, or choose another one.");
     case Failed::KeepingGrades:
+    case Failed::ReadingSchool:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
                                                     "one.");
     case Failed::ResumingAttempt:
@@ -89,6 +90,7 @@ QString wrongKind(Failed failed)
     case Failed::OpeningRecording:
         return QCoreApplication::translate("Error", "The file is no recording of Cusp.");
     case Failed::KeepingGrades:
+    case Failed::ReadingSchool:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
     case Failed::ResumingAttempt:
         return QCoreApplication::translate("Error", "This Cusp did not write the file, or an older one did.");
@@ -193,6 +195,11 @@ QString errorText(const core::Error& error, Failed failed)
         //: %1: why, and what to do
         return QCoreApplication::translate("Error",
                                            "Grades will not be kept; drilling and grading work all the same. %1")
+            .arg(reason(error.code, failed));
+    case Failed::ReadingSchool:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error",
+                                           "What the school keeps cannot be shown now; what you do is kept. %1")
             .arg(reason(error.code, failed));
     case Failed::KeepingAttempt:
         if (error.code == core::ErrorCode::FileUnwritable)

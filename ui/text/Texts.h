@@ -25,6 +25,7 @@ enum class Failed {
     SavingReference,
     Marking,
     KeepingGrades,
+    ReadingSchool,   ///< what is known of people, classes and attempts
     KeepingAttempt,  ///< on the disk, while it goes on
     ResumingAttempt  ///< that was not finished
 };

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calls every operation as every role, on what is one's own, a classmate's and a stranger's, and compares what happens
+// with this table. It is written out here a second time on purpose.
+#include <array>
+#include <functional>
+#include <map>
+
+#include <QDir>
+#include <QTest>
+
+#include "database/sql/Export.h"
+#include "database/sql/Overview.h"
+#include "database/sql/Presets.h"
+#include "database/sql/Roster.h"
+#include "tests/database/SchoolRig.h"
+
+using namespace database;
+using namespace database::sql;
+using core::ErrorCode;
+using support::SchoolRig;
+
+namespace {
+
+/// Whose thing is asked for.
+enum Target { Mine, Classmates, Strangers, kTargets };
+constexpr std::array kTargetNames{"one's own", "a classmate's", "a stranger's"};
+
+/// What each role may: "-" nothing, "o" on one's own, "c" on those of one's classes, "a" on all.
+const std::map<Operation, const char*> kAllowed{
+    //                                 guest student instructor admin
+    {Operation::ChangeOwnPassword, "-ooo"}, {Operation::ListPeople, "--ca"},        {Operation::AddPerson, "---a"},
+    {Operation::ChangePerson, "---a"},      {Operation::ResetPassword, "---a"},     {Operation::ListClasses, "-cca"},
+    {Operation::ChangeClasses, "---a"},     {Operation::ListAssignments, "-cca"},   {Operation::Assign, "--ca"},
+    {Operation::AddAttempt, "-ooo"},        {Operation::ReadHistory, "-oca"},       {Operation::OpenAttempt, "-oca"},
+    {Operation::CompareWithClass, "-oca"},  {Operation::Comment, "--c-"},           {Operation::Override, "--c-"},
+    {Operation::ReadClass, "--ca"},         {Operation::ExportAttempts, "--ca"},    {Operation::ListPresets, "aaaa"},
+    {Operation::AddPreset, "---a"},         {Operation::ReadSettings, "aaaa"},      {Operation::ChangeSettings, "---a"},
+    {Operation::ChangeOwnSettings, "-ooo"}, {Operation::ReadAudit, "---a"},         {Operation::KeepBackups, "---a"},
+};
+
+template <class T>
+core::Status plain(const core::Result<T>& result)
+{
+    return result ? core::Status() : core::Status(tl::unexpected(result.error()));
+}
+
+/// One function of the program, with what it is asked about.
+struct Call
+{
+    Operation operation;
+    const char* name;
+    std::function<core::Status(const Session&, Target)> call;
+    bool hasTarget = true;  ///< else it is about nobody's thing
+};
+
+}  // namespace
+
+class TestPermissions : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyOperationAsEveryRole_data() { support::addEngines(); }
+    void everyOperationAsEveryRole();
+    void listsHoldOnlyWhatOneMaySee_data() { support::addEngines(); }
+    void listsHoldOnlyWhatOneMaySee();
+
+private:
+    static std::vector<Call> callsOn(SchoolRig& rig);
+};
+
+std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
+{
+    const School& s = rig.school();
+    // What is there before anybody asks.
+    std::map<std::int64_t, AttemptId> attemptOf;
+    for (const Session* who : {&rig.student, &rig.classmate, &rig.stranger, &rig.instructor, &rig.admin})
+        attemptOf[who->person().value] = addAttempt(s, *who, SchoolRig::attempt("class1-36", 700), "recording").value();
+    const auto personOf = [&rig](const Session& me, Target target) {
+        // An admin is in no class: everybody's things are a stranger's to him.
+        return target == Mine ? me.person() : target == Classmates ? rig.classmate.person() : rig.stranger.person();
+    };
+    const auto attempt = [attemptOf, personOf](const Session& me, Target target) {
+        const auto found = attemptOf.find(personOf(me, target).value);
+        return found == attemptOf.end() ? attemptOf.begin()->second : found->second;
+    };
+    const auto classOf = [&rig](Target target) { return target == Strangers ? rig.second : rig.first; };
+    const auto person = [&rig, &s](PersonId id) {
+        Person p;
+        const auto people = listPeople(s, rig.admin);
+        for (const Person& one : *people)
+            if (one.id == id)
+                p = one;
+        return p;
+    };
+    static int counter = 0;
+    return {
+        {Operation::ChangeOwnPassword, "changePassword",
+         [&s](const Session& me, Target) {
+             return Logins::changePassword(s, me, SchoolRig::kPassword, SchoolRig::kPassword);
+         },
+         false},
+        {Operation::ListPeople, "listPeople", [&s](const Session& me, Target) { return plain(listPeople(s, me)); }, false},
+        {Operation::AddPerson, "addPerson",
+         [&s](const Session& me, Target) {
+             return plain(addPerson(s, me, {"new" + std::to_string(++counter), "", "", Role::Student}));
+         },
+         false},
+        {Operation::AddPerson, "importRoster",
+         [&s](const Session& me, Target) {
+             return plain(importRoster(s, me, "username\nroster" + std::to_string(++counter) + "\n", false));
+         },
+         false},
+        {Operation::ChangePerson, "changePerson",
+         [&s, person](const Session& me, Target) { return changePerson(s, me, person({3})); }, false},
+        {Operation::ChangePerson, "findPerson",
+         [&s](const Session& me, Target) { return plain(findPerson(s, me, "s1002")); }, false},
+        {Operation::ResetPassword, "resetPassword",
+         [&s, &rig](const Session& me, Target) { return plain(resetPassword(s, me, rig.classmate.person())); }, false},
+        {Operation::ListClasses, "listClasses", [&s](const Session& me, Target) { return plain(listClasses(s, me)); },
+         false},
+        {Operation::ChangeClasses, "addClass",
+         [&s](const Session& me, Target) { return plain(addClass(s, me, "class " + std::to_string(++counter))); },
+         false},
+        {Operation::ChangeClasses, "renameClass",
+         [&s, &rig](const Session& me, Target) { return renameClass(s, me, rig.second, "DEN101-B"); }, false},
+        {Operation::ChangeClasses, "enrol",
+         [&s, &rig](const Session& me, Target) { return enrol(s, me, rig.first, rig.student.person(), true); }, false},
+        {Operation::ListAssignments, "listAssignments",
+         [&s](const Session& me, Target) { return plain(listAssignments(s, me)); }, false},
+        {Operation::Assign, "assign",
+         [&s, classOf](const Session& me, Target target) {
+             return assign(s, me, {0, classOf(target), "class1-36", "", 0});
+         }},
+        {Operation::Assign, "unassign",
+         [&s, classOf](const Session& me, Target target) { return unassign(s, me, classOf(target), "class1-36"); }},
+        {Operation::AddAttempt, "addAttempt",
+         [&s](const Session& me, Target) { return plain(addAttempt(s, me, SchoolRig::attempt("class1-36", 500), {})); },
+         false},
+        {Operation::ReadHistory, "history",
+         [&s, personOf](const Session& me, Target t) { return plain(history(s, me, personOf(me, t), {})); }},
+        {Operation::ReadHistory, "standingsOf",
+         [&s, personOf](const Session& me, Target t) { return plain(standingsOf(s, me, personOf(me, t))); }},
+        {Operation::OpenAttempt, "openAttempt",
+         [&s, attempt](const Session& me, Target t) { return plain(openAttempt(s, me, attempt(me, t))); }},
+        {Operation::OpenAttempt, "openRecording",
+         [&s, attempt](const Session& me, Target t) { return plain(openRecording(s, me, attempt(me, t))); }},
+        {Operation::OpenAttempt, "readTalk",
+         [&s, attempt](const Session& me, Target t) { return plain(readTalk(s, me, attempt(me, t))); }},
+        {Operation::OpenAttempt, "sheetsOfLesson",
+         [&s](const Session& me, Target) { return plain(sheetsOfLesson(s, me, "class1-36", std::string(64, 'a'), 9)); },
+         false},
+        {Operation::CompareWithClass, "classBand",
+         [&s, personOf](const Session& me, Target t) { return plain(classBand(s, me, personOf(me, t), "class1-36")); }},
+        {Operation::CompareWithClass, "classMedians",
+         [&s, personOf](const Session& me, Target t) {
+             return plain(classMedians(s, me, personOf(me, t), "class1-36"));
+         }},
+        {Operation::CompareWithClass, "bestOfClassmates",
+         [&s](const Session& me, Target) { return plain(bestOfClassmates(s, me, "class1-36", std::string(64, 'b'))); },
+         false},
+        {Operation::Comment, "addComment",
+         [&s, attempt](const Session& me, Target t) { return plain(addComment(s, me, attempt(me, t), {"well", {}, {}})); }},
+        {Operation::Override, "overrideScore",
+         [&s, attempt](const Session& me, Target t) { return overrideScore(s, me, attempt(me, t), 800, "as seen"); }},
+        {Operation::ReadClass, "classOverview",
+         [&s, classOf](const Session& me, Target t) { return plain(classOverview(s, me, classOf(t))); }},
+        {Operation::ReadClass, "lessonResults",
+         [&s, classOf](const Session& me, Target t) { return plain(lessonResults(s, me, classOf(t), "class1-36")); }},
+        {Operation::ExportAttempts, "exportAttempts",
+         [&s](const Session& me, Target) {
+             return plain(exportAttempts(s, me, [](std::string_view) { return true; }));
+         },
+         false},
+        {Operation::ListPresets, "listPresets", [&s](const Session& me, Target) { return plain(listPresets(s, me)); },
+         false},
+        {Operation::AddPreset, "addPreset",
+         [&s](const Session& me, Target) {
+             return addPreset(s, me, {"mine", ++counter, std::string(64, 'd'), "{}"});
+         },
+         false},
+        {Operation::ReadSettings, "readSettings", [&s](const Session& me, Target) { return plain(readSettings(s, me)); },
+         false},
+        {Operation::ChangeSettings, "changeSetting",
+         [&s](const Session& me, Target) { return changeSetting(s, me, "idle.minutes", "5"); }, false},
+        {Operation::ChangeOwnSettings, "changeOwnSetting",
+         [&s](const Session& me, Target) { return changeOwnSetting(s, me, "language", "de"); }, false},
+        {Operation::ReadAudit, "readAudit", [&s](const Session& me, Target) { return plain(readAudit(s, me, 10)); },
+         false},
+        {Operation::KeepBackups, "admit",
+         [&s](const Session& me, Target) { return plain(admit(s, me, Operation::KeepBackups)); }, false},
+    };
+}
+
+void TestPermissions::everyOperationAsEveryRole()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const std::vector<Call> calls = callsOn(rig);
+    std::set<Operation> called;
+    const std::array<const Session*, kRoles> sessions{&rig.guest, &rig.student, &rig.instructor, &rig.admin};
+    for (const Call& call : calls) {
+        called.insert(call.operation);
+        for (std::size_t role = 0; role < kRoles; ++role)
+            for (const Target target : {Mine, Classmates, Strangers}) {
+                const Session& me = *sessions.at(role);
+                if (!call.hasTarget && target != Mine)
+                    continue;
+                if (role == 0 && target == Mine && call.hasTarget)
+                    continue;  // a guest has nothing of his own
+                const char may = kAllowed.at(call.operation)[role];
+                // One's own class is what its students are in, too. A comment on oneself: an instructor belongs to his
+                // class.
+                const bool expected = may == 'a' || (may != '-' && !call.hasTarget) || (may == 'o' && target == Mine) ||
+                                      (may == 'c' && target != Strangers);
+                const core::Status done = call.call(me, target);
+                const QString what = QStringLiteral("%1 as %2 on %3: %4")
+                                         .arg(QLatin1String(call.name))
+                                         .arg(QString::fromUtf8(roleName(static_cast<Role>(role)).data()),
+                                              QLatin1String(kTargetNames.at(target)),
+                                              done ? QStringLiteral("done")
+                                                   : QString::fromStdString(done.error().detail));
+                QVERIFY2(done.has_value() == expected, qPrintable(what));
+                if (!expected)
+                    QVERIFY2(done.error().code == ErrorCode::NotAllowed, qPrintable(what));
+            }
+    }
+    QCOMPARE(called.size(), kOperations);
+    QCOMPARE(kAllowed.size(), kOperations);
+    // The program's own table says the same.
+    for (const auto& [operation, roles] : kAllowed)
+        for (std::size_t role = 0; role < kRoles; ++role) {
+            const Reach reach = reachOf(operation, static_cast<Role>(role));
+            QCOMPARE("-oca"[static_cast<std::size_t>(reach)], roles[role]);
+        }
+}
+
+void TestPermissions::listsHoldOnlyWhatOneMaySee()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    for (const Session* who : {&rig.student, &rig.classmate, &rig.stranger})
+        VERIFY_DONE(addAttempt(rig.school(), *who, SchoolRig::attempt("class1-36", 700), {}));
+    const auto names = [&](const Session& me) {
+        std::set<std::string> found;
+        const auto people = listPeople(rig.school(), me);
+        for (const Person& person : *people)
+            found.insert(person.username);
+        return found;
+    };
+    QCOMPARE(names(rig.instructor), (std::set<std::string>{"s1001", "s1002", "teach"}));
+    QCOMPARE(names(rig.otherInstructor), (std::set<std::string>{"s2001", "teach2"}));
+    QCOMPARE(names(rig.admin).size(), std::size_t{6});
+    int exported = 0;
+    const auto lines = [&](const Session& me) {
+        int count = -1;  // without the head
+        VERIFY_DONE(exportAttempts(rig.school(), me, [&](std::string_view) {
+            ++count;
+            return true;
+        }));
+        exported = count;
+    };
+    lines(rig.instructor);
+    QCOMPARE(exported, 2);
+    lines(rig.otherInstructor);
+    QCOMPARE(exported, 1);
+    lines(rig.admin);
+    QCOMPARE(exported, 3);
+    QCOMPARE(listClasses(rig.school(), rig.student)->size(), std::size_t{1});
+    QCOMPARE(listClasses(rig.school(), rig.admin)->size(), std::size_t{2});
+    QCOMPARE(sheetsOfLesson(rig.school(), rig.student, "class1-36", std::string(64, 'a'), 9)->size(), std::size_t{1});
+    QCOMPARE(sheetsOfLesson(rig.school(), rig.instructor, "class1-36", std::string(64, 'a'), 9)->size(), std::size_t{2});
+}
+
+QTEST_GUILESS_MAIN(TestPermissions)
+#include "tst_permissions.moc"

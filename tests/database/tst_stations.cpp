@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many stations at once, a station that is killed while it saves, a server that goes away: each station is this program
+// in a process of its own. CUSP_STATIONS and CUSP_KILLS make it as many as the figures of the issue want.
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QSqlQuery>
+#include <QTest>
+
+#include "core/base/Rng.h"
+#include "database/Outbox.h"
+#include "database/sql/Check.h"
+#include "database/sql/Statement.h"
+#include "tests/database/SchoolRig.h"
+
+using namespace database;
+using namespace database::sql;
+using support::SchoolRig;
+
+namespace {
+
+int fromEnvironment(const char* name, int otherwise)
+{
+    const int value = qEnvironmentVariableIntValue(name);
+    return value > 0 ? value : otherwise;
+}
+
+/// What a station does: logs in, and for each attempt puts it into its outbox, says so, delivers, and says so.
+/// Arguments: address, folder, user's name, attempts.
+int beStation(const QStringList& words)
+{
+    auto database = Database::open(Address::parse(words[0]).value());
+    auto key = StationKey::readOrMake(QDir(words[1]).filePath("station.key"));
+    if (!database || !key)
+        return 1;
+    const School school{(*database)->handle(), *key};
+    const auto session = Logins::login(school, words[2].toStdString(), SchoolRig::kPassword);
+    if (!session) {
+        std::cerr << session.error().detail << '\n';
+        return 1;
+    }
+    Outbox outbox(QDir(words[1]).filePath("outbox"), *key);
+    const auto deliver = [&] {
+        for (const QString& file : outbox.waiting())
+            if (const auto letter = outbox.read(file); letter && deliverAttempt(school, letter->attempt, letter->recording))
+                outbox.remove(file);
+    };
+    deliver();
+    std::cout << "ready" << std::endl;
+    const QByteArray recording(20'000, 'r');
+    for (int k = 0; k < words[3].toInt(); ++k) {
+        const AttemptRecord attempt = SchoolRig::attempt("class1-36", 100 + k % 900);
+        QElapsedTimer since;
+        since.start();
+        if (!outbox.put(*session, attempt, recording + QByteArray::fromStdString(attempt.uid)))
+            continue;
+        std::cout << "kept " << attempt.uid << std::endl;
+        deliver();
+        std::cout << "took " << since.nsecsElapsed() / 1000 << std::endl;
+    }
+    return outbox.waiting().isEmpty() ? 0 : 2;
+}
+
+std::unique_ptr<QProcess> startStation(const SchoolRig& rig, const QString& folder, const QString& user, int attempts)
+{
+    QDir().mkpath(folder);
+    auto station = std::make_unique<QProcess>();
+    station->setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    station->start(QCoreApplication::applicationFilePath(),
+                   {"--station", rig.address(), folder, user, QString::number(attempts)});
+    return station;
+}
+
+/// The words behind those lines of a station's output that begin so.
+QStringList said(const QByteArray& output, const char* beginning)
+{
+    QStringList words;
+    for (const QString& line : QString::fromUtf8(output).split('\n'))
+        if (line.startsWith(QLatin1String(beginning)))
+            words += line.section(' ', 1);
+    return words;
+}
+
+std::set<QString> keptIn(const School& school)
+{
+    std::set<QString> uids;
+    static_cast<void>(forEach(school.db, "SELECT uid FROM attempts", "list them", {},
+                              [&](const QSqlQuery& row) { uids.insert(row.value(0).toString()); }));
+    return uids;
+}
+
+}  // namespace
+
+class TestStations : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void manyStationsLoseNothing();
+    void killedStationsKeepWhatTheyConfirmed_data() { support::addEngines(); }
+    void killedStationsKeepWhatTheyConfirmed();
+    void aServerThatGoesAwayGetsEverythingOnce();
+};
+
+void TestStations::manyStationsLoseNothing()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    const int stations = fromEnvironment("CUSP_STATIONS", 6);
+    constexpr int kEach = 20;
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    QTemporaryDir folder;
+    std::vector<std::unique_ptr<QProcess>> running;
+    for (int k = 0; k < stations; ++k)
+        running.push_back(startStation(rig, folder.filePath(QString::number(k)), k % 2 == 0 ? "s1001" : "s1002", kEach));
+    std::vector<double> tookMs;
+    std::set<QString> confirmed;
+    for (const auto& station : running) {
+        QVERIFY(station->waitForFinished(240'000));
+        QCOMPARE(station->exitCode(), 0);
+        const QByteArray output = station->readAllStandardOutput();
+        for (const QString& uid : said(output, "kept "))
+            confirmed.insert(uid);
+        for (const QString& us : said(output, "took "))
+            tookMs.push_back(us.toDouble() * 1e-3);
+    }
+    QCOMPARE(confirmed.size(), static_cast<std::size_t>(stations * kEach));
+    QVERIFY(keptIn(rig.school()) == confirmed);
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    std::sort(tookMs.begin(), tookMs.end());
+    qInfo("%d stations, %zu attempts, put and delivered: p50 %.1f ms, p99 %.1f ms", stations, tookMs.size(),
+          tookMs[tookMs.size() / 2], tookMs[tookMs.size() * 99 / 100]);
+}
+
+void TestStations::killedStationsKeepWhatTheyConfirmed()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const int kills = fromEnvironment("CUSP_KILLS", 12);
+    QTemporaryDir folder;
+    std::set<QString> confirmed;
+    core::Rng rng(20261123);
+    for (int round = 0; round < kills; ++round) {
+        const auto station = startStation(rig, folder.filePath("station"), "s1001", 10'000);
+        QVERIFY(station->waitForStarted());
+        QByteArray output;
+        while (!output.contains("kept ")) {
+            QVERIFY(station->waitForReadyRead(60'000));
+            output += station->readAllStandardOutput();
+        }
+        QTest::qWait(rng.below(60));
+        ::kill(static_cast<pid_t>(station->processId()), SIGKILL);
+        QVERIFY(station->waitForFinished(30'000));
+        output += station->readAllStandardOutput();
+        // What stands in a line that has come through to its end was confirmed.
+        for (const QString& uid : said(output.left(output.lastIndexOf('\n') + 1), "kept "))
+            confirmed.insert(uid);
+    }
+    // The next start delivers what waits.
+    const auto last = startStation(rig, folder.filePath("station"), "s1001", 0);
+    QVERIFY(last->waitForFinished(60'000));
+    QCOMPARE(last->exitCode(), 0);
+    const std::set<QString> kept = keptIn(rig.school());
+    for (const QString& uid : confirmed)
+        QVERIFY2(kept.count(uid) == 1, qPrintable(uid + " was confirmed, and is lost"));
+    rig.reopen();
+    QVERIFY(rig.isOpen());
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY(!QDir(folder.filePath("station/outbox/damaged")).exists());
+    qInfo("%d kills, %zu attempts confirmed, %zu kept", kills, confirmed.size(), kept.size());
+}
+
+void TestStations::aServerThatGoesAwayGetsEverythingOnce()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    QTemporaryDir folder;
+    Outbox outbox(folder.filePath("outbox"), StationKey::make());
+    std::set<QString> put;
+    const auto keep = [&] {
+        const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+        VERIFY_DONE(outbox.put(rig.student, attempt, "recording"));
+        put.insert(QString::fromStdString(attempt.uid));
+    };
+    const auto deliver = [&]() -> core::Status {
+        for (const QString& file : outbox.waiting()) {
+            const auto letter = outbox.read(file);
+            if (!letter)
+                return tl::unexpected(letter.error());
+            if (const auto id = deliverAttempt(rig.school(), letter->attempt, letter->recording); !id)
+                return tl::unexpected(id.error());
+            outbox.remove(file);
+        }
+        return {};
+    };
+    keep();
+    VERIFY_DONE(deliver());
+    support::sharedServer().kill();
+    keep();
+    keep();
+    VERIFY_REFUSED(deliver(), core::ErrorCode::ConnectionLost);
+    QCOMPARE(outbox.waiting().size(), 2);
+    VERIFY_REFUSED(rig.database().reconnect(), core::ErrorCode::ConnectionLost);
+    QVERIFY(support::sharedServer().start());
+    VERIFY_DONE(rig.database().reconnect());
+    VERIFY_DONE(deliver());
+    QVERIFY(outbox.waiting().isEmpty());
+    QVERIFY(keptIn(rig.school()) == put);
+    // An answer that was lost on its way: the same letter again.
+    keep();
+    const QString file = outbox.waiting().front();
+    QVERIFY(QFile::copy(file, file + ".again"));
+    VERIFY_DONE(deliver());
+    QVERIFY(QFile::rename(file + ".again", file));
+    VERIFY_DONE(deliver());
+    QVERIFY(keptIn(rig.school()) == put);
+    // A letter that was changed on the way, or written by another station, is not taken.
+    keep();
+    QFile changed(outbox.waiting().front());
+    QVERIFY(changed.open(QIODevice::ReadWrite) && changed.seek(400));
+    changed.write("x");
+    changed.close();
+    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+    outbox.setAside(outbox.waiting().front());
+    QVERIFY(outbox.waiting().isEmpty());
+    VERIFY_REFUSED(outbox.put(rig.guest, SchoolRig::attempt("class1-36", 1), {}), core::ErrorCode::NotAllowed);
+}
+
+int main(int argc, char** argv)
+{
+    QCoreApplication application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == u"--station")
+        return beStation(arguments.mid(2));
+    TestStations test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_stations.moc"

@@ -1,0 +1,5688 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP" sourcelanguage="en_US">
+<context>
+    <name>Block</name>
+    <message>
+        <source>Practice block: line</source>
+        <translation>練習ブロック：直線</translation>
+    </message>
+    <message>
+        <source>Practice block: circle</source>
+        <translation>練習ブロック：円</translation>
+    </message>
+    <message>
+        <source>Practice block: cross</source>
+        <translation>練習ブロック：十字</translation>
+    </message>
+    <message>
+        <source>Practice block: square</source>
+        <translation>練習ブロック：正方形</translation>
+    </message>
+    <message>
+        <source>Practice block: dovetail</source>
+        <translation>練習ブロック：鳩尾形</translation>
+    </message>
+    <message>
+        <source>Practice block: staircase</source>
+        <translation>練習ブロック：階段</translation>
+    </message>
+    <message>
+        <source>Practice block: letter I</source>
+        <translation>練習ブロック：I字</translation>
+    </message>
+    <message>
+        <source>Practice block: letter T</source>
+        <translation>練習ブロック：T字</translation>
+    </message>
+    <message>
+        <source>Practice block: three layers</source>
+        <translation>練習ブロック：3層</translation>
+    </message>
+</context>
+<context>
+    <name>Breach</name>
+    <message>
+        <source>The pulp is open</source>
+        <translation>歯髄が露出しています</translation>
+    </message>
+    <message>
+        <source>There is a hole through the tooth</source>
+        <translation>歯に穿孔があります</translation>
+    </message>
+    <message>
+        <source>Deeper than %1 mm</source>
+        <translation>%1 mmより深くなっています</translation>
+    </message>
+    <message>
+        <source>The marginal ridge is thinner than %1 mm</source>
+        <translation>辺縁隆線が%1 mmより薄くなっています</translation>
+    </message>
+    <message>
+        <source>Cut where nothing was to be cut</source>
+        <translation>切削すべきでない場所を切削しました</translation>
+    </message>
+    <message>
+        <source>Pressed with %1 N, allowed are %2 N</source>
+        <translation>%1 Nで押しました。許容は%2 Nです</translation>
+    </message>
+    <message>
+        <source>The bur has run in the air for %1 s</source>
+        <translation>バーが%1 s空転しました</translation>
+    </message>
+    <message>
+        <source>The tooth beside was touched by the turning bur</source>
+        <translation>回転中のバーが隣在歯に触れました</translation>
+    </message>
+    <message>
+        <source>Cut with a bur that this lesson does not allow</source>
+        <translation>このレッスンで使えないバーで切削しました</translation>
+    </message>
+    <message>
+        <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
+        <translation>露髄した歯髄の多くは失活します。切断された象牙芽細胞は回復しません。断面を見て、象牙質を0.5 mm残してください。</translation>
+    </message>
+    <message>
+        <source>A perforated tooth is mostly lost. Watch the depth in the section.</source>
+        <translation>穿孔した歯の多くは保存できません。断面で深さに注意してください。</translation>
+    </message>
+    <message>
+        <source>What is deeper than needed weakens the tooth and comes near the pulp. The section shows how deep you are.</source>
+        <translation>必要以上に深い切削は歯を弱め、歯髄に近づきます。断面で深さを確認できます。</translation>
+    </message>
+    <message>
+        <source>A thin marginal ridge breaks under load. Stop the bur&apos;s outer edge earlier.</source>
+        <translation>薄い辺縁隆線は荷重で破折します。バーの外側の縁をもっと手前で止めてください。</translation>
+    </message>
+    <message>
+        <source>Sound tissue does not grow again. The broken line in the section shows what is to be cut.</source>
+        <translation>健全な歯質は再生しません。断面の破線が切削すべき範囲を示します。</translation>
+    </message>
+    <message>
+        <source>About 1 N cuts best; more heats the pulp, stalls the turbine and slips. Let the bur do the work.</source>
+        <translation>およそ1 Nが最もよく切れます。それ以上では歯髄が発熱し、タービンが止まり、滑ります。切削はバーに任せてください。</translation>
+    </message>
+    <message>
+        <source>A bur that turns unwatched hurts lips and cheeks. Stop it when you do not cut.</source>
+        <translation>目を離したまま回転するバーは唇や頬を傷つけます。切削しないときは止めてください。</translation>
+    </message>
+    <message>
+        <source>A nick in the neighbour holds plaque and decays. Stay inside the outline; N shows the teeth beside.</source>
+        <translation>隣在歯の傷にはプラークがたまり、う蝕になります。外形線の内側で作業してください。Nで隣在歯が表示されます。</translation>
+    </message>
+    <message>
+        <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
+        <translation>形の違うバーでは窩洞の形も変わります。レッスンで指定されたバーを選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>Bur</name>
+    <message>
+        <source>Round, No. 2</source>
+        <translation>ラウンド、No. 2</translation>
+    </message>
+    <message>
+        <source>Pear, No. 330</source>
+        <translation>ペアー、No. 330</translation>
+    </message>
+    <message>
+        <source>Long pear, No. 245</source>
+        <translation>ロングペアー、No. 245</translation>
+    </message>
+    <message>
+        <source>Straight fissure, No. 57</source>
+        <translation>ストレートフィッシャー、No. 57</translation>
+    </message>
+</context>
+<context>
+    <name>Criterion</name>
+    <message>
+        <source>%1 of the decay is out</source>
+        <extracomment>%1: a share: &quot;50 %&quot;</extracomment>
+        <translation>う蝕の%1の除去</translation>
+    </message>
+    <message>
+        <source>%1 of the ideal is cut</source>
+        <translation>理想形の%1の切削</translation>
+    </message>
+    <message>
+        <source>%1 of the shape is cut</source>
+        <translation>形の%1の切削</translation>
+    </message>
+    <message>
+        <source>%1 has reached %2</source>
+        <extracomment>%1: the name of a measure, %2: a figure with its unit</extracomment>
+        <translation>%1の%2への到達</translation>
+    </message>
+    <message>
+        <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
+        <translation>う蝕の横と下にあるエナメル質と象牙質です。う蝕の真上は除去が必要なので数えません。</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>測定なし</translation>
+    </message>
+    <message>
+        <source>%1 − %2 free</source>
+        <extracomment>%1 is a value, %2 what of it costs nothing: &quot;3.20 − 1.00 free&quot;</extracomment>
+        <translation>%1 − %2 許容</translation>
+    </message>
+    <message>
+        <source>at least %1 %2</source>
+        <translation>%1 %2以上</translation>
+    </message>
+    <message>
+        <source>up to %1 %2</source>
+        <translation>%1 %2まで</translation>
+    </message>
+    <message>
+        <source>None of its %1 points are earned before %2</source>
+        <extracomment>%1: points of a score, %2: what has to be done: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation>%2までは%1点のうち何も得られません</translation>
+    </message>
+    <message>
+        <source>Not measured, so the attempt fails: %1 points that were left</source>
+        <translation>測定されなかったため不合格です：残りの%1点</translation>
+    </message>
+    <message>
+        <source>Not measured, so it earns none of its %1 points</source>
+        <translation>測定されなかったため、%1点は得られません</translation>
+    </message>
+    <message>
+        <source>%1: nothing lost</source>
+        <translation>%1：減点なし</translation>
+    </message>
+    <message>
+        <source>Allowed is %1; it fails the attempt and takes the %2 points left</source>
+        <extracomment>%1 is a range: &quot;up to 0.00 mm²&quot;</extracomment>
+        <translation>許容は%1です。超えると不合格となり、残りの%2点を失います</translation>
+    </message>
+    <message>
+        <source>%1 %2 too far off; a worse error decides</source>
+        <translation>%1 %2の超過。より重い誤りで決まります</translation>
+    </message>
+    <message>
+        <source>%1; beyond it all of its %2 points are lost</source>
+        <translation>%1。超えると%2点すべてを失います</translation>
+    </message>
+    <message>
+        <source>(%1) / %2 %3 × %4 points</source>
+        <translation>(%1) / %2 %3 × %4点</translation>
+    </message>
+    <message>
+        <source>%1, no more than all of them</source>
+        <translation>%1、ただし全点まで</translation>
+    </message>
+</context>
+<context>
+    <name>Direction</name>
+    <message>
+        <source>distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>labial</source>
+        <translation>唇側</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation>口蓋側</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>distolabial</source>
+        <translation>遠心唇側</translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation>遠心頬側</translation>
+    </message>
+    <message>
+        <source>distopalatal</source>
+        <translation>遠心口蓋側</translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation>遠心舌側</translation>
+    </message>
+    <message>
+        <source>mesiolabial</source>
+        <translation>近心唇側</translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation>近心頬側</translation>
+    </message>
+    <message>
+        <source>mesiopalatal</source>
+        <translation>近心口蓋側</translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation>近心舌側</translation>
+    </message>
+    <message>
+        <source>Mesio-distal</source>
+        <translation>近遠心</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>x方向</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>y方向</translation>
+    </message>
+    <message>
+        <source>Labio-palatal</source>
+        <translation>唇口蓋</translation>
+    </message>
+    <message>
+        <source>Labio-lingual</source>
+        <translation>唇舌</translation>
+    </message>
+    <message>
+        <source>Bucco-palatal</source>
+        <translation>頬口蓋</translation>
+    </message>
+    <message>
+        <source>Bucco-lingual</source>
+        <translation>頬舌</translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message>
+        <source>Export it again, or choose another scan.</source>
+        <translation>もう一度書き出すか、別のスキャンを選んでください。</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was made, or choose another one.</source>
+        <translation>作成元からもう一度コピーするか、別のものを選んでください。</translation>
+    </message>
+    <message>
+        <source>Put a copy of it back, or move it away: Cusp then begins a new one.</source>
+        <translation>コピーを元に戻すか、移動してください。その場合Cuspは新しく作り直します。</translation>
+    </message>
+    <message>
+        <source>Its file is kept for seven days, in the folder &quot;discarded&quot;.</source>
+        <translation>そのファイルは「discarded」フォルダーに7日間保管されます。</translation>
+    </message>
+    <message>
+        <source>Ask who made the lesson, or choose another one.</source>
+        <translation>レッスンの作成者に問い合わせるか、別のものを選んでください。</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>もう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>The file is no recording of Cusp.</source>
+        <translation>このファイルはCuspの記録ではありません。</translation>
+    </message>
+    <message>
+        <source>The file is no database of Cusp.</source>
+        <translation>このファイルはCuspのデータベースではありません。</translation>
+    </message>
+    <message>
+        <source>This Cusp did not write the file, or an older one did.</source>
+        <translation>このファイルは、このCuspが書いたものではないか、古いCuspのものです。</translation>
+    </message>
+    <message>
+        <source>The file is not what its name says. Scans are OBJ, STL or PLY.</source>
+        <translation>ファイルの中身が名前と一致しません。スキャンはOBJ、STL、PLYのいずれかです。</translation>
+    </message>
+    <message>
+        <source>The file is not there. Was it moved or renamed?</source>
+        <translation>ファイルがありません。移動または名前を変更しましたか？</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you may open it.</source>
+        <translation>ファイルを読み取れません。ファイルであること、開く権限があることを確認してください。</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation>ファイルに書き込めません。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>ファイルが空です。</translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation>ファイルが途中で終わっています。</translation>
+    </message>
+    <message>
+        <source>The file is too large. Export it with fewer triangles.</source>
+        <translation>ファイルが大きすぎます。三角形を減らして書き出してください。</translation>
+    </message>
+    <message>
+        <source>The file is too large.</source>
+        <translation>ファイルが大きすぎます。</translation>
+    </message>
+    <message>
+        <source>A newer Cusp wrote this file. Update Cusp to open it.</source>
+        <translation>このファイルは新しいCuspで書かれました。Cuspを更新してから開いてください。</translation>
+    </message>
+    <message>
+        <source>Where a number belongs, the file holds something else.</source>
+        <translation>数値があるべき場所に別のものがあります。</translation>
+    </message>
+    <message>
+        <source>The content of the file does not fit together.</source>
+        <translation>ファイルの内容に矛盾があります。</translation>
+    </message>
+    <message>
+        <source>There is no surface in this file. Choose a scan of a tooth.</source>
+        <translation>このファイルには表面がありません。歯のスキャンを選んでください。</translation>
+    </message>
+    <message>
+        <source>Cusp does not know what is asked for by this name.</source>
+        <translation>この名前で求められたものをCuspは知りません。</translation>
+    </message>
+    <message>
+        <source>A value lies outside what Cusp can work with.</source>
+        <translation>Cuspが扱える範囲を超えた値があります。</translation>
+    </message>
+    <message>
+        <source>It was made on another tooth, or with another decay, than this lesson&apos;s. Ask who made the lesson.</source>
+        <translation>このレッスンとは別の歯、または別のう蝕で作られています。レッスンの作成者に問い合わせてください。</translation>
+    </message>
+    <message>
+        <source>Another program is writing to it. Try again in a moment.</source>
+        <translation>別のプログラムが書き込み中です。少し待ってからもう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>
+        <translation>学校のサーバーが応答しません。Cuspが自動的に再試行します。</translation>
+    </message>
+    <message>
+        <source>Your role does not allow it.</source>
+        <translation>あなたの権限では許可されていません。</translation>
+    </message>
+    <message>
+        <source>Name or password is wrong.</source>
+        <translation>名前またはパスワードが違います。</translation>
+    </message>
+    <message>
+        <source>Too many logins have failed. Wait a moment and try again.</source>
+        <translation>ログインの失敗が多すぎます。少し待ってからもう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>Choose a password first.</source>
+        <translation>先にパスワードを設定してください。</translation>
+    </message>
+    <message>
+        <source>The scan cannot be opened. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>スキャンを開けません。%1</translation>
+    </message>
+    <message>
+        <source>The tooth cannot be made. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>歯を作れません。%1</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be given; what was on the table still is. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>このレッスンは開始できません。これまでの歯はそのまま残っています。%1</translation>
+    </message>
+    <message>
+        <source>The work cannot be marked; it is as it was. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>採点できません。作業内容はそのままです。%1</translation>
+    </message>
+    <message>
+        <source>The recording cannot be played. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>記録を再生できません。%1</translation>
+    </message>
+    <message>
+        <source>The recording was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>記録は保存されませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet that could be a reference.</source>
+        <translation>基準にできる切削がまだありません。</translation>
+    </message>
+    <message>
+        <source>The reference was not saved. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>基準は保存されませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Grades will not be kept; drilling and grading work all the same. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>成績は保存されませんが、切削と採点はこれまでどおり使えます。%1</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Make room on the disk, or save the recording now and then.</source>
+        <translation>作業中、この試行はディスクに保存されません。コンピューターが故障すると失われます。ディスクの空きを増やすか、ときどき記録を保存してください。</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>作業中、この試行はディスクに保存されません。%1</translation>
+    </message>
+    <message>
+        <source>An attempt that was not finished cannot be taken up again. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>未完了の試行を再開できません。%1</translation>
+    </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>学校の保管データは今表示できませんが、あなたの作業は保存されます。%1</translation>
+    </message>
+</context>
+<context>
+    <name>ExerciseMarks</name>
+    <message>
+        <source>height, mm</source>
+        <extracomment>Title of a scale: how high the bur&apos;s tip stands over the block</extracomment>
+        <translation>高さ、mm</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>width of the isthmus</source>
+        <translation>イスムスの幅</translation>
+    </message>
+    <message>
+        <source>depth of the pulpal floor</source>
+        <translation>髄床底の深さ</translation>
+    </message>
+    <message>
+        <source>width of the dovetail</source>
+        <translation>鳩尾形の幅</translation>
+    </message>
+    <message>
+        <source>extension into the grooves</source>
+        <translation>裂溝への延長</translation>
+    </message>
+    <message>
+        <source>marginal ridge that is left</source>
+        <translation>残る辺縁隆線</translation>
+    </message>
+    <message>
+        <source>ridge across the tooth that is left on each side</source>
+        <translation>両側に残る横走隆線</translation>
+    </message>
+    <message>
+        <source>divergence of the end walls</source>
+        <translation>端壁の開き</translation>
+    </message>
+    <message>
+        <source>radius of the bur</source>
+        <translation>バーの半径</translation>
+    </message>
+    <message>
+        <source>radius between floor and wall</source>
+        <translation>窩底と壁の間の半径</translation>
+    </message>
+    <message>
+        <source>floor along the junction</source>
+        <translation>エナメル象牙境に沿う窩底</translation>
+    </message>
+    <message>
+        <source>depth of the floor in dentin</source>
+        <translation>象牙質内の窩底の深さ</translation>
+    </message>
+    <message>
+        <source>depth of the gingival floor</source>
+        <translation>歯肉側窩底の深さ</translation>
+    </message>
+    <message>
+        <source>depth of the axial wall</source>
+        <translation>軸側壁の深さ</translation>
+    </message>
+    <message>
+        <source>width of the box</source>
+        <translation>ボックスの幅</translation>
+    </message>
+    <message>
+        <source>lean of the access walls</source>
+        <translation>髄室開拡の壁の傾き</translation>
+    </message>
+    <message>
+        <source>margin around the chamber</source>
+        <translation>髄室まわりの余裕</translation>
+    </message>
+    <message>
+        <source>block&apos;s side</source>
+        <translation>ブロックの一辺</translation>
+    </message>
+    <message>
+        <source>block&apos;s height</source>
+        <translation>ブロックの高さ</translation>
+    </message>
+    <message>
+        <source>thickness of the enamel layer</source>
+        <translation>エナメル質層の厚さ</translation>
+    </message>
+    <message>
+        <source>width of the channel</source>
+        <translation>溝の幅</translation>
+    </message>
+    <message>
+        <source>depth of the channel</source>
+        <translation>溝の深さ</translation>
+    </message>
+    <message>
+        <source>length of the shape</source>
+        <translation>形の長さ</translation>
+    </message>
+    <message>
+        <source>flare of the dovetail</source>
+        <translation>鳩尾形の広がり</translation>
+    </message>
+    <message>
+        <source>number of steps</source>
+        <translation>段の数</translation>
+    </message>
+    <message>
+        <source>radius of inner corners</source>
+        <translation>内角の半径</translation>
+    </message>
+</context>
+<context>
+    <name>Handpiece</name>
+    <message>
+        <source>Turbine</source>
+        <translation>タービン</translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <extracomment>A red-ring contra-angle: electric motor, geared up</extracomment>
+        <translation>電動</translation>
+    </message>
+    <message>
+        <source>Low-speed</source>
+        <translation>低速</translation>
+    </message>
+</context>
+<context>
+    <name>Health</name>
+    <message>
+        <source>The handpiece is gone: no force. Plug it in again.</source>
+        <translation>ハンドピースがありません：力は出ません。接続し直してください。</translation>
+    </message>
+    <message>
+        <source>The computer was too slow: the recording has a gap.</source>
+        <translation>コンピューターが遅すぎました：記録に欠落があります。</translation>
+    </message>
+    <message>
+        <source>The computer is slow: the picture lags behind.</source>
+        <translation>コンピューターが遅く、画像が遅れています。</translation>
+    </message>
+    <message>
+        <source>The bur is inside the tooth: lift it out, then it works.</source>
+        <translation>バーが歯の内部にあります。引き上げると動作します。</translation>
+    </message>
+    <message>
+        <source>The outline holds your hand: Q lets it go.</source>
+        <translation>外形線が手を保持しています。Qで解除します。</translation>
+    </message>
+    <message>
+        <source>The handpiece leads your hand back over the tooth. Hold it back, and it lets go.</source>
+        <translation>ハンドピースが手を歯の上へ導きます。押しとどめると離れます。</translation>
+    </message>
+    <message>
+        <source>The handpiece answers late: the tooth is made softer to the hand.</source>
+        <translation>ハンドピースの応答が遅いため、歯の手応えを柔らかくしています。</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>力が上限に達しています</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>Whole tooth</source>
+        <translation>切削前の歯</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>元に戻した歯</translation>
+    </message>
+    <message>
+        <source>%1 mm³ %2</source>
+        <extracomment>What a stroke took off: so many cubic millimetres of a tissue</extracomment>
+        <translation>%2 %1 mm³</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>現在</translation>
+    </message>
+</context>
+<context>
+    <name>Lesson</name>
+    <message>
+        <source>Practice block</source>
+        <translation>練習ブロック</translation>
+    </message>
+    <message>
+        <source>Ideal preparations</source>
+        <translation>理想的な窩洞形成</translation>
+    </message>
+    <message>
+        <source>The first minutes</source>
+        <translation>最初の数分</translation>
+    </message>
+    <message>
+        <source>Removing decay</source>
+        <translation>う蝕の除去</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>深さ計</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>X線</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>深さの色分け</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>ideal preparation</source>
+        <translation>理想形</translation>
+    </message>
+    <message>
+        <source>bur that changes colour</source>
+        <translation>色の変わるバー</translation>
+    </message>
+    <message>
+        <source>guided hand</source>
+        <translation>手の誘導</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1分</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>%1, give or take %2, costs nothing</source>
+        <extracomment>%1: a target; %2: how far off it one may be at no cost</extracomment>
+        <translation>%1（±%2）は減点なし</translation>
+    </message>
+    <message>
+        <source>From %1 up costs nothing</source>
+        <translation>%1以上は減点なし</translation>
+    </message>
+    <message>
+        <source>Up to %1 costs nothing</source>
+        <translation>%1以下は減点なし</translation>
+    </message>
+    <message>
+        <source> (more, where the decay is larger)</source>
+        <translation>（う蝕が大きい箇所ではさらに）</translation>
+    </message>
+    <message>
+        <source> as soon as %1</source>
+        <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation>（%1以降）</translation>
+    </message>
+    <message>
+        <source>beyond it the attempt fails</source>
+        <translation>それを超えると不合格です</translation>
+    </message>
+    <message>
+        <source>beyond it all %1 points are lost</source>
+        <translation>それを超えると%1点すべてを失います</translation>
+    </message>
+    <message>
+        <source>%1 off, all %2 points are lost</source>
+        <translation>%1ずれると%2点すべてを失います</translation>
+    </message>
+    <message>
+        <source>at %1 all %2 points are lost</source>
+        <translation>%1で%2点すべてを失います</translation>
+    </message>
+    <message>
+        <source>from %1 on all %2 points are lost</source>
+        <translation>%1以上で%2点すべてを失います</translation>
+    </message>
+    <message>
+        <source>outline %1 mm to either side</source>
+        <translation>外形 両側へ%1 mm</translation>
+    </message>
+    <message>
+        <source>floor %1 mm up or down</source>
+        <translation>窩底 上下%1 mm</translation>
+    </message>
+    <message>
+        <source>walls %1°, that is %2 mm over 1.5 mm of depth</source>
+        <translation>壁 %1°（深さ1.5 mmで%2 mm）</translation>
+    </message>
+    <message>
+        <source>floor even to %1 mm</source>
+        <translation>窩底の平坦さ %1 mm</translation>
+    </message>
+    <message>
+        <source>%1: fails the attempt</source>
+        <translation>%1：不合格となります</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <translation>%1：%2点</translation>
+    </message>
+</context>
+<context>
+    <name>Login</name>
+    <message>
+        <source>Name or password is wrong. Try again, or ask an admin for a one-time code.</source>
+        <translation>名前またはパスワードが違います。もう一度お試しいただくか、管理者にワンタイムコードを依頼してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Too many logins have failed. Wait %n second(s) and try again.</source>
+        <translation>
+            <numerusform>ログインの失敗が多すぎます。%n秒待ってからもう一度お試しください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
+        <translation>名前に使えるのは英字、数字、. _ - @ だけです。パスワードは8文字以上で、名前と同じにはできません。</translation>
+    </message>
+    <message>
+        <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
+        <translation>その間に誰かが登録されました。管理者としてログインしてください。</translation>
+    </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
+        <translation>学校のサーバーが応答しません。もう一度お試しいただくか、ログインせずに練習してください。</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>decay</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>pulp</source>
+        <translation>歯髄</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <extracomment>One letter for decay (caries); must differ from those of enamel, dentin and pulp.</extracomment>
+        <translation>う</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <extracomment>One letter for enamel</extracomment>
+        <translation>エ</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>One letter for dentin</extracomment>
+        <translation>象</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>One letter for pulp</extracomment>
+        <translation>髄</translation>
+    </message>
+</context>
+<context>
+    <name>Pad</name>
+    <message>
+        <source>Left</source>
+        <extracomment>Three pads of a practice block, side by side</extracomment>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+</context>
+<context>
+    <name>Scan</name>
+    <message>
+        <source>Taken as millimetres the scan is %1 mm long, more than a tooth.</source>
+        <translation>ミリメートルとして読むとスキャンの長さは%1 mmで、歯より大きくなります。</translation>
+    </message>
+    <message>
+        <source>The file names no unit. As centimetres it is %1 mm long, so centimetres were taken.</source>
+        <translation>ファイルに単位がありません。センチメートルなら長さ%1 mmなので、センチメートルとして読みました。</translation>
+    </message>
+    <message>
+        <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
+        <translation>ファイルに単位がありません。メートルなら長さ%1 mmなので、メートルとして読みました。</translation>
+    </message>
+    <message>
+        <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
+        <translation>どの単位でも歯の大きさにならないため、長さ%1 mmにしました。</translation>
+    </message>
+    <message>
+        <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
+        <translation>形から歯冠の位置が分かりません。歯が横向きの場合は、歯冠を+z方向にして書き出してください。</translation>
+    </message>
+    <message>
+        <source>The scan has openings; they were closed.</source>
+        <translation>スキャンに開口部があったため、閉じました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without an area were left out.</source>
+        <translation>
+            <numerusform>面積のない三角形%n個を除外しました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>三角形%n個が重複しています。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) more than two triangles meet.</source>
+        <translation>
+            <numerusform>%n本の辺に3つ以上の三角形が接しています。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) neighbouring triangles disagree which side is outside.</source>
+        <translation>
+            <numerusform>%n本の辺で隣り合う三角形の表裏が一致しません。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scan was inside out and has been turned.</source>
+        <translation>スキャンの裏表が逆だったため、反転しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scan has %n separate part(s); the outermost surface counts.</source>
+        <translation>
+            <numerusform>スキャンは%n個の部分に分かれています。最も外側の表面を使います。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Section</name>
+    <message>
+        <source>ideal preparation</source>
+        <translation>理想形</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <extracomment>In the key of a picture: what may be cut or left without losing points</extracomment>
+        <translation>許容範囲内</translation>
+    </message>
+    <message>
+        <source>costs points</source>
+        <extracomment>In the key of a picture: farther out, all points of this criterion are lost</extracomment>
+        <translation>減点</translation>
+    </message>
+    <message>
+        <source>The plane does not meet the tooth here.</source>
+        <translation>この平面は歯と交わりません。</translation>
+    </message>
+    <message>
+        <source>surface before anything was cut</source>
+        <extracomment>In the key of a picture, beside a line</extracomment>
+        <translation>切削前の表面</translation>
+    </message>
+    <message>
+        <source>surface before</source>
+        <extracomment>The same, where a second line stands beside it</extracomment>
+        <translation>切削前の表面</translation>
+    </message>
+</context>
+<context>
+    <name>Surface</name>
+    <message>
+        <source>M</source>
+        <extracomment>Letters for sides of teeth, one or two each. Mesial</extracomment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <extracomment>Letter for the distal side</extracomment>
+        <translation>象</translation>
+    </message>
+    <message>
+        <source>La</source>
+        <extracomment>Letters for the labial side (towards the lip), then for the buccal one (towards the cheek)</extracomment>
+        <translation>La</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <extracomment>Letters for the palatal side, then for the lingual one</extracomment>
+        <translation>髄</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <extracomment>Letters for the incisal edge, then for the occlusal surface</extracomment>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>O</translation>
+    </message>
+</context>
+<context>
+    <name>TimeLine</name>
+    <message>
+        <source>%1 pad: said to be %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1のパッド：%2と回答</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>採点</translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation>メモ%1</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>元に戻しました</translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation>やり直しました</translation>
+    </message>
+    <message>
+        <source>Whole again</source>
+        <translation>元に戻した歯</translation>
+    </message>
+    <message>
+        <source>Bur %1: %2</source>
+        <translation>バー%1：%2</translation>
+    </message>
+    <message>
+        <source>Handpiece: %1</source>
+        <translation>ハンドピース：%1</translation>
+    </message>
+    <message>
+        <source>The hand was led home</source>
+        <translation>手を定位置へ導きました</translation>
+    </message>
+    <message>
+        <source>Point %1 touched</source>
+        <translation>点%1に接触</translation>
+    </message>
+    <message>
+        <source>Taken up again</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>depth gauge</source>
+        <translation>深さ計</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>X線</translation>
+    </message>
+    <message>
+        <source>colours of depth</source>
+        <translation>深さの色分け</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>ideal</source>
+        <translation>理想形</translation>
+    </message>
+    <message>
+        <source>colour of the bur</source>
+        <translation>バーの色</translation>
+    </message>
+    <message>
+        <source>held within the outline</source>
+        <translation>外形線内に保持</translation>
+    </message>
+    <message>
+        <source>No aid in use</source>
+        <translation>補助なし</translation>
+    </message>
+    <message>
+        <source>Aids in use: %1</source>
+        <translation>使用中の補助：%1</translation>
+    </message>
+</context>
+<context>
+    <name>Tooth</name>
+    <message>
+        <source>upper right</source>
+        <translation>上顎右側</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>上顎左側</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>下顎左側</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>下顎右側</translation>
+    </message>
+    <message>
+        <source>%1 central incisor</source>
+        <translation>%1中切歯</translation>
+    </message>
+    <message>
+        <source>%1 lateral incisor</source>
+        <translation>%1側切歯</translation>
+    </message>
+    <message>
+        <source>%1 canine</source>
+        <translation>%1犬歯</translation>
+    </message>
+    <message>
+        <source>%1 first premolar</source>
+        <translation>%1第一小臼歯</translation>
+    </message>
+    <message>
+        <source>%1 second premolar</source>
+        <translation>%1第二小臼歯</translation>
+    </message>
+    <message>
+        <source>%1 first molar</source>
+        <translation>%1第一大臼歯</translation>
+    </message>
+    <message>
+        <source>%1 second molar</source>
+        <translation>%1第二大臼歯</translation>
+    </message>
+    <message>
+        <source>%1 third molar</source>
+        <translation>%1第三大臼歯</translation>
+    </message>
+    <message>
+        <source>Tooth %1</source>
+        <translation>歯 %1</translation>
+    </message>
+    <message>
+        <source>Tooth without a name</source>
+        <translation>名前のない歯</translation>
+    </message>
+</context>
+<context>
+    <name>ViewMarks</name>
+    <message>
+        <source>%1 mm</source>
+        <extracomment>A length in millimetres</extracomment>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as it should be</source>
+        <translation>適正</translation>
+    </message>
+    <message>
+        <source>%1 too deep</source>
+        <extracomment>%1 is a length: the tooth is cut deeper than it should be</extracomment>
+        <translation>%1深すぎ</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <extracomment>%1 is a length: so much is still to be taken away</extracomment>
+        <translation>残り%1</translation>
+    </message>
+    <message>
+        <source>off the ideal, mm</source>
+        <extracomment>Titles of a scale of colours: how deep a cut is, and how far from the ideal</extracomment>
+        <translation>理想形との差、mm</translation>
+    </message>
+    <message>
+        <source>depth, mm</source>
+        <translation>深さ、mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::Application</name>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation>次の歯からこの手応えになります。</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>保存されませんでした：%1</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation>読み込めませんでした：%1</translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation>プリセットを%1として書き出しました。</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation>書き出せませんでした：%1</translation>
+    </message>
+    <message>
+        <source>Making tooth %1 …</source>
+        <translation>歯%1を作成しています …</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1を読み込んでいます …</translation>
+    </message>
+    <message>
+        <source>Making a practice block …</source>
+        <translation>練習ブロックを作成しています …</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson …</source>
+        <translation>レッスンを準備しています …</translation>
+    </message>
+    <message>
+        <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
+        <translation>パックを展開できなかったため、レッスンを変更できません。%1</translation>
+    </message>
+    <message>
+        <source>The tooth is not ready yet. Try again in a moment.</source>
+        <translation>歯の準備ができていません。少し待ってからもう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>No pad has been named yet: say beneath the view what each is made of.</source>
+        <translation>まだどのパッドにも名前がありません。画面の下で、それぞれ何でできているかを選んでください。</translation>
+    </message>
+    <message>
+        <source>This exercise has not been begun yet, so there is nothing to grade.</source>
+        <translation>この練習はまだ始まっていないため、採点するものがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet, so there is nothing to grade.</source>
+        <translation>まだ何も切削していないため、採点するものがありません。</translation>
+    </message>
+    <message>
+        <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
+        <translation>基準を%1として保存しました。レッスンで指定するか、この歯のレッスンのエディターで選んでください。</translation>
+    </message>
+    <message>
+        <source>The expert</source>
+        <translation>エキスパート</translation>
+    </message>
+    <message>
+        <source>A simulated hand does the lesson …</source>
+        <translation>模擬の手がレッスンを行っています …</translation>
+    </message>
+    <message>
+        <source>The simulated hand</source>
+        <translation>模擬の手</translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, so a simulated hand shows it.</source>
+        <translation>このレッスンの教員の記録がないため、模擬の手がお見せします。</translation>
+    </message>
+    <message>
+        <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
+        <translation>このレッスンの教員の記録がなく、模擬の手でもできません。</translation>
+    </message>
+    <message>
+        <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
+        <translation>この試行は別のデバイスで行われたため、続けられません。保管されています。</translation>
+    </message>
+    <message>
+        <source>Taking up the attempt …</source>
+        <translation>試行を再開しています …</translation>
+    </message>
+    <message>
+        <source>Your attempt goes on where it was left.</source>
+        <translation>試行を中断したところから続けます。</translation>
+    </message>
+    <message>
+        <source>The attempt is no longer there.</source>
+        <translation>その試行はもうありません。</translation>
+    </message>
+    <message>
+        <source>The tooth is whole, and yours to drill.</source>
+        <translation>歯は元どおりです。切削を始められます。</translation>
+    </message>
+    <message>
+        <source>This is your own work again, as you left it.</source>
+        <translation>ご自身の作業に戻りました。</translation>
+    </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>成績表を作成しています …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::ChartPanel</name>
+    <message>
+        <source>Save as picture (PNG) …</source>
+        <translation>画像（PNG）として保存 …</translation>
+    </message>
+    <message>
+        <source>Save as drawing (SVG) …</source>
+        <translation>図（SVG）として保存 …</translation>
+    </message>
+    <message>
+        <source>Save as table (CSV) …</source>
+        <translation>表（CSV）として保存 …</translation>
+    </message>
+    <message>
+        <source>Save this chart</source>
+        <translation>このグラフを保存します</translation>
+    </message>
+    <message>
+        <source>Save the chart &quot;%1&quot;</source>
+        <translation>グラフ「%1」を保存</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>グラフを保存</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>保存しました：%1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation>%1に書き込めませんでした（%2）。別のフォルダーをお試しください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::charts::Table</name>
+    <message>
+        <source>series</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>class, lower quartile</source>
+        <translation>クラス、第1四分位</translation>
+    </message>
+    <message>
+        <source>class, median</source>
+        <translation>クラス、中央値</translation>
+    </message>
+    <message>
+        <source>class, upper quartile</source>
+        <translation>クラス、第3四分位</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>から</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>まで</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::Console</name>
+    <message>
+        <source>Console</source>
+        <translation>コンソール</translation>
+    </message>
+    <message>
+        <source>Answers of the console</source>
+        <translation>コンソールの応答</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Type a command; Tab completes, &quot;help&quot; explains</source>
+        <translation>コマンドを入力してください。Tabで補完、「help」で説明を表示します</translation>
+    </message>
+    <message>
+        <source>Parameters can be looked at and turned here while you drill. &quot;help&quot; lists the commands.</source>
+        <translation>切削しながらパラメーターを表示・変更できます。「help」でコマンドの一覧を表示します。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; wants a name behind it.</source>
+        <translation>「%1」の後に名前が必要です。</translation>
+    </message>
+    <message>
+        <source>Write &quot;set NAME VALUE&quot;, as in &quot;set force.stiffness 1.5&quot;.</source>
+        <translation>「set force.stiffness 1.5」のように「set 名前 値」と入力してください。</translation>
+    </message>
+    <message>
+        <source>Presets are not to be had here.</source>
+        <translation>ここではプリセットを使えません。</translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation>list [文字列]    名前にその文字列を含むパラメーター
+get 名前         値、範囲、働き
+set 名前 値      値を設定します
+reset [名前]     その値、または手応えすべてを元に戻します
+watch 名前       画面に表示します
+plot 名前        直近10秒を画面に描きます
+unwatch [名前]   その表示、またはすべてを消します
+save 名前        今の手応えを硬さのプリセットとして保存します
+load 名前        保存済みの硬さのプリセットを使います</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
+        <translation>「%1」というコマンドはありません。「help」で一覧を表示します。</translation>
+    </message>
+    <message>
+        <source>No parameter&apos;s name holds &quot;%1&quot;.</source>
+        <translation>名前に「%1」を含むパラメーターはありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>「%1」は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>All that is felt is as the preset says.</source>
+        <translation>手応えはすべてプリセットのとおりです。</translation>
+    </message>
+    <message>
+        <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
+        <translation>表示できるのは%1個までです。「unwatch 名前」で1つ消してください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::Words</name>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>a live value, to be read, watched or plotted</source>
+        <translation>実測値（読み取り、表示、グラフ化ができます）</translation>
+    </message>
+    <message>
+        <source>0 (off) or 1 (on)</source>
+        <translation>0（オフ）または1（オン）</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <extracomment>%1 and %2 are numbers, %2 with a unit</extracomment>
+        <translation>%1～%2</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot;. Type &quot;list&quot; for those there are.</source>
+        <translation>「%1」というパラメーターはありません。「list」と入力すると一覧が表示されます。</translation>
+    </message>
+    <message>
+        <source>%1 is a live value: it can be watched and plotted, not set.</source>
+        <translation>%1は実測値です。表示とグラフ化はできますが、設定はできません。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2.</source>
+        <translation>%1に設定できるのは%2です。</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>マウスとキー</translation>
+    </message>
+    <message>
+        <source>Live values</source>
+        <translation>実測値</translation>
+    </message>
+    <message>
+        <source>This cannot be changed here and now.</source>
+        <translation>ここでは今、変更できません。</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>押す力</translation>
+    </message>
+    <message>
+        <source>How hard the mouse button presses the bur against the tooth.</source>
+        <translation>マウスボタンがバーを歯に押し当てる強さ。</translation>
+    </message>
+    <message>
+        <source>Force that the hand is given.</source>
+        <translation>手に与えられる力。</translation>
+    </message>
+    <message>
+        <source>Depth of the bur&apos;s tip below the uncut surface.</source>
+        <translation>切削前の表面からバー先端までの深さ。</translation>
+    </message>
+    <message>
+        <source>Volume removed since the tooth was taken, undone or not.</source>
+        <translation>この歯を始めてから除去した体積（元に戻した分も含む）。</translation>
+    </message>
+    <message>
+        <source>Turns of the bur under its load.</source>
+        <translation>負荷がかかったバーの回転数。</translation>
+    </message>
+    <message>
+        <source>Periods of the servo that were missed since the start.</source>
+        <translation>開始以降に逃したサーボの周期数。</translation>
+    </message>
+    <message>
+        <source>Time between two ticks of the servo: half of the last second&apos;s were shorter.</source>
+        <translation>サーボの周期の間隔：直近1秒の半分はこれより短い値です。</translation>
+    </message>
+    <message>
+        <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
+        <translation>サーボの周期の間隔：直近1秒の100回中99回はこれより短い値です。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::SectionView</name>
+    <message>
+        <source>Section through the bur</source>
+        <translation>バーを通る断面</translation>
+    </message>
+    <message>
+        <source>Picture of the section</source>
+        <translation>断面の画像</translation>
+    </message>
+    <message>
+        <source>Cut the tooth in this direction, through the bur</source>
+        <translation>バーを通り、この方向で歯を切った断面を表示します</translation>
+    </message>
+    <message>
+        <source>Angle of the section, degrees</source>
+        <translation>断面の角度（度）</translation>
+    </message>
+    <message>
+        <source>Turn the section about the bur (Shift+X: by 15 degrees)</source>
+        <translation>バーを中心に断面を回します（Shift+X：15度ずつ）</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Depth below the old surface</source>
+        <translation>元の表面からの深さ</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was, straight up.</source>
+        <translation>先端が元の表面から真下にどれだけあるかを示します。</translation>
+    </message>
+    <message>
+        <source>Dentin left over the pulp</source>
+        <translation>歯髄上に残る象牙質</translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. A dash: no pulp there.</source>
+        <translation>先端の真下で、切削面と歯髄の間にある健全象牙質です。ダッシュ：そこに歯髄はありません。</translation>
+    </message>
+    <message>
+        <source>Tip straight down to the pulp</source>
+        <translation>先端から真下の歯髄まで</translation>
+    </message>
+    <message>
+        <source>Straight down from the tip of the bur. A dash: no pulp there.</source>
+        <translation>バーの先端から真下の距離です。ダッシュ：そこに歯髄はありません。</translation>
+    </message>
+    <message>
+        <source>Tip to the nearest pulp</source>
+        <translation>先端から最も近い歯髄まで</translation>
+    </message>
+    <message>
+        <source>The shortest way in any direction, also out of the plane of the picture.</source>
+        <translation>あらゆる方向での最短距離です。画面の平面外も含みます。</translation>
+    </message>
+    <message>
+        <source>Section along y</source>
+        <translation>y方向の断面</translation>
+    </message>
+    <message>
+        <source>Section along x</source>
+        <translation>x方向の断面</translation>
+    </message>
+    <message>
+        <source>Section: %1</source>
+        <translation>断面：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::inside::XrayPage</name>
+    <message>
+        <source>Before</source>
+        <translation>術前</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>現在</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>X線</translation>
+    </message>
+    <message>
+        <source>X-ray: %1</source>
+        <extracomment>%1 is &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>X線：%1</translation>
+    </message>
+    <message>
+        <source>The crown between its two neighbours. They are sound teeth made by Cusp, and touch.</source>
+        <translation>両隣在歯の間の歯冠です。隣在歯はCuspが作った健全歯で、接触しています。</translation>
+    </message>
+    <message>
+        <source>Nothing in a scan says which side is mesial, so it gets no neighbours.</source>
+        <translation>スキャンからは近心側が分からないため、隣在歯は付きません。</translation>
+    </message>
+    <message>
+        <source>One tooth</source>
+        <translation>1歯</translation>
+    </message>
+    <message>
+        <source>The whole tooth with its root</source>
+        <translation>歯根を含む歯全体</translation>
+    </message>
+    <message>
+        <source>Bitewing</source>
+        <translation>咬翼法</translation>
+    </message>
+    <message>
+        <source>Beam from the side</source>
+        <translation>側方からの照射角</translation>
+    </message>
+    <message>
+        <source>Turns the beam about the tooth</source>
+        <translation>歯を中心に照射方向を回します</translation>
+    </message>
+    <message>
+        <source>Beam from above</source>
+        <translation>上方からの照射角</translation>
+    </message>
+    <message>
+        <source>Tilts the beam; 0 is level</source>
+        <translation>照射方向を傾けます。0で水平です</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>露出</translation>
+    </message>
+    <message>
+        <source>More radiation: a darker film with less grain</source>
+        <translation>線量を増やす：フィルムは暗く、粒状は少なくなります</translation>
+    </message>
+    <message>
+        <source>Simulated: a parallel beam, no scatter, no bone and no gums.</source>
+        <translation>シミュレーション：平行線束、散乱なし、骨と歯肉なし。</translation>
+    </message>
+    <message>
+        <source>Save the picture …</source>
+        <translation>画像を保存 …</translation>
+    </message>
+    <message>
+        <source>Save both films side by side as a PNG file</source>
+        <translation>2枚のフィルムを並べてPNGファイルに保存します</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassCharts</name>
+    <message>
+        <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
+        <translation>個人が特定されないよう、%1人がこのレッスンを試みてから表示されます。</translation>
+    </message>
+    <message>
+        <source>Best score</source>
+        <translation>最高点</translation>
+    </message>
+    <message>
+        <source>%1 to %2 points: </source>
+        <translation>%1～%2点：</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>学生%n人</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>合格点</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>学生</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>分布</translation>
+    </message>
+    <message numerus="yes">
+        <source>Best scores of %n student(s)</source>
+        <translation>
+            <numerusform>学生%n人の最高点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Learning curve</source>
+        <translation>学習曲線</translation>
+    </message>
+    <message>
+        <source>Of those who made so many attempts</source>
+        <translation>その回数の試行をした人について</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%2人中%1人合格</translation>
+    </message>
+    <message>
+        <source>, after %1 attempts on the average</source>
+        <translation>、平均%1回の試行で</translation>
+    </message>
+    <message>
+        <source>; first attempts: %1 points</source>
+        <translation>、最初の試行：%1点</translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation>失点、配点に対する%</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>評価項目</translation>
+    </message>
+    <message>
+        <source>%1: the class loses %2 % of its points</source>
+        <translation>%1：クラスは配点の%2 %を失点</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>難しさ</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassModel</name>
+    <message>
+        <source>stuck</source>
+        <extracomment>Of a student</extracomment>
+        <translation>停滞</translation>
+    </message>
+    <message>
+        <source>no login</source>
+        <translation>未ログイン</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a student who has no attempt yet</extracomment>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>%1: no attempt yet</source>
+        <translation>%1：試行なし</translation>
+    </message>
+    <message>
+        <source>%1: last attempt %2</source>
+        <translation>%1：最後の試行 %2</translation>
+    </message>
+    <message>
+        <source>%1: not tried</source>
+        <translation>%1：未実施</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>試行%n回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: best %2, passed, %3, last %4</source>
+        <extracomment>%1: student and lesson; %2: points; %3: &quot;4 attempts&quot;; %4: a date</extracomment>
+        <translation>%1：最高%2点、合格、%3、最後 %4</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed, %3, last %4</source>
+        <translation>%1：最高%2点、不合格、%3、最後 %4</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <extracomment>Column: when the student&apos;s last attempt was</extracomment>
+        <translation>最後</translation>
+    </message>
+    <message>
+        <source>%1, %2: never logged in</source>
+        <translation>%1、%2：未ログイン</translation>
+    </message>
+    <message>
+        <source>%1, %2: last login %3</source>
+        <translation>%1、%2：最後のログイン %3</translation>
+    </message>
+    <message>
+        <source>user name</source>
+        <translation>ユーザー名</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>needs</source>
+        <translation>要対応</translation>
+    </message>
+    <message>
+        <source>last login, UTC</source>
+        <translation>最後のログイン、UTC</translation>
+    </message>
+    <message>
+        <source>last attempt, UTC</source>
+        <translation>最後の試行、UTC</translation>
+    </message>
+    <message>
+        <source>%1: best score</source>
+        <translation>%1：最高点</translation>
+    </message>
+    <message>
+        <source>%1: attempts</source>
+        <translation>%1：試行</translation>
+    </message>
+    <message>
+        <source>%1: passed</source>
+        <translation>%1：合格</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::ClassPage</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: name of a class; %2: how many students</extracomment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: how many; %2: &quot;stuck&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Show who made three attempts in a row at a lesson without passing, and without getting better by five points</source>
+        <translation>同じレッスンで3回続けて合格せず、5点以上の改善もない人を表示します</translation>
+    </message>
+    <message>
+        <source>Show who has never logged in</source>
+        <translation>一度もログインしていない人を表示します</translation>
+    </message>
+    <message>
+        <source>Show who has logged in and has no graded attempt yet</source>
+        <translation>ログインしたが採点された試行がまだない人を表示します</translation>
+    </message>
+    <message>
+        <source>Nobody needs you just now</source>
+        <translation>今、対応が必要な人はいません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n need(s) you:</source>
+        <translation>
+            <numerusform>要対応%n人：</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Here you will see your classes: who needs you, and how everybody does at every lesson. An administrator gives you a class.</source>
+        <translation>ここにあなたのクラスが表示されます：対応が必要な人と、全員の各レッスンの成績です。クラスは管理者が割り当てます。</translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Students are entered by an administrator, one by one or from a list.</source>
+        <translation>このクラスにはまだ誰もいません。学生は管理者が1人ずつ、または名簿から登録します。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>保存しました：%1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Try another folder.</source>
+        <translation>%1に書き込めませんでした（%2）。別のフォルダーをお試しください。</translation>
+    </message>
+    <message>
+        <source>Save the matrix</source>
+        <translation>一覧表を保存</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>クラス</translation>
+    </message>
+    <message>
+        <source>How the class does at</source>
+        <translation>クラスの成績：</translation>
+    </message>
+    <message>
+        <source>Lesson whose charts are shown</source>
+        <translation>グラフを表示するレッスン</translation>
+    </message>
+    <message>
+        <source>Best scores, students by lessons</source>
+        <translation>最高点、学生とレッスン</translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation>レッスンを割り当てる</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告書</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>PDFとして保存 …</translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation>印刷 …</translation>
+    </message>
+    <message>
+        <source>Save the matrix as a table (CSV) …</source>
+        <translation>一覧表を表（CSV）として保存 …</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>各学生の最高点。チェック印：合格。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryCharts</name>
+    <message>
+        <source>Attempt %1, %2</source>
+        <extracomment>%1: a count; %2: date and time</extracomment>
+        <translation>試行%1、%2</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>The newest %1 of %2 attempts</source>
+        <translation>%2回の試行のうち最新の%1回</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>試行%n回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1点、合格</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1点、不合格</translation>
+    </message>
+    <message>
+        <source>(machine: %1)</source>
+        <translation>（機械採点：%1）</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: which attempt; %2: what it came to</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>中央の半数</translation>
+    </message>
+    <message>
+        <source>Class median</source>
+        <translation>クラスの中央値</translation>
+    </message>
+    <message>
+        <source>Attempt %1: median %3, middle half %4 to %5, %2 people</source>
+        <extracomment>Of a class; %1: a count of attempts, %2: of people, %3 to %5: points</extracomment>
+        <translation>試行%1：中央値%3、中央の半数%4～%5、%2人</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得点</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>合格点</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt its score is here, and then how it goes on.</source>
+        <translation>最初の採点が済むと、ここに得点とその推移が表示されます。</translation>
+    </message>
+    <message>
+        <source>Lost, % of what it counts</source>
+        <translation>失点、配点に対する%</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>評価項目</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of its points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation>%1：配点の%2 %を失点</translation>
+    </message>
+    <message>
+        <source>What costs points</source>
+        <translation>失点の内訳</translation>
+    </message>
+    <message numerus="yes">
+        <source>Average of the last %n attempt(s)</source>
+        <translation>
+            <numerusform>直近%n回の試行の平均</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here which criterion costs most.</source>
+        <translation>最初の採点が済むと、最も失点の多い評価項目がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <extracomment>%1: &quot;12:07&quot;</extracomment>
+        <translation>%1分</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how long it took.</source>
+        <translation>最初の採点が済むと、かかった時間がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>mean %1 N, highest %2 N while cutting</source>
+        <translation>切削中の平均%1 N、最大%2 N</translation>
+    </message>
+    <message>
+        <source>Newtons</source>
+        <translation>ニュートン</translation>
+    </message>
+    <message>
+        <source>Force while cutting</source>
+        <translation>切削中の力</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here how hard the bur was pressed.</source>
+        <translation>最初の採点が済むと、バーを押した強さがここに表示されます。</translation>
+    </message>
+    <message>
+        <source>%1 in %2 min</source>
+        <translation>%1点、%2分</translation>
+    </message>
+    <message>
+        <source>Class median, time</source>
+        <translation>クラスの中央値、時間</translation>
+    </message>
+    <message>
+        <source>Class median, points</source>
+        <translation>クラスの中央値、点数</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>速さと正確さ</translation>
+    </message>
+    <message>
+        <source>Good and quick is at the top left</source>
+        <translation>左上ほど速くて正確です</translation>
+    </message>
+    <message>
+        <source>After the first graded attempt you see here time against points.</source>
+        <translation>最初の採点が済むと、時間と点数の関係がここに表示されます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryModel</name>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1</source>
+        <translation>教員による採点です。機械採点：%1</translation>
+    </message>
+    <message>
+        <source>Mean and highest force while cutting</source>
+        <translation>切削中の平均と最大の力</translation>
+    </message>
+    <message>
+        <source>%1, given by an instructor; the machine&apos;s score: %2</source>
+        <translation>%1、教員による採点。機械採点：%2</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <extracomment>Column of a table of attempts</extracomment>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>レッスン</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得点</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <extracomment>Newtons</extracomment>
+        <translation>力、N</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::HistoryPage</name>
+    <message>
+        <source>Criteria</source>
+        <translation>評価項目</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>速さと正確さ</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>すべてのレッスン</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: a lesson; %2: how many attempts</extracomment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>試行%n回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of this attempt no recording was kept.</source>
+        <translation>この試行の記録は保存されていません。</translation>
+    </message>
+    <message>
+        <source>See again how it was done</source>
+        <translation>どのように行ったかをもう一度見ます</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>あなたの試行</translation>
+    </message>
+    <message>
+        <source>Attempts of %1</source>
+        <translation>%1さんの試行</translation>
+    </message>
+    <message>
+        <source>Show the attempts at this lesson</source>
+        <translation>このレッスンの試行を表示します</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>Open grade</source>
+        <translation>成績を開く</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>No attempts yet</source>
+        <translation>試行はまだありません</translation>
+    </message>
+    <message>
+        <source>%1 has no attempts yet</source>
+        <translation>%1さんの試行はまだありません</translation>
+    </message>
+    <message>
+        <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
+        <translation>採点されたすべての試行がここに表示されます：得点、失点の理由、時間と力、試行ごとの推移。レッスンを行い、採点を受けてください。</translation>
+    </message>
+    <message>
+        <source>As soon as an attempt has been graded it is here.</source>
+        <translation>採点が済むとすぐにここに表示されます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::LoginPage</name>
+    <message>
+        <source>Language: %1</source>
+        <translation>言語：%1</translation>
+    </message>
+    <message>
+        <source>Choose the language of all words</source>
+        <translation>表示する言語を選びます</translation>
+    </message>
+    <message>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
+    </message>
+    <message>
+        <source>Log in, so that your attempts are kept.</source>
+        <translation>ログインすると試行が保存されます。</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>ログイン</translation>
+    </message>
+    <message>
+        <source>Choose a password</source>
+        <translation>パスワードの設定</translation>
+    </message>
+    <message>
+        <source>The one-time code is right. From now on you log in with a password of your own: eight characters or more.</source>
+        <translation>ワンタイムコードは正しいものでした。今後はご自身のパスワード（8文字以上）でログインしてください。</translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation>パスワードを設定</translation>
+    </message>
+    <message>
+        <source>Welcome to Cusp</source>
+        <translation>Cuspへようこそ</translation>
+    </message>
+    <message>
+        <source>Nobody has been entered here yet. Create the school: you become its admin, who enters teachers and students. Or practise now; nothing is kept then.</source>
+        <translation>まだ誰も登録されていません。学校を作成すると、あなたが管理者となり、教員と学生を登録できます。すぐに練習することもできますが、何も保存されません。</translation>
+    </message>
+    <message>
+        <source>Create the school</source>
+        <translation>学校を作成</translation>
+    </message>
+    <message>
+        <source>Locked by %1</source>
+        <extracomment>%1: the name a user logs in with</extracomment>
+        <translation>%1さんがロック中</translation>
+    </message>
+    <message>
+        <source>The work on the table is as it was left.</source>
+        <translation>机の上の作業は中断したときのままです。</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>続ける</translation>
+    </message>
+    <message>
+        <source>Somebody else logs in</source>
+        <translation>別の人がログイン</translation>
+    </message>
+    <message>
+        <source>Practise now</source>
+        <translation>すぐに練習</translation>
+    </message>
+    <message>
+        <source>Practise without login</source>
+        <translation>ログインせずに練習</translation>
+    </message>
+    <message>
+        <source>Name to log in with</source>
+        <translation>ログイン名</translation>
+    </message>
+    <message>
+        <source>Given name</source>
+        <translation>名</translation>
+    </message>
+    <message>
+        <source>Family name</source>
+        <translation>姓</translation>
+    </message>
+    <message>
+        <source>Password or one-time code</source>
+        <translation>パスワードまたはワンタイムコード</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>パスワード</translation>
+    </message>
+    <message>
+        <source>The password again</source>
+        <translation>パスワード（確認）</translation>
+    </message>
+    <message>
+        <source>Drill and be graded; nothing is kept</source>
+        <translation>切削して採点を受けられます。何も保存されません</translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type the second one again.</source>
+        <translation>2つのパスワードが一致しません。確認用をもう一度入力してください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::TalkPanel</name>
+    <message>
+        <source>%1 points, passed</source>
+        <translation>%1点、合格</translation>
+    </message>
+    <message>
+        <source>%1 points, not passed</source>
+        <translation>%1点、不合格</translation>
+    </message>
+    <message>
+        <source>Given by %1. The machine&apos;s score: %2 points.</source>
+        <translation>%1による採点。機械採点：%2点。</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score</source>
+        <translation>機械採点</translation>
+    </message>
+    <message>
+        <source>at %1 of the replay</source>
+        <translation>再生の%1</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this moment</source>
+        <translation>コメントをこの時点に付けます</translation>
+    </message>
+    <message>
+        <source>at the marked place</source>
+        <translation>印の場所</translation>
+    </message>
+    <message>
+        <source>Pin the comment to this place</source>
+        <translation>コメントをこの場所に付けます</translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <extracomment>%1: minutes and seconds</extracomment>
+        <translation>▶ %1</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>時点%1を表示</translation>
+    </message>
+    <message>
+        <source>◎ place</source>
+        <translation>◎ 場所</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>場所を表示</translation>
+    </message>
+    <message>
+        <source>gave %1 points: %2</source>
+        <translation>%1点を付けました：%2</translation>
+    </message>
+    <message>
+        <source>let the machine&apos;s score count again: %1</source>
+        <translation>機械採点に戻しました：%1</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>まだ何も書かれていません。コメントは再生の時点や歯の場所に付けられます。</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What your instructor says is here.</source>
+        <translation>まだ何も書かれていません。教員のコメントがここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Write a comment</source>
+        <translation>コメントを書く</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>コメント</translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation>コメントを追加</translation>
+    </message>
+    <message>
+        <source>Give another score</source>
+        <translation>別の得点を付ける</translation>
+    </message>
+    <message>
+        <source>Points given</source>
+        <translation>付ける点数</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <extracomment>Behind a number</extracomment>
+        <translation> 点</translation>
+    </message>
+    <message>
+        <source>Reason, which the student reads</source>
+        <translation>理由（学生が読みます）</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Give this score</source>
+        <translation>この得点を付ける</translation>
+    </message>
+    <message>
+        <source>Back to the machine&apos;s score</source>
+        <translation>機械採点に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::Words</name>
+    <message>
+        <source>Free practice</source>
+        <translation>自由練習</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>今日</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>昨日</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::FeedChart</name>
+    <message>
+        <source>Feed over force</source>
+        <translation>力に対する送り速度</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm/s</source>
+        <extracomment>%1 is a material, %2 a speed</extracomment>
+        <translation>%1 %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Straight down with %1 N</source>
+        <translation>真下へ%1 N</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>力、N</translation>
+    </message>
+    <message>
+        <source>Feed, mm/s</source>
+        <translation>送り速度、mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::PresetTable</name>
+    <message>
+        <source>Material</source>
+        <translation>材質</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>切削率</translation>
+    </message>
+    <message>
+        <source>Cuts from</source>
+        <extracomment>The force from which on a material is cut</extracomment>
+        <translation>切削開始</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>%1から。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::PresetsPage</name>
+    <message>
+        <source>Hardness presets</source>
+        <translation>硬さのプリセット</translation>
+    </message>
+    <message>
+        <source>Hardness presets and their versions</source>
+        <translation>硬さのプリセットとその版</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>読み込み …</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>プリセットを読み込む</translation>
+    </message>
+    <message>
+        <source>Read a preset from a file and keep it here</source>
+        <translation>ファイルからプリセットを読み込み、ここに保存します</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>書き出し …</translation>
+    </message>
+    <message>
+        <source>Export this version</source>
+        <translation>この版を書き出す</translation>
+    </message>
+    <message>
+        <source>Write the chosen version to a file, for another school</source>
+        <translation>選んだ版を、ほかの学校のためにファイルへ書き出します</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>プリセットの名前</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Notes: what it is for</source>
+        <translation>メモ：用途</translation>
+    </message>
+    <message>
+        <source>Simple</source>
+        <translation>簡易</translation>
+    </message>
+    <message>
+        <source>A few sliders</source>
+        <translation>少数のスライダー</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>すべての数値</translation>
+    </message>
+    <message>
+        <source>Every number with its range</source>
+        <translation>すべての数値と範囲</translation>
+    </message>
+    <message>
+        <source>Feed of</source>
+        <translation>送り速度：</translation>
+    </message>
+    <message>
+        <source>Bur whose feed is drawn</source>
+        <translation>送り速度を描くバー</translation>
+    </message>
+    <message>
+        <source>Try on a block</source>
+        <translation>ブロックで試す</translation>
+    </message>
+    <message>
+        <source>Drill a block of enamel, dentin and soft caries with it</source>
+        <translation>エナメル質、象牙質、軟らかいう蝕のブロックを切削してみます</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>Duplicate under another name</source>
+        <translation>別の名前で複製</translation>
+    </message>
+    <message>
+        <source>Begin a preset of another name with these numbers</source>
+        <translation>この数値で別の名前のプリセットを始めます</translation>
+    </message>
+    <message>
+        <source>Use for practice</source>
+        <translation>練習に使う</translation>
+    </message>
+    <message>
+        <source>Use this version for practice</source>
+        <translation>この版を練習に使う</translation>
+    </message>
+    <message>
+        <source>Every tooth feels like this, unless its lesson says otherwise</source>
+        <translation>レッスンに指定がない限り、すべての歯がこの手応えになります</translation>
+    </message>
+    <message>
+        <source>Compare blind with</source>
+        <translation>ブラインド比較の相手</translation>
+    </message>
+    <message>
+        <source>Preset to compare with</source>
+        <translation>比較するプリセット</translation>
+    </message>
+    <message>
+        <source>Number of trials</source>
+        <translation>試行の回数</translation>
+    </message>
+    <message>
+        <source>Trials:</source>
+        <extracomment>Before a number</extracomment>
+        <translation>試行：</translation>
+    </message>
+    <message>
+        <source>Compare A and B</source>
+        <translation>AとBを比較</translation>
+    </message>
+    <message>
+        <source>Drill with both, behind letters, and say which feels more like a tooth</source>
+        <translation>記号で伏せた両方で切削し、どちらが歯に近いかを答えます</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>第%1版</translation>
+    </message>
+    <message>
+        <source>shipped</source>
+        <translation>付属</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>changed from %1</source>
+        <translation>%1から変更</translation>
+    </message>
+    <message>
+        <source>Restore as the newest version</source>
+        <translation>最新版として復元</translation>
+    </message>
+    <message>
+        <source>Save as a new version</source>
+        <translation>新しい版として保存</translation>
+    </message>
+    <message>
+        <source>A version is never changed: this becomes another</source>
+        <translation>版は変更されません。これは別の版になります</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>%1 is the name of a preset that is duplicated</extracomment>
+        <translation>%1のコピー</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::SimplePanel</name>
+    <message>
+        <source>Enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>softer</source>
+        <translation>軟らかく</translation>
+    </message>
+    <message>
+        <source>harder</source>
+        <translation>硬く</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>Caries</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>Plastic tooth</source>
+        <translation>プラスチック歯</translation>
+    </message>
+    <message>
+        <source>Touch that cuts</source>
+        <extracomment>How hard one must press before anything comes away</extracomment>
+        <translation>切れ始める力</translation>
+    </message>
+    <message>
+        <source>lighter</source>
+        <translation>軽く</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>重く</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <extracomment>What an uncut tooth feels like under the bur</extracomment>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>stiffer</source>
+        <translation>硬く</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <extracomment>A slider: what it is about, and the words at its ends</extracomment>
+        <translation>%1、%2～%3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::TrialCard</name>
+    <message>
+        <source>Feel A</source>
+        <translation>Aの手応え</translation>
+    </message>
+    <message>
+        <source>Feel B</source>
+        <translation>Bの手応え</translation>
+    </message>
+    <message>
+        <source>Drill with the preset behind A from now on</source>
+        <translation>ここからAのプリセットで切削します</translation>
+    </message>
+    <message>
+        <source>Drill with the preset behind B from now on</source>
+        <translation>ここからBのプリセットで切削します</translation>
+    </message>
+    <message>
+        <source>A does</source>
+        <extracomment>Which of two presets feels more like a tooth</extracomment>
+        <translation>Aのほう</translation>
+    </message>
+    <message>
+        <source>B does</source>
+        <translation>Bのほう</translation>
+    </message>
+    <message>
+        <source>No difference</source>
+        <translation>違いなし</translation>
+    </message>
+    <message>
+        <source>All as it was</source>
+        <translation>すべて元どおり</translation>
+    </message>
+    <message>
+        <source>Set all sliders back to the preset</source>
+        <translation>すべてのスライダーをプリセットに戻します</translation>
+    </message>
+    <message>
+        <source>Save as CSV …</source>
+        <translation>CSVとして保存 …</translation>
+    </message>
+    <message>
+        <source>Save the comparison as CSV</source>
+        <translation>比較をCSVとして保存</translation>
+    </message>
+    <message>
+        <source>Back to the presets</source>
+        <translation>プリセットへ戻る</translation>
+    </message>
+    <message>
+        <source>Drill: each slider is felt at once.</source>
+        <translation>切削してください。スライダーはすぐに手応えに表れます。</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <extracomment>%1 of %2 trials</extracomment>
+        <translation>試行%1／%2</translation>
+    </message>
+    <message>
+        <source>Drill with A and with B, as often as you like. Which feels more like a tooth?</source>
+        <translation>AとBで好きなだけ切削してください。どちらが歯に近いですか？</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>比較結果</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: chosen %n time(s).</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>
+            <numerusform>%1：%n回選択。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No difference: %n time(s).</source>
+        <translation>
+            <numerusform>違いなし：%n回。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
+        <translation>当てずっぽうでも、これ以上偏る確率は%1です。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::presets::Words</name>
+    <message>
+        <source>Soft caries</source>
+        <translation>軟らかいう蝕</translation>
+    </message>
+    <message>
+        <source>Firm caries</source>
+        <translation>硬いう蝕</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>歯髄</translation>
+    </message>
+    <message>
+        <source>Plastic tooth</source>
+        <extracomment>What the teeth of a typodont are made of</extracomment>
+        <translation>プラスチック歯</translation>
+    </message>
+    <message>
+        <source>%1: rate</source>
+        <extracomment>%1 is a material of a tooth</extracomment>
+        <translation>%1：切削率</translation>
+    </message>
+    <message>
+        <source>%1: from</source>
+        <translation>%1：切削開始</translation>
+    </message>
+    <message>
+        <source>Share along the bur</source>
+        <translation>バー軸方向の割合</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>剛性</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>減衰</translation>
+    </message>
+    <message>
+        <source>Damping of fast motion</source>
+        <translation>速い動きの減衰</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>力の上限</translation>
+    </message>
+    <message>
+        <source>Volume that a newton beyond the threshold takes away in a second, pushing sideways.</source>
+        <translation>横に押したとき、しきい値を超える1 Nが1秒間に除去する体積。</translation>
+    </message>
+    <message>
+        <source>A lighter touch leaves no mark.</source>
+        <translation>これより軽く触れても跡は残りません。</translation>
+    </message>
+    <message>
+        <source>What is left of the rate when the bur is pushed along its axis.</source>
+        <translation>バーを軸方向に押したときに残る切削率。</translation>
+    </message>
+    <message>
+        <source>Of the spring between hand and bur: how hard a wall feels.</source>
+        <translation>手とバーの間のばねの剛性：壁の硬さの感じ方。</translation>
+    </message>
+    <message>
+        <source>What calms the hand at rest. Too much is felt as a buzz.</source>
+        <translation>静止した手を落ち着かせます。強すぎると振動に感じます。</translation>
+    </message>
+    <message>
+        <source>What calms a fast hand besides, as when the bur is thrown at the tooth.</source>
+        <translation>加えて、バーを歯に投げ当てるような速い動きを抑えます。</translation>
+    </message>
+    <message>
+        <source>Of the bur that slides on the tooth.</source>
+        <translation>歯の上を滑るバーの摩擦。</translation>
+    </message>
+    <message>
+        <source>The largest force that is ever given to the hand.</source>
+        <translation>手に与えられる最大の力。</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>A range: %1 to %2, %3 is a unit</extracomment>
+        <translation>%1～%2 %3</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <extracomment>%1 is the name of a hardness preset, %2 its version</extracomment>
+        <translation>%1、第%2版</translation>
+    </message>
+    <message>
+        <source>%1, changed by hand</source>
+        <extracomment>After the name of a hardness preset whose numbers were changed during the attempt</extracomment>
+        <translation>%1、手動で変更</translation>
+    </message>
+    <message>
+        <source>The force limit is %1 N, and the device gives at most %2 N: lower it.</source>
+        <translation>力の上限は%1 Nですが、デバイスの最大は%2 Nです。下げてください。</translation>
+    </message>
+    <message>
+        <source>Holds: a light hand at %1 ms of delay is steady up to %2 N/mm, and this is %3.</source>
+        <translation>安定：遅れ%1 msの軽い手では%2 N/mmまで安定し、これは%3です。</translation>
+    </message>
+    <message>
+        <source>Would tremble: a light hand at %1 ms of delay is steady up to %2 N/mm, and this is %3.</source>
+        <translation>不安定：遅れ%1 msの軽い手では%2 N/mmまで安定しますが、これは%3です。</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness, or damp more.</source>
+        <translation>剛性を下げるか、減衰を増やしてください。</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness.</source>
+        <translation>剛性を下げてください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::HistoryPanel</name>
+    <message>
+        <source>Undo history</source>
+        <translation>操作履歴</translation>
+    </message>
+    <message>
+        <source>Go to a moment: click it, or press Enter</source>
+        <translation>時点に移動：クリックするか、Enterを押します</translation>
+    </message>
+    <message>
+        <source>Each stroke you make appears here as a small picture. Click one to go back to it; what came after stays, as a branch of its own.</source>
+        <translation>切削するたびに、ここに小さな画像が現れます。クリックするとその時点に戻ります。その後の作業は別の枝として残ります。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::ReplayBar</name>
+    <message>
+        <source>You are watching a recording</source>
+        <translation>記録を再生しています</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>記録を停止</translation>
+    </message>
+    <message>
+        <source>Stop watching and go back to your own work (Esc)</source>
+        <translation>再生をやめてご自身の作業に戻ります（Esc）</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Progress of a recording: minutes and seconds played, and of the whole</extracomment>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of a replay: so many times as fast as it was made</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the replay: %1</source>
+        <translation>再生速度：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::replay::TimeLine</name>
+    <message>
+        <source>Time line</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Left and right go from stroke to stroke, Home and End to the beginning and the end.</source>
+        <translation>左右キーでストロークごとに、HomeとEndで最初と最後に移動します。</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>On a time line: a time, and what happened then</extracomment>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2 s, %3</source>
+        <translation>ストローク%1、%2 s、%3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>停滞（3回続けて合格せず、5点以上の改善なし）</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>未ログイン</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>ログイン済み、採点された試行なし</translation>
+    </message>
+    <message>
+        <source>Class %1</source>
+        <translation>クラス%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>学生%n人</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Best scores; ✓: passed</source>
+        <translation>最高点。✓：合格</translation>
+    </message>
+    <message>
+        <source>The class at: %1</source>
+        <translation>クラスの成績：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::ScoreCard</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>成績表：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a person; %2: date and time</extracomment>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: passed (pass mark %2)</source>
+        <translation>100点中%1点：合格（合格点%2）</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points: not passed (pass mark %2)</source>
+        <translation>100点中%1点：不合格（合格点%2）</translation>
+    </message>
+    <message>
+        <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
+        <translation>教員による採点。機械採点：%1点。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <extracomment>%1: a person; %2: date and time; %3: why</extracomment>
+        <translation>%1、%2：%3</translation>
+    </message>
+    <message>
+        <source>Expected before the score was seen: %1 points</source>
+        <translation>得点を見る前の予想：%1点</translation>
+    </message>
+    <message>
+        <source>Time %1 min; force while cutting %2 N on the average, %3 N at most</source>
+        <extracomment>&quot;12:07&quot;</extracomment>
+        <translation>時間%1分。切削中の力 平均%2 N、最大%3 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>ほか%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>保存なし</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>保存あり</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Lost of a weight, both points: &quot;−4.4 of 30.0&quot;</extracomment>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>失点の内訳</translation>
+    </message>
+    <message>
+        <source>On the tooth, and in a section through the place that is farthest off</source>
+        <translation>歯の上、および最も離れた箇所の断面</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>コメント</translation>
+    </message>
+    <message>
+        <source>, at %1 of the replay</source>
+        <translation>、再生の%1</translation>
+    </message>
+    <message>
+        <source>How it was marked and made</source>
+        <translation>採点と作業の条件</translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation>採点基準：%1、第%2版、内容%3</translation>
+    </message>
+    <message>
+        <source>Hardness: %1, content %2</source>
+        <translation>硬さ：%1、内容%2</translation>
+    </message>
+    <message>
+        <source>Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5</source>
+        <translation>デバイス：%1、接触：%2、格子：一辺%3列、表示：%4、シード：%5</translation>
+    </message>
+    <message>
+        <source>Made with Cusp %1; recording %2; attempt %3</source>
+        <translation>Cusp %1で作成、記録%2、試行%3</translation>
+    </message>
+    <message>
+        <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
+        <translation>測定なし：アンダーカットと90°を超える壁（モデルは高さのデータのため）。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::report::Sheet</name>
+    <message>
+        <source>Cusp %1, printed %2</source>
+        <translation>Cusp %1、印刷%2</translation>
+    </message>
+    <message>
+        <source>%1, page %2</source>
+        <translation>%1、%2ページ</translation>
+    </message>
+    <message>
+        <source>Audit code: %1</source>
+        <translation>監査コード：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::settings::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Search the settings</source>
+        <translation>設定を検索</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>検索を消去</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>%1から。</translation>
+    </message>
+    <message>
+        <source>Set it back</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Set back: %1</source>
+        <extracomment>%1 is the name of a setting</extracomment>
+        <translation>元に戻す：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::Actions</name>
+    <message>
+        <source>Drill</source>
+        <translation>切削</translation>
+    </message>
+    <message>
+        <source>Drill on or off</source>
+        <translation>切削のオン・オフ</translation>
+    </message>
+    <message>
+        <source>Let the bur turn, or stop it</source>
+        <translation>バーを回す、または止めます</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Take back the last stroke</source>
+        <translation>直前のストロークを取り消します</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Make the stroke again that was taken back</source>
+        <translation>取り消したストロークをもう一度行います</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Show what can be gone back to, branches and all, or put it away</source>
+        <translation>戻れる時点を枝も含めて表示、または隠します</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>最初からやり直す</translation>
+    </message>
+    <message>
+        <source>Make the tooth whole again; undo brings your work back</source>
+        <translation>歯を元の状態に戻します。「元に戻す」で作業を復元できます</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>採点</translation>
+    </message>
+    <message>
+        <source>Measure what you have cut and explain the grade</source>
+        <translation>切削を測定し、成績を説明します</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>ハンドピース</translation>
+    </message>
+    <message>
+        <source>Take this bur</source>
+        <translation>このバーを使います</translation>
+    </message>
+    <message>
+        <source>Take this handpiece</source>
+        <translation>このハンドピースを使います</translation>
+    </message>
+    <message>
+        <source>Other hand</source>
+        <translation>反対の手</translation>
+    </message>
+    <message>
+        <source>Hold the handpiece from the other side; the view stays</source>
+        <translation>ハンドピースを反対側から持ちます。視点は変わりません</translation>
+    </message>
+    <message>
+        <source>Lead the handpiece home</source>
+        <translation>ハンドピースを定位置へ</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand back over the tooth</source>
+        <translation>ハンドピースが手を歯の上へ導きます</translation>
+    </message>
+    <message>
+        <source>Tooth and files</source>
+        <translation>歯とファイル</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>レッスン</translation>
+    </message>
+    <message>
+        <source>Choose what to practise</source>
+        <translation>練習する内容を選びます</translation>
+    </message>
+    <message>
+        <source>Edit the lesson …</source>
+        <translation>レッスンを編集 …</translation>
+    </message>
+    <message>
+        <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
+        <translation>一覧で選んだレッスンの理想形と採点を変更します</translation>
+    </message>
+    <message>
+        <source>Hardness presets</source>
+        <translation>硬さのプリセット</translation>
+    </message>
+    <message>
+        <source>Choose, try and change how drilling feels</source>
+        <translation>切削の手応えを選び、試し、変更します</translation>
+    </message>
+    <message>
+        <source>Choose a tooth</source>
+        <translation>歯を選ぶ</translation>
+    </message>
+    <message>
+        <source>Show the arches and choose one of 16 teeth</source>
+        <translation>歯列を表示し、16歯から1つを選びます</translation>
+    </message>
+    <message>
+        <source>Whole mouth</source>
+        <translation>口腔全体</translation>
+    </message>
+    <message>
+        <source>Choose a tooth in the whole mouth, or go back to the flat arches</source>
+        <translation>口腔全体から歯を選ぶ、または平面の歯列に戻ります</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>スキャンを開く</translation>
+    </message>
+    <message>
+        <source>Open the scan of a tooth: OBJ, STL or PLY</source>
+        <translation>歯のスキャンを開きます：OBJ、STL、PLY</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>記録を保存</translation>
+    </message>
+    <message>
+        <source>Save every movement of this attempt to a file</source>
+        <translation>この試行のすべての動きをファイルに保存します</translation>
+    </message>
+    <message>
+        <source>Save this attempt as the reference …</source>
+        <translation>この試行を基準として保存 …</translation>
+    </message>
+    <message>
+        <source>Keep what you have cut as the ideal that lessons ask for</source>
+        <translation>切削した形を、レッスンが求める理想形として保存します</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Watch a saved attempt again</source>
+        <translation>保存した試行をもう一度見ます</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt</source>
+        <translation>エキスパートの試行</translation>
+    </message>
+    <message>
+        <source>Watch how an expert does it; in a replay, beside this attempt</source>
+        <translation>エキスパートの手順を見ます。再生中はこの試行の隣に表示します</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Resume the replay</source>
+        <translation>再生を再開</translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation>再生を一時停止</translation>
+    </message>
+    <message>
+        <source>Hold the recording where it is, or let it go on</source>
+        <translation>記録をその場で止める、または続けます</translation>
+    </message>
+    <message>
+        <source>A stroke back</source>
+        <translation>前のストローク</translation>
+    </message>
+    <message>
+        <source>Go back to the end of the stroke before, and hold there</source>
+        <translation>前のストロークの終わりに戻って止まります</translation>
+    </message>
+    <message>
+        <source>A stroke on</source>
+        <translation>次のストローク</translation>
+    </message>
+    <message>
+        <source>Go on to the end of the next stroke, and hold there</source>
+        <translation>次のストロークの終わりまで進んで止まります</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>最初へ</translation>
+    </message>
+    <message>
+        <source>Go to the beginning of the recording</source>
+        <translation>記録の最初に移動します</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>最後へ</translation>
+    </message>
+    <message>
+        <source>Go to the end of the recording</source>
+        <translation>記録の最後に移動します</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>遅く</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to a tenth</source>
+        <translation>記録をゆっくり再生します（10分の1まで）</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>速く</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to 16 times</source>
+        <translation>記録を速く再生します（16倍まで）</translation>
+    </message>
+    <message>
+        <source>Another beside</source>
+        <translation>もう1つ並べる</translation>
+    </message>
+    <message>
+        <source>Open another attempt beside this one, or put it away</source>
+        <translation>別の試行をこの試行の隣に開く、または閉じます</translation>
+    </message>
+    <message>
+        <source>Be led along</source>
+        <translation>手を導く</translation>
+    </message>
+    <message>
+        <source>Let the handpiece lead your hand along the attempt; a push lets go</source>
+        <translation>ハンドピースが手を試行に沿って導きます。押すと離れます</translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation>内部を見る</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>Show a live cut through the bur, or put it away</source>
+        <translation>バーを通る断面を表示、または隠します</translation>
+    </message>
+    <message>
+        <source>Turn the section</source>
+        <translation>断面を回す</translation>
+    </message>
+    <message>
+        <source>Turn the cut about the bur by 15 degrees</source>
+        <translation>バーを中心に断面を15度回します</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>X線</translation>
+    </message>
+    <message>
+        <source>Show X-ray pictures of the tooth, before and now</source>
+        <translation>歯のX線画像（術前と現在）を表示します</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>View from the start</source>
+        <translation>最初の視点</translation>
+    </message>
+    <message>
+        <source>Turn the tooth back to where it began</source>
+        <translation>歯を最初の向きに戻します</translation>
+    </message>
+    <message>
+        <source>Turn round</source>
+        <translation>反対側から見る</translation>
+    </message>
+    <message>
+        <source>Look from the other side: half a circle</source>
+        <translation>反対側から見ます：半回転</translation>
+    </message>
+    <message>
+        <source>Dental mirror</source>
+        <extracomment>The small round mirror on a handle</extracomment>
+        <translation>デンタルミラー</translation>
+    </message>
+    <message>
+        <source>Take the mirror or put it away; drag its glass, with Shift to tilt it</source>
+        <translation>ミラーを取る、または置きます。鏡面をドラッグ、Shiftで傾けます</translation>
+    </message>
+    <message>
+        <source>Light on the handpiece</source>
+        <translation>ハンドピースのライト</translation>
+    </message>
+    <message>
+        <source>Let the handpiece light the cavity</source>
+        <translation>ハンドピースで窩洞を照らします</translation>
+    </message>
+    <message>
+        <source>Colours of depth</source>
+        <translation>深さの色分け</translation>
+    </message>
+    <message>
+        <source>Colour the cut by its depth and tell it under the pointer</source>
+        <translation>切削面を深さで色分けし、ポインターの位置の値を示します</translation>
+    </message>
+    <message>
+        <source>Colours against the ideal</source>
+        <translation>理想形との色分け</translation>
+    </message>
+    <message>
+        <source>Colour what is too deep and what is still to go, and tell it under the pointer</source>
+        <translation>深すぎる所と残りを色分けし、ポインターの位置の値を示します</translation>
+    </message>
+    <message>
+        <source>Colour the bur</source>
+        <extracomment>The bur tells by its colour how near it is to what is to be kept</extracomment>
+        <translation>バーの色分け</translation>
+    </message>
+    <message>
+        <source>Colour the bur by how near it is to what is to be kept</source>
+        <translation>残すべき部分への近さをバーの色で示します</translation>
+    </message>
+    <message>
+        <source>Guided hand</source>
+        <translation>手の誘導</translation>
+    </message>
+    <message>
+        <source>Let a gentle force hold the hand within the outline</source>
+        <translation>弱い力で手を外形線の内側に保ちます</translation>
+    </message>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation>隣在歯</translation>
+    </message>
+    <message>
+        <source>Show the teeth beside this one, and the gum</source>
+        <translation>両隣の歯と歯肉を表示します</translation>
+    </message>
+    <message>
+        <source>Where the hand is</source>
+        <translation>手の位置</translation>
+    </message>
+    <message>
+        <source>Show faintly where the hand holds the bur</source>
+        <translation>手がバーを持つ位置を薄く表示します</translation>
+    </message>
+    <message>
+        <source>Colours for every eye</source>
+        <translation>誰にも見分けやすい色</translation>
+    </message>
+    <message>
+        <source>Give each tissue a colour and a pattern that nobody confuses</source>
+        <translation>各組織に、見間違えない色と模様を付けます</translation>
+    </message>
+    <message>
+        <source>Wet tooth</source>
+        <extracomment>The tooth as if it were wet</extracomment>
+        <translation>濡れた歯</translation>
+    </message>
+    <message>
+        <source>Let the tooth shine as if it were wet</source>
+        <translation>濡れたように歯を光らせます</translation>
+    </message>
+    <message>
+        <source>Stereo picture</source>
+        <translation>立体表示</translation>
+    </message>
+    <message>
+        <source>One picture for each eye</source>
+        <translation>左右の目に別々の画像を表示します</translation>
+    </message>
+    <message>
+        <source>Set up the stereo picture …</source>
+        <translation>立体表示の設定 …</translation>
+    </message>
+    <message>
+        <source>Choose glasses or screen and fit it to your eyes</source>
+        <translation>めがねや画面を選び、目に合わせます</translation>
+    </message>
+    <message>
+        <source>Turn left and right over</source>
+        <translation>左右反転</translation>
+    </message>
+    <message>
+        <source>For a half-silvered mirror over the hand</source>
+        <translation>手の上に置いたハーフミラー用</translation>
+    </message>
+    <message>
+        <source>Turn up and down over</source>
+        <translation>上下反転</translation>
+    </message>
+    <message>
+        <source>For a screen that lies upside down over the hand</source>
+        <translation>手の上に伏せて置いた画面用</translation>
+    </message>
+    <message>
+        <source>Save a picture …</source>
+        <translation>画像を保存 …</translation>
+    </message>
+    <message>
+        <source>Save what the view shows as a PNG</source>
+        <translation>表示をPNGとして保存します</translation>
+    </message>
+    <message>
+        <source>Less motion</source>
+        <translation>動きを減らす</translation>
+    </message>
+    <message>
+        <source>No gliding, no spinning bur</source>
+        <translation>滑らかな移動とバーの回転を表示しません</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>ウィンドウ</translation>
+    </message>
+    <message>
+        <source>Side panel</source>
+        <translation>サイドパネル</translation>
+    </message>
+    <message>
+        <source>Show the figures, or put them away</source>
+        <translation>数値を表示、または隠します</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>コンソール</translation>
+    </message>
+    <message>
+        <source>Look at parameters and turn them while you drill, or put it away</source>
+        <translation>切削しながらパラメーターを見て変更します。もう一度で隠します</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Every setting with its range</source>
+        <translation>すべての設定と範囲</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>ログイン</translation>
+    </message>
+    <message>
+        <source>Log in, or lock this place and let somebody else log in</source>
+        <translation>ログインします。またはこの席をロックして別の人に替わります</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全画面</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation>画面全体に表示します</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>キーとマウス</translation>
+    </message>
+    <message>
+        <source>Show what every key does</source>
+        <translation>すべてのキーの働きを表示します</translation>
+    </message>
+    <message>
+        <source>Back to the tooth</source>
+        <translation>歯に戻る</translation>
+    </message>
+    <message>
+        <source>Close what lies over the tooth; nothing is lost</source>
+        <translation>歯の上に重なるものを閉じます。何も失われません</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Close Cusp</source>
+        <translation>Cuspを閉じます</translation>
+    </message>
+    <message>
+        <source>This lesson does not allow it.</source>
+        <translation>このレッスンでは使えません。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>Tooltip: what it does, then its key</extracomment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>自分の試行</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>自分の試行の経過を見ます</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>クラス</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>クラスの成績と、助けが必要な人を見ます</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchTooth</name>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 is the FDI number, %2 the tooth&apos;s name</extracomment>
+        <translation>%1、%2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ArchView</name>
+    <message>
+        <source>Arches</source>
+        <translation>歯列</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BurChooser</name>
+    <message>
+        <source>Burs</source>
+        <translation>バー</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::BusyCard</name>
+    <message>
+        <source>Working</source>
+        <translation>処理中</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>進み具合</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::DrillSwitch</name>
+    <message>
+        <source>Drill is on</source>
+        <translation>切削はオンです</translation>
+    </message>
+    <message>
+        <source>Drill is off</source>
+        <translation>切削はオフです</translation>
+    </message>
+    <message>
+        <source>Drill on</source>
+        <translation>切削オン</translation>
+    </message>
+    <message>
+        <source>Drill off</source>
+        <translation>切削オフ</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ForceBar</name>
+    <message>
+        <source>Force against the force that is set</source>
+        <translation>設定された力に対する現在の力</translation>
+    </message>
+    <message>
+        <source>The mark is the force that is set. A wall that presses sideways adds to it.</source>
+        <translation>印は設定された力です。横から押す壁の力が加わります。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HandpieceChooser</name>
+    <message>
+        <source>Handpieces</source>
+        <translation>ハンドピース</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HelpOverlay</name>
+    <message>
+        <source>Move the bur</source>
+        <translation>バーを動かす</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>矢印キー</translation>
+    </message>
+    <message>
+        <source>Move it finely</source>
+        <translation>細かく動かす</translation>
+    </message>
+    <message>
+        <source>Shift + arrows</source>
+        <translation>Shift + 矢印</translation>
+    </message>
+    <message>
+        <source>Push it against the tooth</source>
+        <translation>歯に押し当てる</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>左ボタン</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Lift it</source>
+        <translation>引き上げる</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>Push harder, softer</source>
+        <translation>強く・弱く押す</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Ctrl + ホイール</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>視点を回す</translation>
+    </message>
+    <message>
+        <source>right or middle drag</source>
+        <translation>右または中ドラッグ</translation>
+    </message>
+    <message>
+        <source>Ctrl + arrows</source>
+        <translation>Ctrl + 矢印</translation>
+    </message>
+    <message>
+        <source>Turn the handpiece</source>
+        <translation>ハンドピースを回す</translation>
+    </message>
+    <message>
+        <source>the same with Shift</source>
+        <translation>同じ操作 + Shift</translation>
+    </message>
+    <message>
+        <source>Turn it back</source>
+        <translation>視点を戻す</translation>
+    </message>
+    <message>
+        <source>right double-click</source>
+        <translation>右ダブルクリック</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Move the mirror</source>
+        <translation>ミラーを動かす</translation>
+    </message>
+    <message>
+        <source>drag its glass</source>
+        <translation>鏡面をドラッグ</translation>
+    </message>
+    <message>
+        <source>Alt + arrows</source>
+        <translation>Alt + 矢印</translation>
+    </message>
+    <message>
+        <source>Tilt the mirror</source>
+        <translation>ミラーを傾ける</translation>
+    </message>
+    <message>
+        <source>Bring it nearer</source>
+        <translation>近づける</translation>
+    </message>
+    <message>
+        <source>wheel over it</source>
+        <translation>上でホイール</translation>
+    </message>
+    <message>
+        <source>Alt + Page Up</source>
+        <translation>Alt + Page Up</translation>
+    </message>
+    <message>
+        <source>Come nearer, go back</source>
+        <translation>近づく・離れる</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>閉じる（Esc）</translation>
+    </message>
+    <message>
+        <source>The teal arc beside the bur shows how hard it presses; it is full at the force that is set.</source>
+        <translation>バーの横の青緑の弧は押す強さを示します。設定された力で満ちます。</translation>
+    </message>
+    <message>
+        <source>Over the tooth</source>
+        <translation>歯の上で</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::HistoryChart</name>
+    <message>
+        <source>%1 by another rubric</source>
+        <translation>%1（別の採点基準）</translation>
+    </message>
+    <message>
+        <source>Last grades, oldest first: %1</source>
+        <translation>最近の成績（古い順）：%1</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>合格点%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::LanguageMenu</name>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MainWindow</name>
+    <message>
+        <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
+        <translation>このレッスンの時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>
+    </message>
+    <message>
+        <source>Save the X-ray pictures</source>
+        <translation>X線画像を保存</translation>
+    </message>
+    <message>
+        <source>Cusp</source>
+        <translation>Cusp</translation>
+    </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
+        <translation>この試験は終わりましたが、まだ採点されていません。Gで採点すると、新しい試行を始められます。</translation>
+    </message>
+    <message>
+        <source>Another attempt at the exam begins.</source>
+        <translation>試験の新しい試行を始めます。</translation>
+    </message>
+    <message>
+        <source>The exercise begins anew.</source>
+        <translation>練習を最初から始めます。</translation>
+    </message>
+    <message>
+        <source>The tooth is whole again.</source>
+        <translation>歯を元の状態に戻しました。</translation>
+    </message>
+    <message>
+        <source>Bring my work back</source>
+        <translation>作業を復元</translation>
+    </message>
+    <message>
+        <source>This is a replay. Stop it to be graded on your own work.</source>
+        <translation>再生中です。ご自身の作業の採点を受けるには停止してください。</translation>
+    </message>
+    <message>
+        <source>Import a hardness preset</source>
+        <translation>硬さのプリセットを読み込む</translation>
+    </message>
+    <message>
+        <source>Export the hardness preset</source>
+        <translation>硬さのプリセットを書き出す</translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation>比較を保存</translation>
+    </message>
+    <message>
+        <source>The comparison was saved as %1.</source>
+        <translation>比較を%1として保存しました。</translation>
+    </message>
+    <message>
+        <source>The comparison could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>比較を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>The hardness preset was kept: %1.</source>
+        <translation>硬さのプリセットを保存しました：%1。</translation>
+    </message>
+    <message>
+        <source>It feels like %1 now.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>手応えは%1になりました。</translation>
+    </message>
+    <message>
+        <source>In an exam, what is felt stays as it is.</source>
+        <translation>試験中は手応えを変更できません。</translation>
+    </message>
+    <message>
+        <source>This is a replay: it feels as it was recorded.</source>
+        <translation>再生中です：手応えは記録のとおりです。</translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: that comes to its end first.</source>
+        <translation>2つのプリセットをブラインド比較中です。先に比較を終えてください。</translation>
+    </message>
+    <message>
+        <source>This lesson brings its own hardness. Only the forces can be changed.</source>
+        <translation>このレッスンには固有の硬さがあります。変更できるのは力だけです。</translation>
+    </message>
+    <message>
+        <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
+        <translation>試験中です。エディターにはレッスンの理想形が表示されます。先に試験を終えてください：Gで採点、または別のレッスンを選びます。</translation>
+    </message>
+    <message>
+        <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
+        <translation>このファイルはレッスンとして使えないため、編集できません。先に示された箇所を直してください。</translation>
+    </message>
+    <message>
+        <source>You held against it, so your hand is free. Press A to be led again.</source>
+        <translation>逆らって押したので、手は自由になりました。もう一度導くにはAを押してください。</translation>
+    </message>
+    <message>
+        <source>The handpiece is not there any more, so your hand is free.</source>
+        <translation>ハンドピースがなくなったため、手は自由です。</translation>
+    </message>
+    <message>
+        <source>Only a tooth with decay has an ideal preparation.</source>
+        <translation>理想形があるのは、う蝕のある歯だけです。</translation>
+    </message>
+    <message>
+        <source>The picture was saved as %1.</source>
+        <translation>画像を%1として保存しました。</translation>
+    </message>
+    <message>
+        <source>The picture could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>画像を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, or press V.</source>
+        <translation>下からは切削できません：バーは歯の反対側で動いています。向きを戻すか、Vを押してください。</translation>
+    </message>
+    <message>
+        <source>Undo takes the stroke back.</source>
+        <translation>「元に戻す」でこのストロークを取り消せます。</translation>
+    </message>
+    <message>
+        <source>Tooth perforated</source>
+        <translation>歯に穿孔しました</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>露髄しました</translation>
+    </message>
+    <message>
+        <source>Cusp is still busy with what came before, and did not do that. Try again.</source>
+        <translation>Cuspは前の処理中のため、その操作を行いませんでした。もう一度お試しください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) about this scan</source>
+        <translation>
+            <numerusform>このスキャンに関する注意%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Another unit</source>
+        <translation>別の単位</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation>このままにする</translation>
+    </message>
+    <message>
+        <source>The simulated handpiece is at work</source>
+        <extracomment>Beside the name of the tooth, where otherwise &quot;lower left first molar&quot; stands</extracomment>
+        <translation>模擬ハンドピースが作業中です</translation>
+    </message>
+    <message>
+        <source>%1 – Cusp</source>
+        <translation>%1 – Cusp</translation>
+    </message>
+    <message>
+        <source>%1: an attempt of %2 was not finished.</source>
+        <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
+        <translation>%1：%2の試行が未完了です。</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>The attempt was discarded; it is kept for seven days.</source>
+        <translation>試行を破棄しました。7日間保管されます。</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>復元する</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1.</source>
+        <translation>記録を%1として保存しました。</translation>
+    </message>
+    <message>
+        <source>The recording has come to its end.</source>
+        <translation>記録の終わりです。</translation>
+    </message>
+    <message>
+        <source>Stop the replay</source>
+        <translation>再生を停止</translation>
+    </message>
+    <message>
+        <source>Your work would be lost</source>
+        <translation>作業が失われます</translation>
+    </message>
+    <message>
+        <source>What you have cut would be lost.</source>
+        <translation>切削した内容が失われます。</translation>
+    </message>
+    <message>
+        <source>It has not been saved as a recording since you last cut.</source>
+        <translation>最後の切削以降、記録として保存されていません。</translation>
+    </message>
+    <message>
+        <source>&amp;Save the recording …</source>
+        <translation>記録を保存(&amp;S) …</translation>
+    </message>
+    <message>
+        <source>Your lessons would be lost</source>
+        <translation>レッスンの変更が失われます</translation>
+    </message>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>%n件のレッスンの変更が失われます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Scans of teeth (%1)</source>
+        <translation>歯のスキャン (%1)</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>記録 (%1)</translation>
+    </message>
+    <message>
+        <source>Captured ideals (%1)</source>
+        <translation>取り込んだ理想形 (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Hardness presets (%1)</source>
+        <translation>硬さのプリセット (%1)</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>表 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
+        <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>このメッセージを閉じます（Esc）</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>このメッセージを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::Mouth</name>
+    <message>
+        <source>This computer cannot draw the whole mouth. The flat arches do the same.</source>
+        <translation>このコンピューターでは口腔全体を描けません。平面の歯列でも同じことができます。</translation>
+    </message>
+    <message>
+        <source>Whole mouth</source>
+        <translation>口腔全体</translation>
+    </message>
+    <message>
+        <source>Arrow keys walk along the arch, Enter takes the tooth.</source>
+        <translation>矢印キーで歯列をたどり、Enterで歯を選びます。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>The teeth are being made …</source>
+        <translation>歯を作成しています …</translation>
+    </message>
+    <message>
+        <source>Chosen. Enter or a double click takes it.</source>
+        <translation>選択中です。Enterまたはダブルクリックで決定します。</translation>
+    </message>
+    <message>
+        <source>Click to choose it.</source>
+        <translation>クリックして選びます。</translation>
+    </message>
+    <message>
+        <source>Only teeth of the left side can be drilled; %1 is its mirror image.</source>
+        <translation>切削できるのは左側の歯だけです。%1がその鏡像です。</translation>
+    </message>
+    <message>
+        <source>Right button turns, wheel zooms. From above or below you see one jaw.</source>
+        <translation>右ボタンで回転、ホイールで拡大縮小。上または下からは片顎が見えます。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::PracticeRoom</name>
+    <message>
+        <source>Move the mouse over the tooth, press the left button to drill; right-drag turns the view; F1 for keys</source>
+        <translation>マウスを歯の上で動かし、左ボタンを押すと切削します。右ドラッグで視点を回します。F1でキーの一覧</translation>
+    </message>
+    <message>
+        <source>This attempt</source>
+        <translation>この試行</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScoreBar</name>
+    <message>
+        <source>%1 of 100, pass mark %2</source>
+        <extracomment>A score bar for the screen reader</extracomment>
+        <translation>100点中%1点、合格点%2</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>合格点%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::SidePanel</name>
+    <message>
+        <source>Live figures and handpiece</source>
+        <translation>現在の数値とハンドピース</translation>
+    </message>
+    <message>
+        <source>Under the bur</source>
+        <translation>バーの下</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深さ</translation>
+    </message>
+    <message>
+        <source>How far the tip stands below the surface as it was. Nothing is shown at the edge of the tooth, where straight down says little.</source>
+        <translation>先端が元の表面からどれだけ下にあるかを示します。真下に意味のない歯の縁では表示しません。</translation>
+    </message>
+    <message>
+        <source>Dentin over pulp</source>
+        <translation>歯髄上の象牙質</translation>
+    </message>
+    <message>
+        <source>Sound dentin between the cut and the pulp straight below the tip. Two millimetres are wanted; less than half a millimetre harms the pulp.</source>
+        <translation>先端の真下で、切削面と歯髄の間にある健全象牙質です。2 mmが望ましく、0.5 mm未満では歯髄を傷つけます。</translation>
+    </message>
+    <message>
+        <source>To the limit</source>
+        <extracomment>How far the bur is from what is to be kept</extracomment>
+        <translation>限界まで</translation>
+    </message>
+    <message>
+        <source>How far the bur&apos;s head is from what is to be kept, downwards or sideways. Nothing is shown while it is more than a millimetre.</source>
+        <translation>バーの頭部から残すべき部分までの下方または側方の距離です。1 mmを超える間は表示しません。</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>除去量</translation>
+    </message>
+    <message>
+        <source>Volume of pulp cut away. The grade looks at the area that lies open, in mm².</source>
+        <translation>除去した歯髄の体積です。採点では露出した面積（mm²）を見ます。</translation>
+    </message>
+    <message>
+        <source>Bur</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Turns of the bur a minute: a load slows it, until it stalls</source>
+        <translation>バーの毎分回転数：負荷で遅くなり、やがて止まります</translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation>押す力</translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation>押す力（ニュートン）</translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth</source>
+        <translation>マウスとキーがバーを歯に押し当てる強さ</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>ハンドピース</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <comment>the bur touches nothing</comment>
+        <translation>空中</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <extracomment>Turns a minute</extracomment>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>N, limited</source>
+        <extracomment>Unit of the force while the wanted force is beyond what the device may give</extracomment>
+        <translation>N、上限</translation>
+    </message>
+    <message>
+        <source>N, %1 sideways</source>
+        <extracomment>Unit of the force, and how much of it comes from a wall that presses sideways</extracomment>
+        <translation>N、側方%1</translation>
+    </message>
+    <message>
+        <source>&lt; 1</source>
+        <translation>&lt; 1</translation>
+    </message>
+    <message>
+        <source>The handpiece lies on the crown: the bur cannot reach deeper.</source>
+        <translation>ハンドピースが歯冠に当たっています：これより深くは届きません。</translation>
+    </message>
+    <message>
+        <source>Decay left</source>
+        <extracomment>Of what is to be taken away: decay, or the preparation that is asked for</extracomment>
+        <translation>残りのう蝕</translation>
+    </message>
+    <message>
+        <source>Still to cut</source>
+        <translation>残りの切削</translation>
+    </message>
+    <message>
+        <source>beside the decay</source>
+        <translation>う蝕の周囲</translation>
+    </message>
+    <message>
+        <source>beyond the ideal</source>
+        <translation>理想形の外側</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::StereoCard</name>
+    <message>
+        <source>Stereo picture</source>
+        <translation>立体表示</translation>
+    </message>
+    <message>
+        <source>Way to the eyes</source>
+        <translation>両眼への表示方法</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in colour</source>
+        <translation>赤青めがね、カラー</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, in grey</source>
+        <translation>赤青めがね、グレー</translation>
+    </message>
+    <message>
+        <source>Halves side by side</source>
+        <translation>左右に分割</translation>
+    </message>
+    <message>
+        <source>Halves one above the other</source>
+        <translation>上下に分割</translation>
+    </message>
+    <message>
+        <source>Distance of the eyes</source>
+        <translation>両眼の間隔</translation>
+    </message>
+    <message>
+        <source>Plane of the screen</source>
+        <translation>画面の面</translation>
+    </message>
+    <message>
+        <source>1. How do the two pictures reach your eyes? Close one eye, then the other: each must see a single tooth.</source>
+        <translation>1. 2つの画像をどのように両眼へ届けますか？ 片目ずつ閉じてください。それぞれの目に歯が1つだけ見えるはずです。</translation>
+    </message>
+    <message>
+        <source>2. Move the eyes apart until the cusps stand up from the fissures, and back a little if it tires you.</source>
+        <translation>2. 咬頭が裂溝から浮き上がって見えるまで両眼の間隔を広げ、疲れるようなら少し戻してください。</translation>
+    </message>
+    <message>
+        <source>3. Move the tooth before or behind the screen until you see it without effort.</source>
+        <translation>3. 楽に見えるまで、歯を画面の前後に動かしてください。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Without stereo</source>
+        <translation>立体表示なし</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was before (Esc)</source>
+        <translation>すべてを元のままにします（Esc）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ToothChooser</name>
+    <message>
+        <source>Choose a tooth</source>
+        <translation>歯を選ぶ</translation>
+    </message>
+    <message>
+        <source>Drill this tooth</source>
+        <translation>この歯を切削</translation>
+    </message>
+    <message>
+        <source>Put this tooth on the table (Enter)</source>
+        <translation>この歯を用意します（Enter）</translation>
+    </message>
+    <message>
+        <source>Or drill a tooth of your own: a scan as OBJ, STL or PLY. You can also drop the file anywhere on this window.</source>
+        <translation>ご自身の歯も切削できます：OBJ、STL、PLYのスキャン。このウィンドウにファイルをドロップすることもできます。</translation>
+    </message>
+    <message>
+        <source>Flat arches</source>
+        <translation>平面の歯列</translation>
+    </message>
+    <message>
+        <source>Whole mouth</source>
+        <translation>口腔全体</translation>
+    </message>
+    <message>
+        <source>Nothing chosen</source>
+        <translation>未選択</translation>
+    </message>
+    <message>
+        <source>On the table now. Taking it again gives you a whole one.</source>
+        <translation>現在の歯です。もう一度選ぶと切削前の歯になります。</translation>
+    </message>
+    <message>
+        <source>Click a tooth, or walk with the arrow keys.</source>
+        <translation>歯をクリックするか、矢印キーで移動してください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ViewMenu</name>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>What is shown of the tooth, and how</source>
+        <translation>歯の何をどのように表示するか</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ConductNotes</name>
+    <message>
+        <source>%1 in all, %2 of it cutting</source>
+        <extracomment>Two times in minutes and seconds</extracomment>
+        <translation>全体%1、うち切削%2</translation>
+    </message>
+    <message>
+        <source>force %1 N on the mean, %2 N at most</source>
+        <translation>力 平均%1 N、最大%2 N</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) taken back</source>
+        <translation>
+            <numerusform>取り消し%n回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No breach of the rules</source>
+        <translation>規則違反はありません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n breach(es) of the rules</source>
+        <translation>
+            <numerusform>規則違反%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>その場面を見る：ここから試行を再生します</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>breaches</comment>
+        <translation>
+            <numerusform>ほか%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every breach</source>
+        <translation>すべての違反を表示します</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::CriterionRow</name>
+    <message>
+        <source>%1 too little done</source>
+        <extracomment>%1: points of a score that is earned only when enough of the work is done</extracomment>
+        <translation>%1 作業不足</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <extracomment>%1: points of a score. What could not be measured earns nothing</extracomment>
+        <translation>%1 測定なし</translation>
+    </message>
+    <message>
+        <source>%1 too late</source>
+        <extracomment>%1: points of a score, for something that was done later than asked</extracomment>
+        <translation>%1 遅すぎ</translation>
+    </message>
+    <message>
+        <source>%1 never removed</source>
+        <translation>%1 除去されず</translation>
+    </message>
+    <message>
+        <source>%1 never earned</source>
+        <extracomment>Of a criterion that was not fulfilled at any time</extracomment>
+        <translation>%1 得られず</translation>
+    </message>
+    <message>
+        <source>%1 at %2, stroke %3</source>
+        <extracomment>%1: points lost, %2: minutes and seconds of the attempt, %3: number of a stroke of the bur</extracomment>
+        <translation>%1（%2、ストローク%3）</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>The area that lies open, seen from above. The volume that was cut away stands beside the tooth, in mm³.</source>
+        <translation>上から見た露出面積です。除去した体積は歯の隣にmm³で示します。</translation>
+    </message>
+    <message>
+        <source>Fails the attempt and takes all points that are left</source>
+        <extracomment>Tooltip on the points of one criterion</extracomment>
+        <translation>不合格となり、残りの点をすべて失います</translation>
+    </message>
+    <message>
+        <source>At most %1 points can be lost here</source>
+        <translation>ここでの失点は最大%1点です</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points</source>
+        <extracomment>A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost</extracomment>
+        <translation>%1：%2、%3点</translation>
+    </message>
+    <message>
+        <source>Show where this was worst</source>
+        <translation>最も悪い箇所を表示します</translation>
+    </message>
+    <message>
+        <source>No stroke caused this: see how the attempt ended</source>
+        <translation>原因となるストロークはありません：試行の最後を見ます</translation>
+    </message>
+    <message>
+        <source>See it happen: play the attempt from here</source>
+        <translation>その場面を見る：ここから試行を再生します</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>moments at which points were lost</comment>
+        <translation>
+            <numerusform>ほか%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show every moment</source>
+        <translation>すべての時点を表示します</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ExerciseCard</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 a tissue</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Say that this pad is made of this; you can change it until you are graded</source>
+        <translation>このパッドの材質をこれと答えます。採点までは変更できます</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <extracomment>Beside what the student took a pad for; %1 is the tissue that it is</extracomment>
+        <translation>✓ 正解</translation>
+    </message>
+    <message>
+        <source>✗ it is %1</source>
+        <translation>✗ 正しくは%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n points touched</source>
+        <translation>
+            <numerusform>%n個の点すべてに触れました</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched</source>
+        <translation>%2点中%1点に触れました</translation>
+    </message>
+    <message>
+        <source>Held for %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>%1 s保持しました</translation>
+    </message>
+    <message>
+        <source>Hold %1 N for %2 s</source>
+        <translation>%1 Nを%2 s保持してください</translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
+        <translation>／%1 s</translation>
+    </message>
+    <message>
+        <source>This is what they are made of</source>
+        <translation>それぞれの材質はこのとおりです</translation>
+    </message>
+    <message>
+        <source>Every pad has its name</source>
+        <translation>すべてのパッドに名前が付きました</translation>
+    </message>
+    <message>
+        <source>What is each pad made of?</source>
+        <translation>それぞれのパッドは何でできていますか？</translation>
+    </message>
+    <message>
+        <source>Graded. F2 leads to the next lesson.</source>
+        <translation>採点済みです。F2で次のレッスンへ進みます。</translation>
+    </message>
+    <message>
+        <source>Well done. See how it is marked.</source>
+        <translation>よくできました。採点を見てください。</translation>
+    </message>
+    <message>
+        <source>Sure? Then see how it is marked.</source>
+        <translation>よろしいですか？ では採点を見てください。</translation>
+    </message>
+    <message>
+        <source>The bur is turning: stop it with the space bar. Here nothing is to be cut.</source>
+        <translation>バーが回転しています：スペースキーで止めてください。ここでは何も切削しません。</translation>
+    </message>
+    <message>
+        <source>Let the bur turn with the space bar: at rest all three feel the same.</source>
+        <translation>スペースキーでバーを回してください：止まっていると3つとも同じ手応えです。</translation>
+    </message>
+    <message>
+        <source>Longest so far: %1 s</source>
+        <extracomment>%1 is a time in seconds</extracomment>
+        <translation>これまでの最長：%1 s</translation>
+    </message>
+    <message>
+        <source>Any order. Rings become discs.</source>
+        <translation>順番は自由です。輪が円板に変わります。</translation>
+    </message>
+    <message>
+        <source>Anywhere on the tooth.</source>
+        <translation>歯のどこでも構いません。</translation>
+    </message>
+    <message>
+        <source>Press on each for a second, and compare.</source>
+        <translation>それぞれを1秒ずつ押して、比べてください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Forecast</name>
+    <message>
+        <source>How many points do you expect?</source>
+        <translation>何点だと思いますか？</translation>
+    </message>
+    <message>
+        <source>What cost you most?</source>
+        <translation>最も失点したのは何だと思いますか？</translation>
+    </message>
+    <message>
+        <source>Show the score</source>
+        <translation>得点を見る</translation>
+    </message>
+    <message>
+        <source>See how the work was marked (Enter)</source>
+        <translation>採点の内容を見ます（Enter）</translation>
+    </message>
+    <message>
+        <source>Before you see the score</source>
+        <translation>得点を見る前に</translation>
+    </message>
+    <message>
+        <source>%1. You pass from %2 of 100 points. A score teaches more once you have judged your work yourself.</source>
+        <extracomment>%1 is a lesson, %2 the mark that is needed</extracomment>
+        <translation>%1。100点中%2点で合格です。先に自分の作業を評価してから得点を見ると、より多くを学べます。</translation>
+    </message>
+    <message>
+        <source>Nothing in particular</source>
+        <translation>特になし</translation>
+    </message>
+    <message>
+        <source>Set the points that you expect.</source>
+        <translation>予想する点数を設定してください。</translation>
+    </message>
+    <message>
+        <source>Choose what cost you most.</source>
+        <translation>最も失点したと思うものを選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HeatMap</name>
+    <message>
+        <source>The tooth from above, coloured by what is too deep and what is still to go</source>
+        <translation>上から見た歯。深すぎる所と残りを色分けしています</translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation>適正</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm深すぎます</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>残り%1 mm</translation>
+    </message>
+    <message>
+        <source>still to go</source>
+        <translation>残り</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>深すぎ</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::HoldGauge</name>
+    <message>
+        <source>Force against the band from %1 to %2 N</source>
+        <translation>%1～%2 Nの範囲に対する力</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::IdealForm</name>
+    <message>
+        <source>What the ideal is</source>
+        <translation>理想形の種類</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>記録を基準にする …</translation>
+    </message>
+    <message>
+        <source>Choose one attempt, or several whose mean is to be cut</source>
+        <translation>1つの試行、または平均を目標とする複数の試行を選びます</translation>
+    </message>
+    <message>
+        <source>The ideal is the decay itself: nothing is to be set</source>
+        <translation>理想形はう蝕そのものです：設定するものはありません</translation>
+    </message>
+    <message>
+        <source>An exercise: nothing is to be cut</source>
+        <translation>練習：切削するものはありません</translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>理想的な窩洞形成</translation>
+    </message>
+    <message>
+        <source>By rule</source>
+        <extracomment>%1: the name of a file</extracomment>
+        <translation>規則による</translation>
+    </message>
+    <message>
+        <source>Captured: %1</source>
+        <translation>取り込み：%1</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <extracomment>%1 and %2: the least and the greatest number that can be set; %3: a unit</extracomment>
+        <translation>%1～%2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::InfractionCard</name>
+    <message>
+        <source>Take it back</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Put the tooth back to before it happened; it can be redone (Enter)</source>
+        <translation>起きる前の状態に歯を戻します。やり直すこともできます（Enter）</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>続ける</translation>
+    </message>
+    <message>
+        <source>Leave it as it is and work on (Esc)</source>
+        <translation>そのままにして作業を続けます（Esc）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonEditor</name>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>保存されていません：%1</translation>
+    </message>
+    <message>
+        <source>Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances that are named, or press Fit.</source>
+        <translation>保存されていません：この理想形どおりに切削しても減点されます。示された許容範囲を広げるか、「合わせる」を押してください。</translation>
+    </message>
+    <message>
+        <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
+        <translation>保存されていません：ファイル%1がすでにあります。代わりにそのレッスンを開いてください。</translation>
+    </message>
+    <message>
+        <source>Lesson editor</source>
+        <translation>レッスンエディター</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>レッスンの題名</translation>
+    </message>
+    <message>
+        <source>Lesson editor: %1</source>
+        <translation>レッスンエディター：%1</translation>
+    </message>
+    <message>
+        <source>On the tooth</source>
+        <translation>歯の上で</translation>
+    </message>
+    <message>
+        <source>What the tolerances mean on the tooth</source>
+        <translation>許容範囲が歯の上で意味するもの</translation>
+    </message>
+    <message>
+        <source>Past attempts</source>
+        <translation>過去の試行</translation>
+    </message>
+    <message>
+        <source>How attempts would score under other tolerances</source>
+        <translation>許容範囲を変えたときの試行の得点</translation>
+    </message>
+    <message>
+        <source>The lesson&apos;s file</source>
+        <translation>レッスンのファイル</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>The lesson as its file says it</source>
+        <translation>ファイルの内容そのままのレッスン</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>レッスンを保存</translation>
+    </message>
+    <message>
+        <source>Write the lesson into your folder (Ctrl+S)</source>
+        <translation>レッスンをあなたのフォルダーに書き込みます（Ctrl+S）</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>合わせる</translation>
+    </message>
+    <message>
+        <source>Widen the tolerances until the ideal itself loses nothing</source>
+        <translation>理想形自体の減点がなくなるまで許容範囲を広げます</translation>
+    </message>
+    <message>
+        <source>Fit the tolerances to the ideal</source>
+        <translation>許容範囲を理想形に合わせる</translation>
+    </message>
+    <message>
+        <source>This lesson of yours is changed where it stands.</source>
+        <translation>あなたのこのレッスンは、その場所で変更されます。</translation>
+    </message>
+    <message>
+        <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
+        <translation>付属のレッスンです。保存すると、これを元にしたあなたのレッスンになります。</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>まだ保存されていません。</translation>
+    </message>
+    <message>
+        <source>This rubric has no criterion that can be drawn on the tooth.</source>
+        <translation>この採点基準には、歯の上に描ける評価項目がありません。</translation>
+    </message>
+    <message>
+        <source>Costs nothing: %1.</source>
+        <translation>減点なし：%1。</translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <extracomment>%1: where in the lesson, and what is wrong there</extracomment>
+        <translation>誤り：%1</translation>
+    </message>
+    <message>
+        <source>The ideal is checked as soon as nothing is wrong.</source>
+        <translation>誤りがなくなり次第、理想形を検査します。</translation>
+    </message>
+    <message>
+        <source>An exercise has no ideal that could be checked.</source>
+        <translation>練習には検査できる理想形がありません。</translation>
+    </message>
+    <message>
+        <source>The ideal scores %1 on itself</source>
+        <translation>理想形自体の得点は%1です</translation>
+    </message>
+    <message>
+        <source>The ideal scores only %1 on itself; it loses at: %2</source>
+        <translation>理想形自体の得点が%1しかありません。失点：%2</translation>
+    </message>
+    <message>
+        <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
+        <translation>この理想形では測定されない、または得点できないため、許容範囲では解決しません：%1。別の採点基準を使ってください。</translation>
+    </message>
+    <message>
+        <source>Take recordings as the reference …</source>
+        <translation>記録を基準にする …</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>記録 (%1)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replaying %n recording(s) …</source>
+        <translation>
+            <numerusform>%n件の記録を再生しています …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No reference was made: %1</source>
+        <translation>基準を作れませんでした：%1</translation>
+    </message>
+    <message>
+        <source>The reference is %1 beside your lessons.</source>
+        <translation>基準は、レッスンと同じ場所の%1です。</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>%1として保存しました。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonPicture</name>
+    <message>
+        <source>What the lesson asks for, as a picture</source>
+        <translation>レッスンが求める内容の画像</translation>
+    </message>
+    <message>
+        <source>This tooth cannot be made.</source>
+        <translation>この歯は作れません。</translation>
+    </message>
+    <message>
+        <source>The tooth is being made …</source>
+        <translation>歯を作成しています …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonStrip</name>
+    <message>
+        <source>The step before</source>
+        <translation>前の手順</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>次の手順</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>ヒント</translation>
+    </message>
+    <message>
+        <source>Show a hint for this step</source>
+        <translation>この手順のヒントを表示します</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>A step of the work, and how many there are</extracomment>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
+        <translation>試験は終わりました。これ以上切削できません。Gで得点を表示、Rで新しい試行を始めます。</translation>
+    </message>
+    <message>
+        <source>Time worked</source>
+        <translation>作業時間</translation>
+    </message>
+    <message>
+        <source>Time left of %1</source>
+        <translation>%1のうち残り時間</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::LessonsPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation>レッスン</translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation>検索：言葉または歯の番号</translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation>レッスンを検索</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>検索を消去</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Start this lesson</source>
+        <translation>このレッスンを開始</translation>
+    </message>
+    <message>
+        <source>Put the tooth of this lesson on the table (Enter)</source>
+        <translation>このレッスンの歯を用意します（Enter）</translation>
+    </message>
+    <message>
+        <source>Your own lessons …</source>
+        <translation>あなたのレッスン …</translation>
+    </message>
+    <message>
+        <source>Open the folder that a teacher&apos;s lessons are read from</source>
+        <translation>教員のレッスンを読み込むフォルダーを開きます</translation>
+    </message>
+    <message>
+        <source>Open the folder of your own lessons</source>
+        <translation>あなたのレッスンのフォルダーを開く</translation>
+    </message>
+    <message>
+        <source>Cannot be given</source>
+        <translation>使用できません</translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <translation>試験</translation>
+    </message>
+    <message>
+        <source>changed, not saved</source>
+        <extracomment>Of a lesson in a list: in the editor</extracomment>
+        <translation>変更あり、未保存</translation>
+    </message>
+    <message>
+        <source>best %1, passed</source>
+        <extracomment>For a screen reader: the best score of a lesson</extracomment>
+        <translation>最高%1点、合格</translation>
+    </message>
+    <message>
+        <source>best %1, not passed</source>
+        <translation>最高%1点、不合格</translation>
+    </message>
+    <message>
+        <source>No lesson fits the search</source>
+        <translation>検索に合うレッスンはありません</translation>
+    </message>
+    <message>
+        <source>This file cannot be given as a lesson. The others work.</source>
+        <translation>このファイルはレッスンとして使えません。ほかのレッスンは使えます。</translation>
+    </message>
+    <message>
+        <source>Search for another word, or clear the field.</source>
+        <translation>別の言葉で検索するか、欄を空にしてください。</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
+        <translation>試験：誤りは記録され、終わるまで伝えません。手順は取り消せません</translation>
+    </message>
+    <message>
+        <source>Practice: you are told what goes wrong</source>
+        <translation>練習：誤りはその場で伝えます</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Burs</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Aids</source>
+        <translation>補助</translation>
+    </message>
+    <message>
+        <source>Marked by</source>
+        <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
+        <translation>採点基準</translation>
+    </message>
+    <message>
+        <source>%1, passed from %2</source>
+        <translation>%1、%2点から合格</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>再現されないもの</translation>
+    </message>
+    <message>
+        <source>Your best</source>
+        <translation>最高点</translation>
+    </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>未実施</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 in %n attempt(s)</source>
+        <translation>
+            <numerusform>%1（試行%n回）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>誤り</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>注意</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::RubricForm</name>
+    <message>
+        <source>Targets and spans</source>
+        <translation>目標値と幅</translation>
+    </message>
+    <message>
+        <source>What each measure ought to be, and how far beyond the tolerance all points are lost</source>
+        <translation>各測定値の目標と、許容範囲をどれだけ超えると全点を失うか</translation>
+    </message>
+    <message>
+        <source>Marking</source>
+        <translation>採点</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>合格点</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>合格点</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>許容範囲</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>配点</translation>
+    </message>
+    <message>
+        <source>Tolerance of: %1</source>
+        <extracomment>%1: a criterion</extracomment>
+        <translation>許容範囲：%1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Weight of: %1</source>
+        <translation>配点：%1</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <translation>目標値</translation>
+    </message>
+    <message>
+        <source>Target of: %1</source>
+        <translation>目標値：%1</translation>
+    </message>
+    <message>
+        <source>all lost over</source>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <translation>全失点までの幅</translation>
+    </message>
+    <message>
+        <source>Span of: %1</source>
+        <translation>幅：%1</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points</source>
+        <translation>配点の合計：%1点</translation>
+    </message>
+    <message>
+        <source>All weights: %1 points; they must make 100</source>
+        <translation>配点の合計：%1点。100点にしてください</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ScorePage</name>
+    <message>
+        <source>You expected %1 points: exactly so.</source>
+        <translation>予想は%1点：ぴったりです。</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too many.</source>
+        <translation>予想は%1点：%2点高すぎました。</translation>
+    </message>
+    <message>
+        <source>You expected %1 points: %2 too few.</source>
+        <translation>予想は%1点：%2点低すぎました。</translation>
+    </message>
+    <message>
+        <source>Nothing cost you a point.</source>
+        <translation>失点はありません。</translation>
+    </message>
+    <message>
+        <source>Most points went to: %1.</source>
+        <translation>最も失点したもの：%1。</translation>
+    </message>
+    <message>
+        <source>What cost most you knew: %1.</source>
+        <translation>最も失点したものを当てました：%1。</translation>
+    </message>
+    <message>
+        <source>You thought that most points went to &quot;%1&quot;; they went to &quot;%2&quot;.</source>
+        <translation>最も失点したのは「%1」との予想でしたが、「%2」でした。</translation>
+    </message>
+    <message>
+        <source>%1: %2, not named</source>
+        <extracomment>%1 is &quot;Left&quot;, &quot;Middle&quot; or &quot;Right&quot;, %2 and %3 are tissues</extracomment>
+        <translation>%1：%2、回答なし</translation>
+    </message>
+    <message>
+        <source>%1: %2, as you said</source>
+        <translation>%1：%2、回答どおり</translation>
+    </message>
+    <message>
+        <source>%1: %2, you said %3</source>
+        <translation>%1：%2、回答は%3</translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s, %3 N off on the average</source>
+        <translation>%2 s中%1 s保持、平均%3 Nのずれ</translation>
+    </message>
+    <message>
+        <source>All points were touched</source>
+        <translation>すべての点に触れました</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points touched; the ring marks one that was not</source>
+        <translation>%2点中%1点に触れました。輪は触れなかった点を示します</translation>
+    </message>
+    <message>
+        <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
+        <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
+        <translation>採点基準「%1」、第%2版、内容%3。アンダーカットと90°を超える壁は測定されません：モデルは高さのデータです。</translation>
+    </message>
+    <message>
+        <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
+        <translation>完成した歯を、一辺の列数を半分と2倍にしてもう一度測定します。数値がどれだけ格子に左右されるかが分かります。手の腕前や、別の日の結果については分かりません。</translation>
+    </message>
+    <message>
+        <source>Where the points went</source>
+        <translation>失点の内訳</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point …</source>
+        <translation>失点した時点を調べています …</translation>
+    </message>
+    <message>
+        <source>Finding the moment of each lost point</source>
+        <translation>失点した時点を調べています</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>あなたの試行</translation>
+    </message>
+    <message>
+        <source>Log in and keep it</source>
+        <translation>ログインして保存</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>採点</translation>
+    </message>
+    <message>
+        <source>Grade: %1</source>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <translation>成績：%1</translation>
+    </message>
+    <message>
+        <source>Drilled with the hardness preset %1.</source>
+        <extracomment>%1 is a hardness preset with its version</extracomment>
+        <translation>硬さのプリセット%1で切削。</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation>／100</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Not passed: harm done</source>
+        <translation>不合格：損傷あり</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>まだ合格ではありません</translation>
+    </message>
+    <message>
+        <source>At half the grid %1, at double %2.</source>
+        <translation>格子が半分で%1、2倍で%2。</translation>
+    </message>
+    <message>
+        <source>At half the grid %1.</source>
+        <translation>格子が半分で%1。</translation>
+    </message>
+    <message>
+        <source>The pass mark lies between: this result is within the noise.</source>
+        <translation>合格点がその間にあります：結果は誤差の範囲内です。</translation>
+    </message>
+    <message>
+        <source>Not within the noise of the pass mark.</source>
+        <translation>合格点は誤差の範囲外です。</translation>
+    </message>
+    <message>
+        <source>%1 has no place on the tooth</source>
+        <translation>%1には歯の上の場所がありません</translation>
+    </message>
+    <message>
+        <source>The work is everywhere as it ought to be</source>
+        <translation>すべての箇所が適正です</translation>
+    </message>
+    <message>
+        <source>%1 mm too deep</source>
+        <translation>%1 mm深すぎます</translation>
+    </message>
+    <message>
+        <source>%1 mm still to go</source>
+        <translation>残り%1 mm</translation>
+    </message>
+    <message>
+        <source>%1: the worst place</source>
+        <extracomment>%1 a criterion of a score</extracomment>
+        <translation>%1：最も悪い箇所</translation>
+    </message>
+    <message>
+        <source>%1: the worst place, %2</source>
+        <translation>%1：最も悪い箇所、%2</translation>
+    </message>
+    <message>
+        <source>%1 has no place; farthest off the ideal: %2</source>
+        <translation>%1には場所がありません。理想形から最も離れた所：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of the best results of %n people in your class, %1 % are below this.</source>
+        <extracomment>%1 is a number of per cent</extracomment>
+        <translation>
+            <numerusform>クラスの%n人の最高結果のうち、%1 %がこれより下です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and yours is the only one here.</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにあるのはあなたの結果だけです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
+        <extracomment>%1 is a number of people</extracomment>
+        <translation>
+            <numerusform>クラスとの比較はできません：個人が特定されないよう%1人必要ですが、ここにある結果は%n人分です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>other rubric</source>
+        <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
+        <translation>別の採点基準</translation>
+    </message>
+    <message>
+        <source>Grades are not being kept; this one will not be here next time.</source>
+        <translation>成績は保存されません。次回はここに表示されません。</translation>
+    </message>
+    <message>
+        <source>You are not logged in, so this grade is not kept.</source>
+        <translation>ログインしていないため、この成績は保存されません。</translation>
+    </message>
+    <message>
+        <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
+        <translation>この成績はこのコンピューターに保存されています。学校のデータベースには、つながり次第送られます。</translation>
+    </message>
+    <message>
+        <source>This is the first grade here.</source>
+        <translation>ここでの最初の成績です。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepChart</name>
+    <message>
+        <source>Scores of past attempts over the tolerance</source>
+        <translation>許容範囲に対する過去の試行の得点</translation>
+    </message>
+    <message>
+        <source>At %1 times the tolerance %2 of %3 pass; median %4</source>
+        <extracomment>%1: a number, &quot;1.5&quot;; %2 of %3 attempts; %4: points</extracomment>
+        <translation>許容範囲%1倍で%3件中%2件が合格、中央値%4</translation>
+    </message>
+    <message>
+        <source>Times the tolerance</source>
+        <translation>許容範囲の倍率</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Each attempt</source>
+        <translation>各試行</translation>
+    </message>
+    <message>
+        <source>%1: %2 points at %3 times the tolerance</source>
+        <translation>%1：許容範囲%3倍で%2点</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>中央の半数</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中央値</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>合格点</translation>
+    </message>
+    <message>
+        <source>Attempts that pass</source>
+        <translation>合格する試行</translation>
+    </message>
+    <message>
+        <source>As set</source>
+        <translation>設定値</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::SweepPage</name>
+    <message>
+        <source>Recordings …</source>
+        <translation>記録 …</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings of attempts</source>
+        <translation>試行の記録があるフォルダーを選びます</translation>
+    </message>
+    <message>
+        <source>Choose the folder with recordings</source>
+        <translation>記録のフォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Whose tolerance is changed</source>
+        <translation>変更する許容範囲</translation>
+    </message>
+    <message>
+        <source>Recordings that are replayed</source>
+        <translation>再生中の記録</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop replaying</source>
+        <translation>再生を停止</translation>
+    </message>
+    <message>
+        <source>Go on with those that are done</source>
+        <translation>済んだものだけで続けます</translation>
+    </message>
+    <message>
+        <source>All tolerances</source>
+        <translation>すべての許容範囲</translation>
+    </message>
+    <message>
+        <source>Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances from 0 to 3 times those at the left.</source>
+        <translation>この歯の記録があるフォルダーを選んでください：それぞれを1回再生し、左の許容範囲の0～3倍での得点を描きます。</translation>
+    </message>
+    <message>
+        <source>No attempt in this folder was made at this tooth.</source>
+        <translation>このフォルダーには、この歯の試行がありません。</translation>
+    </message>
+    <message>
+        <source>The attempts of the history were made for another ideal than this draft&apos;s. Choose a folder with recordings.</source>
+        <translation>履歴の試行は、この下書きとは別の理想形で行われました。記録のフォルダーを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them from the history.</source>
+        <translation>
+            <numerusform>うち%n件は履歴からです。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at other teeth are left out.</source>
+        <translation>
+            <numerusform>別の歯の試行%n件は除外しました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read.</source>
+        <translation>
+            <numerusform>%n件の記録を読み取れませんでした。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::ToleranceView</name>
+    <message>
+        <source>The tolerances on the tooth</source>
+        <translation>歯の上の許容範囲</translation>
+    </message>
+    <message>
+        <source>Drag the line of the section; arrow keys move it, Shift with them turns it, as a double click does</source>
+        <translation>断面の線をドラッグします。矢印キーで移動、Shiftと矢印またはダブルクリックで回転</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet: what is wrong is said at the left.</source>
+        <translation>まだ表示できません：誤りは左に示されています。</translation>
+    </message>
+    <message>
+        <source>The ideal is being made …</source>
+        <translation>理想形を作成しています …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::WorstSection</name>
+    <message>
+        <source>Section through the worst place</source>
+        <translation>最も悪い箇所の断面</translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::SceneWidget</name>
+    <message>
+        <source>No picture</source>
+        <extracomment>Heading where a picture would be; a sentence below says why</extracomment>
+        <translation>画像がありません</translation>
+    </message>
+</context>
+<context>
+    <name>ui::tooth::ToothView</name>
+    <message>
+        <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
+        <translation>このコンピューターではOpenGL 3.3が使えないため、歯を表示できません。グラフィックドライバーをインストールまたは更新して（Debian：libgl1-mesa-dri）、Cuspを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the bur, page down pushes, page up lifts.</source>
+        <translation>矢印キーでバーを動かし、Page Downで押し、Page Upで引き上げます。</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <extracomment>A force in newtons, beside the bur</extracomment>
+        <translation>%1 N</translation>
+    </message>
+</context>
+</TS>
