@@ -481,6 +481,11 @@
         <source>Choose a password first.</source>
         <translation>Wählen Sie zuerst ein Passwort.</translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Was die Schule aufhebt, ist gerade nicht zu sehen; was Sie tun, wird behalten. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1303,6 +1308,10 @@
         <source>Not exported: %1</source>
         <translation>Nicht exportiert: %1</translation>
     </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>Die Bewertung wird berechnet …</translation>
+    </message>
 </context>
 <context>
     <name>ui::charts::ChartPanel</name>
@@ -2047,7 +2056,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Vom letzten Versuch</numerusform>
+            <numerusform>Mittel des letzten %n Versuchs</numerusform>
             <numerusform>Mittel der letzten %n Versuche</numerusform>
         </translation>
     </message>
@@ -3709,6 +3718,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Log in</source>
         <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Meine Versuche</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>Sehen, wie Ihre Versuche verlaufen sind</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>Sehen, wie eine Klasse steht und wer Hilfe braucht</translation>
     </message>
 </context>
 <context>
