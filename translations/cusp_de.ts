@@ -481,6 +481,11 @@
         <source>Choose a password first.</source>
         <translation>Wählen Sie zuerst ein Passwort.</translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Was die Schule aufhebt, lässt sich gerade nicht zeigen; was Sie tun, wird aufgehoben. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1302,6 +1307,10 @@
     <message>
         <source>Not exported: %1</source>
         <translation>Nicht exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Working out the score card …</source>
+        <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
 </context>
 <context>
@@ -3709,6 +3718,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Log in</source>
         <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Meine Versuche</translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation>Sehen, wie Ihre Versuche gelaufen sind</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
+        <translation>Sehen, wie es einer Klasse geht und wer Hilfe braucht</translation>
     </message>
 </context>
 <context>

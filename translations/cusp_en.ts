@@ -481,6 +481,11 @@
         <source>Choose a password first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1301,6 +1306,10 @@
     </message>
     <message>
         <source>Not exported: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Working out the score card …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3700,6 +3709,22 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Log in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how your attempts went</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how a class does, and who needs help</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

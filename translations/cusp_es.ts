@@ -1704,17 +1704,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Mejor puntuación</translation>
     </message>
     <message>
-        <source>%1 to %2 points: </source>
-        <translation>%1 a %2 puntos: </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s)</source>
-        <translation>
-            <numerusform>%n estudiante</numerusform>
-            <numerusform>%n estudiantes</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Pass mark</source>
         <translation>Nota de aprobado</translation>
     </message>
@@ -1750,18 +1739,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>De quienes hicieron tantos intentos</translation>
     </message>
     <message>
-        <source>%1 of %2 passed</source>
-        <translation>%1 de %2 aprobados</translation>
-    </message>
-    <message>
-        <source>, after %1 attempts on the average</source>
-        <translation>, tras %1 intentos de media</translation>
-    </message>
-    <message>
-        <source>; first attempts: %1 points</source>
-        <translation>; primeros intentos: %1 puntos</translation>
-    </message>
-    <message>
         <source>Lost, % of what it counts</source>
         <translation>Perdido, % de lo que cuenta</translation>
     </message>
@@ -1776,6 +1753,21 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Difficulty</source>
         <translation>Dificultad</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2 points: %n student(s)</source>
+        <translation>
+            <numerusform>%1 a %2 puntos: %n estudiante</numerusform>
+            <numerusform>%1 a %2 puntos: %n estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed; first attempts: %3 points</source>
+        <translation>%1 de %2 aprobaron; primeros intentos: %3 puntos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
+        <translation>%1 de %2 aprobaron, tras %3 intentos de media; primeros intentos: %4 puntos</translation>
     </message>
 </context>
 <context>
@@ -3154,10 +3146,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Comentarios</translation>
     </message>
     <message>
-        <source>, at %1 of the replay</source>
-        <translation>, en %1 de la reproducción</translation>
-    </message>
-    <message>
         <source>How it was marked and made</source>
         <translation>Cómo se calificó y se hizo</translation>
     </message>
@@ -3180,6 +3168,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
         <translation>No se miden los socavados ni las paredes de más de 90°, porque el modelo es un campo de alturas.</translation>
+    </message>
+    <message>
+        <source>%1, %2, at %3 of the replay</source>
+        <translation>%1, %2, en %3 de la repetición</translation>
     </message>
 </context>
 <context>

@@ -1698,16 +1698,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>最高点</translation>
     </message>
     <message>
-        <source>%1 to %2 points: </source>
-        <translation>%1～%2点：</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s)</source>
-        <translation>
-            <numerusform>学生%n人</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Pass mark</source>
         <translation>合格点</translation>
     </message>
@@ -1742,18 +1732,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>その回数の試行をした人について</translation>
     </message>
     <message>
-        <source>%1 of %2 passed</source>
-        <translation>%2人中%1人合格</translation>
-    </message>
-    <message>
-        <source>, after %1 attempts on the average</source>
-        <translation>、平均%1回の試行で</translation>
-    </message>
-    <message>
-        <source>; first attempts: %1 points</source>
-        <translation>、最初の試行：%1点</translation>
-    </message>
-    <message>
         <source>Lost, % of what it counts</source>
         <translation>失点、配点に対する%</translation>
     </message>
@@ -1768,6 +1746,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Difficulty</source>
         <translation>難しさ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2 points: %n student(s)</source>
+        <translation>
+            <numerusform>%1～%2点：学生%n人</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed; first attempts: %3 points</source>
+        <translation>%2人中%1人合格。最初の試行：%3点</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
+        <translation>%2人中%1人合格、平均%3回の試行で。最初の試行：%4点</translation>
     </message>
 </context>
 <context>
@@ -3137,10 +3129,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>コメント</translation>
     </message>
     <message>
-        <source>, at %1 of the replay</source>
-        <translation>、再生の%1</translation>
-    </message>
-    <message>
         <source>How it was marked and made</source>
         <translation>採点と作業の条件</translation>
     </message>
@@ -3163,6 +3151,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Not measured: undercuts and walls past 90°, because the model is a height field.</source>
         <translation>測定なし：アンダーカットと90°を超える壁（モデルは高さのデータのため）。</translation>
+    </message>
+    <message>
+        <source>%1, %2, at %3 of the replay</source>
+        <translation>%1、%2、再生の%3</translation>
     </message>
 </context>
 <context>
