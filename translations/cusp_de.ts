@@ -484,7 +484,7 @@
     <message>
         <source>What the school keeps cannot be shown now; what you do is kept. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>Was die Schule aufhebt, ist gerade nicht zu sehen; was Sie tun, wird behalten. %1</translation>
+        <translation>Was die Schule aufhebt, lässt sich gerade nicht zeigen; was Sie tun, wird aufgehoben. %1</translation>
     </message>
 </context>
 <context>
@@ -1310,7 +1310,7 @@
     </message>
     <message>
         <source>Working out the score card …</source>
-        <translation>Die Bewertung wird berechnet …</translation>
+        <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
 </context>
 <context>
@@ -2056,7 +2056,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Mittel des letzten %n Versuchs</numerusform>
+            <numerusform>Vom letzten Versuch</numerusform>
             <numerusform>Mittel der letzten %n Versuche</numerusform>
         </translation>
     </message>
@@ -3725,7 +3725,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>See how your attempts went</source>
-        <translation>Sehen, wie Ihre Versuche verlaufen sind</translation>
+        <translation>Sehen, wie Ihre Versuche gelaufen sind</translation>
     </message>
     <message>
         <source>Classes</source>
@@ -3733,7 +3733,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>See how a class does, and who needs help</source>
-        <translation>Sehen, wie eine Klasse steht und wer Hilfe braucht</translation>
+        <translation>Sehen, wie es einer Klasse geht und wer Hilfe braucht</translation>
     </message>
 </context>
 <context>

@@ -1757,8 +1757,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message numerus="yes">
         <source>%1 to %2 points: %n student(s)</source>
         <translation>
-            <numerusform>De %1 a %2 puntos: %n estudiante</numerusform>
-            <numerusform>De %1 a %2 puntos: %n estudiantes</numerusform>
+            <numerusform>%1 a %2 puntos: %n estudiante</numerusform>
+            <numerusform>%1 a %2 puntos: %n estudiantes</numerusform>
         </translation>
     </message>
     <message>
@@ -2642,7 +2642,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Compare blind with</source>
-        <translation>A ciegas con</translation>
+        <translation>Comparar a ciegas con</translation>
     </message>
     <message>
         <source>Preset to compare with</source>
@@ -3171,7 +3171,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1, %2, at %3 of the replay</source>
-        <translation>%1, %2, en el %3 de la reproducción</translation>
+        <translation>%1, %2, en %3 de la repetición</translation>
     </message>
 </context>
 <context>

@@ -1750,16 +1750,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message numerus="yes">
         <source>%1 to %2 points: %n student(s)</source>
         <translation>
-            <numerusform>%1〜%2点：%n人</numerusform>
+            <numerusform>%1～%2点：学生%n人</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 passed; first attempts: %3 points</source>
-        <translation>%2人中%1人が合格、初回の平均は%3点</translation>
+        <translation>%2人中%1人合格。最初の試行：%3点</translation>
     </message>
     <message>
         <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
-        <translation>%2人中%1人が合格（平均%3回目）、初回の平均は%4点</translation>
+        <translation>%2人中%1人合格、平均%3回の試行で。最初の試行：%4点</translation>
     </message>
 </context>
 <context>

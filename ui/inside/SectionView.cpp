@@ -51,7 +51,7 @@ public:
     explicit SectionCanvas(QWidget* parent) : QWidget(parent)
     {
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-        setMinimumHeight(160);
+        setMinimumHeight(120);
         setAttribute(Qt::WA_OpaquePaintEvent);
     }
 
