@@ -68,7 +68,7 @@
     </message>
     <message>
         <source>The bur has run in the air for %1 s</source>
-        <translation>バーが%1 s空転しました</translation>
+        <translation>バーが%1秒空転しました</translation>
     </message>
     <message>
         <source>The tooth beside was touched by the turning bur</source>
@@ -503,7 +503,7 @@
     </message>
     <message>
         <source>depth of the pulpal floor</source>
-        <translation>髄床底の深さ</translation>
+        <translation>窩底の深さ</translation>
     </message>
     <message>
         <source>width of the dovetail</source>
@@ -988,7 +988,7 @@
     <message>
         <source>D</source>
         <extracomment>Letter for the distal side</extracomment>
-        <translation>象</translation>
+        <translation>D</translation>
     </message>
     <message>
         <source>La</source>
@@ -1002,7 +1002,7 @@
     <message>
         <source>P</source>
         <extracomment>Letters for the palatal side, then for the lingual one</extracomment>
-        <translation>髄</translation>
+        <translation>P</translation>
     </message>
     <message>
         <source>L</source>
@@ -3046,7 +3046,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Stroke %1, %2 s, %3</source>
-        <translation>ストローク%1、%2 s、%3</translation>
+        <translation>ストローク%1、%2秒、%3</translation>
     </message>
 </context>
 <context>
@@ -4074,7 +4074,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>You held against it, so your hand is free. Press A to be led again.</source>
-        <translation>逆らって押したので、手は自由になりました。もう一度導くにはAを押してください。</translation>
+        <translation>押し返したため、誘導を終えました。もう一度誘導を始めるにはAを押してください。</translation>
     </message>
     <message>
         <source>The handpiece is not there any more, so your hand is free.</source>
@@ -4715,16 +4715,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Held for %1 s</source>
         <extracomment>%1 is a time in seconds</extracomment>
-        <translation>%1 s保持しました</translation>
+        <translation>%1秒保持しました</translation>
     </message>
     <message>
         <source>Hold %1 N for %2 s</source>
-        <translation>%1 Nを%2 s保持してください</translation>
+        <translation>%1 Nを%2秒保持してください</translation>
     </message>
     <message>
         <source>of %1 s</source>
         <extracomment>Behind the seconds that a force has been held: of how many</extracomment>
-        <translation>／%1 s</translation>
+        <translation>／%1秒</translation>
     </message>
     <message>
         <source>This is what they are made of</source>
@@ -4761,7 +4761,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Longest so far: %1 s</source>
         <extracomment>%1 is a time in seconds</extracomment>
-        <translation>これまでの最長：%1 s</translation>
+        <translation>これまでの最長：%1秒</translation>
     </message>
     <message>
         <source>Any order. Rings become discs.</source>
@@ -5378,7 +5378,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Held for %1 of %2 s, %3 N off on the average</source>
-        <translation>%2 s中%1 s保持、平均%3 Nのずれ</translation>
+        <translation>%2秒中%1秒保持、平均%3 Nのずれ</translation>
     </message>
     <message>
         <source>All points were touched</source>

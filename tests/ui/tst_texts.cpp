@@ -461,6 +461,8 @@ void TestTexts::japaneseIsEmbedded()
     QCoreApplication::installTranslator(&japanese);
     QCOMPARE(ui::text::materialName(Material::Enamel), QString("エナメル質"));
     QCOMPARE(ui::text::toothName(36), QString("下顎左側第一大臼歯"));
+    // A letter of a side is not the tissue's of the same English letter.
+    QCOMPARE(ui::text::surfaceLetters(26), QStringList({"M", "D", "P", "B", "", "O"}));
     QSet<QString> letters;
     for (int k = 0; k < core::terrain::kMaterialCount; ++k)
         letters << ui::text::materialLetter(static_cast<Material>(k));
