@@ -76,7 +76,7 @@
     </message>
     <message>
         <source>Cut with a bur that this lesson does not allow</source>
-        <translation>このレッスンで使えないバーで切削しました</translation>
+        <translation>この課題で使えないバーで切削しました</translation>
     </message>
     <message>
         <source>An open pulp mostly dies: odontoblasts that are cut do not come back. Look at the section, and keep half a millimetre of dentin.</source>
@@ -112,7 +112,7 @@
     </message>
     <message>
         <source>Another shape leaves another cavity. Choose a bur that the lesson names.</source>
-        <translation>形の違うバーでは窩洞の形も変わります。レッスンで指定されたバーを選んでください。</translation>
+        <translation>形の違うバーでは窩洞の形も変わります。課題で指定されたバーを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -321,7 +321,7 @@
     </message>
     <message>
         <source>Ask who made the lesson, or choose another one.</source>
-        <translation>レッスンの作成者に問い合わせるか、別のものを選んでください。</translation>
+        <translation>課題の作成者に問い合わせるか、別のものを選んでください。</translation>
     </message>
     <message>
         <source>Try again.</source>
@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>It was made on another tooth, or with another decay, than this lesson&apos;s. Ask who made the lesson.</source>
-        <translation>このレッスンとは別の歯、または別のう蝕で作られています。レッスンの作成者に問い合わせてください。</translation>
+        <translation>この課題とは別の歯、または別のう蝕で作られています。課題の作成者に問い合わせてください。</translation>
     </message>
     <message>
         <source>Another program is writing to it. Try again in a moment.</source>
@@ -436,7 +436,7 @@
     <message>
         <source>The lesson cannot be given; what was on the table still is. %1</source>
         <extracomment>%1: why, and what to do</extracomment>
-        <translation>このレッスンは開始できません。これまでの歯はそのまま残っています。%1</translation>
+        <translation>この課題は開始できません。これまでの歯はそのまま残っています。%1</translation>
     </message>
     <message>
         <source>The work cannot be marked; it is as it was. %1</source>
@@ -1232,11 +1232,11 @@
     </message>
     <message>
         <source>Preparing the lesson …</source>
-        <translation>レッスンを準備しています …</translation>
+        <translation>課題を準備しています …</translation>
     </message>
     <message>
         <source>The pack was not unpacked, so its lesson cannot be changed. %1</source>
-        <translation>パックを展開できなかったため、レッスンを変更できません。%1</translation>
+        <translation>パックを展開できなかったため、課題を変更できません。%1</translation>
     </message>
     <message>
         <source>The tooth is not ready yet. Try again in a moment.</source>
@@ -1256,7 +1256,7 @@
     </message>
     <message>
         <source>The reference was saved as %1. A lesson names it, or choose it in the editor of a lesson on this tooth.</source>
-        <translation>基準を%1として保存しました。レッスンで指定するか、この歯のレッスンのエディターで選んでください。</translation>
+        <translation>基準を%1として保存しました。課題で指定するか、この歯の課題のエディターで選んでください。</translation>
     </message>
     <message>
         <source>The expert</source>
@@ -1264,7 +1264,7 @@
     </message>
     <message>
         <source>A simulated hand does the lesson …</source>
-        <translation>模擬の手がレッスンを行っています …</translation>
+        <translation>模擬の手が課題を行っています …</translation>
     </message>
     <message>
         <source>The simulated hand</source>
@@ -1272,11 +1272,11 @@
     </message>
     <message>
         <source>No teacher has recorded this lesson, so a simulated hand shows it.</source>
-        <translation>このレッスンの教員の記録がないため、模擬の手がお見せします。</translation>
+        <translation>この課題の教員の記録がないため、模擬の手がお見せします。</translation>
     </message>
     <message>
         <source>No teacher has recorded this lesson, and a simulated hand does not manage it.</source>
-        <translation>このレッスンの教員の記録がなく、模擬の手でもできません。</translation>
+        <translation>この課題の教員の記録がなく、模擬の手でもできません。</translation>
     </message>
     <message>
         <source>This attempt was made with another device, so it cannot be gone on with. It is kept.</source>
@@ -1718,7 +1718,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <name>ui::people::ClassCharts</name>
     <message>
         <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
-        <translation>個人が特定されないよう、%1人がこのレッスンを試みてから表示されます。</translation>
+        <translation>個人が特定されないよう、%1人がこの課題を試みてから表示されます。</translation>
     </message>
     <message>
         <source>Best score</source>
@@ -1892,7 +1892,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Show who made three attempts in a row at a lesson without passing, and without getting better by five points</source>
-        <translation>同じレッスンで3回続けて合格せず、5点以上の改善もない人を表示します</translation>
+        <translation>同じ課題で3回続けて合格せず、5点以上の改善もない人を表示します</translation>
     </message>
     <message>
         <source>Show who has never logged in</source>
@@ -1914,7 +1914,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Here you will see your classes: who needs you, and how everybody does at every lesson. An administrator gives you a class.</source>
-        <translation>ここにあなたのクラスが表示されます：対応が必要な人と、全員の各レッスンの成績です。クラスは管理者が割り当てます。</translation>
+        <translation>ここにあなたのクラスが表示されます：対応が必要な人と、全員の各課題の成績です。クラスは管理者が割り当てます。</translation>
     </message>
     <message>
         <source>Nobody is in this class yet. Students are entered by an administrator, one by one or from a list.</source>
@@ -1942,15 +1942,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Lesson whose charts are shown</source>
-        <translation>グラフを表示するレッスン</translation>
+        <translation>グラフを表示する課題</translation>
     </message>
     <message>
         <source>Best scores, students by lessons</source>
-        <translation>最高点、学生とレッスン</translation>
+        <translation>最高点、学生と課題</translation>
     </message>
     <message>
         <source>Assign lessons</source>
-        <translation>レッスンを割り当てる</translation>
+        <translation>課題を割り当てる</translation>
     </message>
     <message>
         <source>Report</source>
@@ -2174,7 +2174,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Lesson</source>
-        <translation>レッスン</translation>
+        <translation>課題</translation>
     </message>
     <message>
         <source>Score</source>
@@ -2214,7 +2214,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>All lessons</source>
-        <translation>すべてのレッスン</translation>
+        <translation>すべての課題</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2245,7 +2245,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Show the attempts at this lesson</source>
-        <translation>このレッスンの試行を表示します</translation>
+        <translation>この課題の試行を表示します</translation>
     </message>
     <message>
         <source>Attempts</source>
@@ -2269,7 +2269,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Here you will find every attempt that was graded: its score, what cost points, time and force, and how it goes from attempt to attempt. Do a lesson and have it graded.</source>
-        <translation>採点されたすべての試行がここに表示されます：得点、失点の理由、時間と力、試行ごとの推移。レッスンを行い、採点を受けてください。</translation>
+        <translation>採点されたすべての試行がここに表示されます：得点、失点の理由、時間と力、試行ごとの推移。課題を行い、採点を受けてください。</translation>
     </message>
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
@@ -2652,7 +2652,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Every tooth feels like this, unless its lesson says otherwise</source>
-        <translation>レッスンに指定がない限り、すべての歯がこの手応えになります</translation>
+        <translation>課題に指定がない限り、すべての歯がこの手応えになります</translation>
     </message>
     <message>
         <source>Compare blind with</source>
@@ -3161,7 +3161,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
-        <translation>採点基準：%1、第%2版、内容%3</translation>
+        <translation>評価基準：%1、第%2版、内容%3</translation>
     </message>
     <message>
         <source>Hardness: %1, content %2</source>
@@ -3315,7 +3315,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Lessons</source>
-        <translation>レッスン</translation>
+        <translation>課題</translation>
     </message>
     <message>
         <source>Choose what to practise</source>
@@ -3323,11 +3323,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Edit the lesson …</source>
-        <translation>レッスンを編集 …</translation>
+        <translation>課題を編集 …</translation>
     </message>
     <message>
         <source>Change the ideal and the marking of the lesson that is chosen in the list</source>
-        <translation>一覧で選んだレッスンの理想形と採点を変更します</translation>
+        <translation>一覧で選んだ課題の理想形と採点を変更します</translation>
     </message>
     <message>
         <source>Hardness presets</source>
@@ -3375,7 +3375,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Keep what you have cut as the ideal that lessons ask for</source>
-        <translation>切削した形を、レッスンが求める理想形として保存します</translation>
+        <translation>切削した形を、課題が求める理想形として保存します</translation>
     </message>
     <message>
         <source>Open a recording</source>
@@ -3722,7 +3722,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>This lesson does not allow it.</source>
-        <translation>このレッスンでは使えません。</translation>
+        <translation>この課題では使えません。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -3963,7 +3963,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <name>ui::shell::HistoryChart</name>
     <message>
         <source>%1 by another rubric</source>
-        <translation>%1（別の採点基準）</translation>
+        <translation>%1（別の評価基準）</translation>
     </message>
     <message>
         <source>Last grades, oldest first: %1</source>
@@ -3985,7 +3985,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <name>ui::shell::MainWindow</name>
     <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
-        <translation>このレッスンの時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>
+        <translation>この課題の時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>
     </message>
     <message>
         <source>Save the X-ray pictures</source>
@@ -4062,15 +4062,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>This lesson brings its own hardness. Only the forces can be changed.</source>
-        <translation>このレッスンには固有の硬さがあります。変更できるのは力だけです。</translation>
+        <translation>この課題には固有の硬さがあります。変更できるのは力だけです。</translation>
     </message>
     <message>
         <source>You are in an exam, and a lesson&apos;s ideal is shown in the editor. Finish the exam first: press G for the grade, or take another lesson.</source>
-        <translation>試験中です。エディターにはレッスンの理想形が表示されます。先に試験を終えてください：Gで採点、または別のレッスンを選びます。</translation>
+        <translation>試験中です。エディターには課題の理想形が表示されます。先に試験を終えてください：Gで採点、または別の課題を選びます。</translation>
     </message>
     <message>
         <source>This file cannot be given as a lesson, so there is nothing to edit. Mend what is named first.</source>
-        <translation>このファイルはレッスンとして使えないため、編集できません。先に示された箇所を直してください。</translation>
+        <translation>このファイルは課題として使えないため、編集できません。先に示された箇所を直してください。</translation>
     </message>
     <message>
         <source>You held against it, so your hand is free. Press A to be led again.</source>
@@ -4198,12 +4198,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Your lessons would be lost</source>
-        <translation>レッスンの変更が失われます</translation>
+        <translation>課題の変更が失われます</translation>
     </message>
     <message numerus="yes">
         <source>What you have changed in %n lesson(s) would be lost.</source>
         <translation>
-            <numerusform>%n件のレッスンの変更が失われます。</numerusform>
+            <numerusform>%n件の課題の変更が失われます。</numerusform>
         </translation>
     </message>
     <message>
@@ -4740,7 +4740,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Graded. F2 leads to the next lesson.</source>
-        <translation>採点済みです。F2で次のレッスンへ進みます。</translation>
+        <translation>採点済みです。F2で次の課題へ進みます。</translation>
     </message>
     <message>
         <source>Well done. See how it is marked.</source>
@@ -4930,19 +4930,19 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Not saved: there is a file %1 already. Open that lesson instead.</source>
-        <translation>保存されていません：ファイル%1がすでにあります。代わりにそのレッスンを開いてください。</translation>
+        <translation>保存されていません：ファイル%1がすでにあります。代わりにその課題を開いてください。</translation>
     </message>
     <message>
         <source>Lesson editor</source>
-        <translation>レッスンエディター</translation>
+        <translation>課題エディター</translation>
     </message>
     <message>
         <source>Title of the lesson</source>
-        <translation>レッスンの題名</translation>
+        <translation>課題の題名</translation>
     </message>
     <message>
         <source>Lesson editor: %1</source>
-        <translation>レッスンエディター：%1</translation>
+        <translation>課題エディター：%1</translation>
     </message>
     <message>
         <source>On the tooth</source>
@@ -4962,7 +4962,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>The lesson&apos;s file</source>
-        <translation>レッスンのファイル</translation>
+        <translation>課題のファイル</translation>
     </message>
     <message>
         <source>File</source>
@@ -4970,7 +4970,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>The lesson as its file says it</source>
-        <translation>ファイルの内容そのままのレッスン</translation>
+        <translation>ファイルの内容そのままの課題</translation>
     </message>
     <message>
         <source>Save</source>
@@ -4978,11 +4978,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Save the lesson</source>
-        <translation>レッスンを保存</translation>
+        <translation>課題を保存</translation>
     </message>
     <message>
         <source>Write the lesson into your folder (Ctrl+S)</source>
-        <translation>レッスンをあなたのフォルダーに書き込みます（Ctrl+S）</translation>
+        <translation>課題をあなたのフォルダーに書き込みます（Ctrl+S）</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -4998,11 +4998,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>This lesson of yours is changed where it stands.</source>
-        <translation>あなたのこのレッスンは、その場所で変更されます。</translation>
+        <translation>あなたのこの課題は、その場所で変更されます。</translation>
     </message>
     <message>
         <source>A shipped lesson: saved, it becomes one of your own, based on it.</source>
-        <translation>付属のレッスンです。保存すると、これを元にしたあなたのレッスンになります。</translation>
+        <translation>付属の課題です。保存すると、これを元にしたあなたの課題になります。</translation>
     </message>
     <message>
         <source>Not saved yet.</source>
@@ -5010,7 +5010,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>This rubric has no criterion that can be drawn on the tooth.</source>
-        <translation>この採点基準には、歯の上に描ける評価項目がありません。</translation>
+        <translation>この評価基準には、歯の上に描ける評価項目がありません。</translation>
     </message>
     <message>
         <source>Costs nothing: %1.</source>
@@ -5039,7 +5039,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
-        <translation>この理想形では測定されない、または得点できないため、許容範囲では解決しません：%1。別の採点基準を使ってください。</translation>
+        <translation>この理想形では測定されない、または得点できないため、許容範囲では解決しません：%1。別の評価基準を使ってください。</translation>
     </message>
     <message>
         <source>Take recordings as the reference …</source>
@@ -5061,7 +5061,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>The reference is %1 beside your lessons.</source>
-        <translation>基準は、レッスンと同じ場所の%1です。</translation>
+        <translation>基準は、課題と同じ場所の%1です。</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
@@ -5072,7 +5072,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <name>ui::study::LessonPicture</name>
     <message>
         <source>What the lesson asks for, as a picture</source>
-        <translation>レッスンが求める内容の画像</translation>
+        <translation>課題が求める内容の画像</translation>
     </message>
     <message>
         <source>This tooth cannot be made.</source>
@@ -5123,7 +5123,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <name>ui::study::LessonsPage</name>
     <message>
         <source>Lessons</source>
-        <translation>レッスン</translation>
+        <translation>課題</translation>
     </message>
     <message>
         <source>Search: a word, or the number of a tooth</source>
@@ -5131,7 +5131,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Search the lessons</source>
-        <translation>レッスンを検索</translation>
+        <translation>課題を検索</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -5143,23 +5143,23 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Start this lesson</source>
-        <translation>このレッスンを開始</translation>
+        <translation>この課題を開始</translation>
     </message>
     <message>
         <source>Put the tooth of this lesson on the table (Enter)</source>
-        <translation>このレッスンの歯を用意します（Enter）</translation>
+        <translation>この課題の歯を用意します（Enter）</translation>
     </message>
     <message>
         <source>Your own lessons …</source>
-        <translation>あなたのレッスン …</translation>
+        <translation>あなたの課題 …</translation>
     </message>
     <message>
         <source>Open the folder that a teacher&apos;s lessons are read from</source>
-        <translation>教員のレッスンを読み込むフォルダーを開きます</translation>
+        <translation>教員の課題を読み込むフォルダーを開きます</translation>
     </message>
     <message>
         <source>Open the folder of your own lessons</source>
-        <translation>あなたのレッスンのフォルダーを開く</translation>
+        <translation>あなたの課題のフォルダーを開く</translation>
     </message>
     <message>
         <source>Cannot be given</source>
@@ -5185,11 +5185,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>No lesson fits the search</source>
-        <translation>検索に合うレッスンはありません</translation>
+        <translation>検索に合う課題はありません</translation>
     </message>
     <message>
         <source>This file cannot be given as a lesson. The others work.</source>
-        <translation>このファイルはレッスンとして使えません。ほかのレッスンは使えます。</translation>
+        <translation>このファイルは課題として使えません。ほかの課題は使えます。</translation>
     </message>
     <message>
         <source>Search for another word, or clear the field.</source>
@@ -5226,7 +5226,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Marked by</source>
         <extracomment>%1 is the name of a rubric, %2 the mark that is needed</extracomment>
-        <translation>採点基準</translation>
+        <translation>評価基準</translation>
     </message>
     <message>
         <source>%1, passed from %2</source>
@@ -5391,7 +5391,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Marked by &quot;%1&quot;, version %2, content %3. Undercuts and walls past 90° are not measured: the model is a height field.</source>
         <extracomment>%1 is the name of a rubric, %2 its version, %3 the beginning of its hash</extracomment>
-        <translation>採点基準「%1」、第%2版、内容%3。アンダーカットと90°を超える壁は測定されません：モデルは高さのデータです。</translation>
+        <translation>評価基準「%1」、第%2版、内容%3。アンダーカットと90°を超える壁は測定されません：モデルは高さのデータです。</translation>
     </message>
     <message>
         <source>The finished tooth is measured again with half and with double the number of columns along a side. That tells how far the number hangs on the grid. It tells nothing about the hand, or about what you would do on another day.</source>
@@ -5514,7 +5514,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>other rubric</source>
         <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
-        <translation>別の採点基準</translation>
+        <translation>別の評価基準</translation>
     </message>
     <message>
         <source>Grades are not being kept; this one will not be here next time.</source>
