@@ -28,14 +28,14 @@ constexpr std::array kTargetNames{"one's own", "a classmate's", "a stranger's"};
 /// What each role may: "-" nothing, "o" on one's own, "c" on those of one's classes, "a" on all.
 const std::map<Operation, const char*> kAllowed{
     //                                 guest student instructor admin
-    {Operation::ChangeOwnPassword, "-ooo"}, {Operation::ListPeople, "--ca"},        {Operation::AddPerson, "---a"},
-    {Operation::ChangePerson, "---a"},      {Operation::ResetPassword, "---a"},     {Operation::ListClasses, "-cca"},
-    {Operation::ChangeClasses, "---a"},     {Operation::ListAssignments, "-cca"},   {Operation::Assign, "--ca"},
-    {Operation::AddAttempt, "-ooo"},        {Operation::ReadHistory, "-oca"},       {Operation::OpenAttempt, "-oca"},
-    {Operation::CompareWithClass, "-oca"},  {Operation::Comment, "--c-"},           {Operation::Override, "--c-"},
-    {Operation::ReadClass, "--ca"},         {Operation::ExportAttempts, "--ca"},    {Operation::ListPresets, "aaaa"},
-    {Operation::AddPreset, "---a"},         {Operation::ReadSettings, "aaaa"},      {Operation::ChangeSettings, "---a"},
-    {Operation::ChangeOwnSettings, "-ooo"}, {Operation::ReadAudit, "---a"},         {Operation::KeepBackups, "---a"},
+    {Operation::ChangeOwnPassword, "-ooo"}, {Operation::ListPeople, "--ca"},      {Operation::AddPerson, "---a"},
+    {Operation::ChangePerson, "---a"},      {Operation::ResetPassword, "---a"},   {Operation::ListClasses, "-cca"},
+    {Operation::ChangeClasses, "---a"},     {Operation::ListAssignments, "-cca"}, {Operation::Assign, "--ca"},
+    {Operation::AddAttempt, "-ooo"},        {Operation::ReadHistory, "-oca"},     {Operation::OpenAttempt, "-oca"},
+    {Operation::CompareWithClass, "-oca"},  {Operation::Comment, "--c-"},         {Operation::Override, "--c-"},
+    {Operation::ReadClass, "--ca"},         {Operation::ExportAttempts, "--ca"},  {Operation::ListPresets, "aaaa"},
+    {Operation::AddPreset, "---a"},         {Operation::ReadSettings, "aaaa"},    {Operation::ChangeSettings, "---a"},
+    {Operation::ChangeOwnSettings, "-ooo"}, {Operation::ReadAudit, "---a"},       {Operation::KeepBackups, "---a"},
 };
 
 template <class T>
@@ -100,7 +100,8 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
              return Logins::changePassword(s, me, SchoolRig::kPassword, SchoolRig::kPassword);
          },
          false},
-        {Operation::ListPeople, "listPeople", [&s](const Session& me, Target) { return plain(listPeople(s, me)); }, false},
+        {Operation::ListPeople, "listPeople", [&s](const Session& me, Target) { return plain(listPeople(s, me)); },
+         false},
         {Operation::AddPerson, "addPerson",
          [&s](const Session& me, Target) {
              return plain(addPerson(s, me, {"new" + std::to_string(++counter), "", "", Role::Student}));
@@ -160,7 +161,9 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          [&s](const Session& me, Target) { return plain(bestOfClassmates(s, me, "class1-36", std::string(64, 'b'))); },
          false},
         {Operation::Comment, "addComment",
-         [&s, attempt](const Session& me, Target t) { return plain(addComment(s, me, attempt(me, t), {"well", {}, {}})); }},
+         [&s, attempt](const Session& me, Target t) {
+             return plain(addComment(s, me, attempt(me, t), {"well", {}, {}}));
+         }},
         {Operation::Override, "overrideScore",
          [&s, attempt](const Session& me, Target t) { return overrideScore(s, me, attempt(me, t), 800, "as seen"); }},
         {Operation::ReadClass, "classOverview",
@@ -179,8 +182,8 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
              return addPreset(s, me, {"mine", ++counter, std::string(64, 'd'), "{}"});
          },
          false},
-        {Operation::ReadSettings, "readSettings", [&s](const Session& me, Target) { return plain(readSettings(s, me)); },
-         false},
+        {Operation::ReadSettings, "readSettings",
+         [&s](const Session& me, Target) { return plain(readSettings(s, me)); }, false},
         {Operation::ChangeSettings, "changeSetting",
          [&s](const Session& me, Target) { return changeSetting(s, me, "idle.minutes", "5"); }, false},
         {Operation::ChangeOwnSettings, "changeOwnSetting",
@@ -214,12 +217,12 @@ void TestPermissions::everyOperationAsEveryRole()
                 const bool expected = may == 'a' || (may != '-' && !call.hasTarget) || (may == 'o' && target == Mine) ||
                                       (may == 'c' && target != Strangers);
                 const core::Status done = call.call(me, target);
-                const QString what = QStringLiteral("%1 as %2 on %3: %4")
-                                         .arg(QLatin1String(call.name))
-                                         .arg(QString::fromUtf8(roleName(static_cast<Role>(role)).data()),
-                                              QLatin1String(kTargetNames.at(target)),
-                                              done ? QStringLiteral("done")
-                                                   : QString::fromStdString(done.error().detail));
+                const QString what =
+                    QStringLiteral("%1 as %2 on %3: %4")
+                        .arg(QLatin1String(call.name))
+                        .arg(QString::fromUtf8(roleName(static_cast<Role>(role)).data()),
+                             QLatin1String(kTargetNames.at(target)),
+                             done ? QStringLiteral("done") : QString::fromStdString(done.error().detail));
                 QVERIFY2(done.has_value() == expected, qPrintable(what));
                 if (!expected)
                     QVERIFY2(done.error().code == ErrorCode::NotAllowed, qPrintable(what));
@@ -269,7 +272,8 @@ void TestPermissions::listsHoldOnlyWhatOneMaySee()
     QCOMPARE(listClasses(rig.school(), rig.student)->size(), std::size_t{1});
     QCOMPARE(listClasses(rig.school(), rig.admin)->size(), std::size_t{2});
     QCOMPARE(sheetsOfLesson(rig.school(), rig.student, "class1-36", std::string(64, 'a'), 9)->size(), std::size_t{1});
-    QCOMPARE(sheetsOfLesson(rig.school(), rig.instructor, "class1-36", std::string(64, 'a'), 9)->size(), std::size_t{2});
+    QCOMPARE(sheetsOfLesson(rig.school(), rig.instructor, "class1-36", std::string(64, 'a'), 9)->size(),
+             std::size_t{2});
 }
 
 QTEST_GUILESS_MAIN(TestPermissions)

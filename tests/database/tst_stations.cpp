@@ -49,7 +49,8 @@ int beStation(const QStringList& words)
     Outbox outbox(QDir(words[1]).filePath("outbox"), *key);
     const auto deliver = [&] {
         for (const QString& file : outbox.waiting())
-            if (const auto letter = outbox.read(file); letter && deliverAttempt(school, letter->attempt, letter->recording))
+            if (const auto letter = outbox.read(file);
+                letter && deliverAttempt(school, letter->attempt, letter->recording))
                 outbox.remove(file);
     };
     deliver();
@@ -121,7 +122,8 @@ void TestStations::manyStationsLoseNothing()
     QTemporaryDir folder;
     std::vector<std::unique_ptr<QProcess>> running;
     for (int k = 0; k < stations; ++k)
-        running.push_back(startStation(rig, folder.filePath(QString::number(k)), k % 2 == 0 ? "s1001" : "s1002", kEach));
+        running.push_back(
+            startStation(rig, folder.filePath(QString::number(k)), k % 2 == 0 ? "s1001" : "s1002", kEach));
     std::vector<double> tookMs;
     std::set<QString> confirmed;
     for (const auto& station : running) {
