@@ -891,6 +891,9 @@ void Application::keepGrade()
 
 void Application::tellKeeping()
 {
+    m_opened.reset();
+    if (m_people)
+        m_people->talkAbout({});
     ui::study::ScorePage& page = m_window->scorePage();
     page.setHistory(m_graded->history);
     page.setKeeping(m_graded->keeping);
@@ -956,6 +959,8 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
             m_window->showOldScore(assignment && assignment->lesson ? ui::study::said(assignment->lesson->title)
                                                                     : ui::text::toothTitle(*recording.anatomy()),
                                    marked->mark.sheet, {attempt}, expected, work);
+            m_opened = recording;
+            m_people->talkAbout(attempt);
         });
 }
 
@@ -1277,7 +1282,9 @@ void Application::play(const core::recording::Recording& recording, std::optiona
 /// Of the attempt that was graded, a little before that moment, held.
 void Application::showMoment(double seconds)
 {
-    if (m_graded && !m_replay)
+    if (m_opened && !m_replay)
+        play(*m_opened, std::max(0.0, seconds - ui::replay::kLeadUpS));
+    else if (m_graded && !m_replay)
         play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
 }
 

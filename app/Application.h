@@ -178,7 +178,8 @@ private:
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
     std::optional<Graded> m_graded;
-    Explainer m_explainer;  ///< of m_graded
+    std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
+    Explainer m_explainer;                               ///< of m_graded
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/PeopleDesk.h"
 
+#include <QDir>
+#include <QFileDialog>
+#include <QStandardPaths>
+
 #include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Overview.h"
 #include "lessons/LessonCatalog.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
+#include "ui/people/TalkPanel.h"
+#include "ui/report/Printing.h"
 #include "ui/study/LessonWords.h"
+#include "ui/study/ScorePage.h"
 
 namespace app {
 namespace {
@@ -47,6 +55,8 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&history, &HistoryPage::attemptOpenWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); });
     });
+    connectTalk();
+    connectReport();
     ClassPage& classes = m_window.classPage();
     classes.setLessonTitles(m_titles);
     connect(&m_window, &MainWindow::classesWanted, this, &PeopleDesk::openClasses);
@@ -63,6 +73,135 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&classes, &ClassPage::attemptsWanted, this, [this, nameOf](qint64 person, const QString& lesson) {
         openHistory({person}, nameOf(person), lesson.toStdString());
     });
+}
+
+void PeopleDesk::connectTalk()
+{
+    ui::people::TalkPanel& talk = m_window.scorePage().talk();
+    connect(&talk, &ui::people::TalkPanel::commentWanted, this,
+            [this](const QString& words, std::optional<std::int64_t> momentMs,
+                   const std::optional<std::array<double, 3>>& placeMm) {
+                sayInTalk([comment = database::sql::NewComment{words.toStdString(), placeMm, momentMs}](
+                              const School& school, const database::Session& who, database::AttemptId id) {
+                    return database::sql::addComment(school, who, id, comment).map([](std::int64_t) {});
+                });
+            });
+    connect(&talk, &ui::people::TalkPanel::overrideWanted, this,
+            [this](std::optional<int> tenths, const QString& reason) {
+                sayInTalk([tenths, reason = reason.toStdString()](const School& school, const database::Session& who,
+                                                                  database::AttemptId id) {
+                    return database::sql::overrideScore(school, who, id, tenths, reason);
+                });
+            });
+    connect(&talk, &ui::people::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
+}
+
+/// Does it to the attempt that is talked about, and shows the talk anew; what is refused is said where it was typed.
+template <class Work>
+void PeopleDesk::sayInTalk(Work work)
+{
+    if (!m_talkedAbout)
+        return;
+    m_desk.ask(
+        this,
+        [who = m_who(), id = database::AttemptId{m_talkedAbout->id},
+         work = std::move(work)](const School& school) -> core::Result<bool> {
+            if (auto done = work(school, who, id); !done)
+                return tl::unexpected(done.error());
+            return true;
+        },
+        [this](const core::Result<bool>& done) {
+            if (done)
+                tellTalk();
+            else
+                m_window.scorePage().talk().refuse(ui::text::errorText(done.error(), ui::text::Failed::ReadingSchool));
+        });
+}
+
+void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt)
+{
+    m_talkedAbout = attempt;
+    ui::study::ScorePage& page = m_window.scorePage();
+    page.setTalkVisible(attempt.has_value());
+    if (!attempt)
+        return;
+    page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
+    const bool teaches = m_who().role() == database::Role::Instructor && attempt->person != m_who().person();
+    page.talk().setMay(teaches, teaches);
+    page.talk().setTalk({});
+    tellTalk();
+}
+
+void PeopleDesk::tellTalk()
+{
+    m_desk.ask(
+        this,
+        [who = m_who(), id = database::AttemptId{m_talkedAbout->id}](const School& school) {
+            return database::sql::readTalk(school, who, id);
+        },
+        [this, id = m_talkedAbout->id](const core::Result<database::AttemptTalk>& talk) {
+            if (!m_talkedAbout || m_talkedAbout->id != id)
+                return;
+            if (talk)
+                m_window.scorePage().talk().setTalk(*talk);
+            else
+                refuse(talk.error());
+        });
+}
+
+void PeopleDesk::connectReport()
+{
+    ClassPage& classes = m_window.classPage();
+    connect(&classes, &ClassPage::pdfWanted, this, [this, &classes] {
+        auto* dialog =
+            new QFileDialog(&m_window, tr("Save the class report"),
+                            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("PDF (*.pdf)"));
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setDefaultSuffix(QStringLiteral("pdf"));
+        connect(dialog, &QFileDialog::fileSelected, this, [this, &classes](const QString& path) {
+            withReport([&classes, path](const ui::report::ClassReport& report) {
+                classes.say(ui::report::savePdf(path, report.className, report)
+                                ? tr("The report was saved as %1.").arg(QDir::toNativeSeparators(path))
+                                : tr("The report could not be written. Choose another folder, or make room on the "
+                                     "disk."));
+            });
+        });
+        connect(dialog, &QDialog::finished, &m_window, &QWidget::activateWindow);
+        dialog->open();
+    });
+    connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
+        withReport([this, &classes](const ui::report::ClassReport& report) {
+            ui::report::print(&m_window, report.className, report, [&classes](bool done) {
+                classes.say(done ? tr("The report was printed.") : tr("The printer did not take the report."));
+            });
+        });
+    });
+}
+
+/// With the head of the audit as it is now, so that paper and database can be compared.
+void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
+{
+    m_desk.ask(
+        this, [](const School& school) { return database::sql::auditHead(school); },
+        [this, use](const core::Result<database::sql::AuditHead>& head) {
+            if (!head) {
+                refuse(head.error());
+                return;
+            }
+            ui::report::ClassReport report;
+            report.className = QString::fromStdString(m_overview.name);
+            report.teacher = QString::fromStdString(m_who().fullName());
+            report.overview = m_overview;
+            report.titles = m_titles;
+            report.results = m_results;
+            const Known& known = m_lessons[m_results.lessonId];
+            report.passMarkTenths = known.passMarkTenths;
+            report.criteria = known.criteria;
+            report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
+                            QDateTime::currentDateTime()};
+            use(report);
+        });
 }
 
 void PeopleDesk::refuse(const core::Error& error)
@@ -172,6 +311,7 @@ void PeopleDesk::tellResults(const QString& lesson)
             if (!results || page.chosenClass() != ofClass || page.chosenLesson() != lesson)
                 return;
             const Known& known = m_lessons[lesson.toStdString()];
+            m_results = *results;
             page.setResults(*results, known.passMarkTenths, known.criteria);
         });
 }

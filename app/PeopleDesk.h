@@ -11,6 +11,7 @@
 #include "database/overview.h"
 #include "database/records.h"
 #include "ui/people/PeopleWords.h"
+#include "ui/report/Report.h"
 #include "ui/shell/MainWindow.h"
 
 namespace app {
@@ -23,6 +24,10 @@ class PeopleDesk final : public QObject
 public:
     /// @param who  works here now
     PeopleDesk(ui::shell::MainWindow& window, SchoolDesk& desk, std::function<database::Session()> who);
+
+    /// An attempt that is kept has been opened: what people say of it is shown, and asked for. Nothing: another one is
+    /// on the page.
+    void talkAbout(const std::optional<database::AttemptRecord>& attempt);
 
 signals:
     /// This recording is to be played.
@@ -39,12 +44,20 @@ private:
     void fetch(qint64 attempt,
                const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
     void refuse(const core::Error& error);
+    void connectTalk();
+    void tellTalk();
+    template <class Work>
+    void sayInTalk(Work work);
+    void connectReport();
+    void withReport(const std::function<void(const ui::report::ClassReport&)>& use);
 
     ui::shell::MainWindow& m_window;
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
     database::PersonId m_person;  ///< whose attempts are shown
     database::ClassOverview m_overview;
+    database::LessonResults m_results;
+    std::optional<database::AttemptRecord> m_talkedAbout;
     struct Known
     {
         int passMarkTenths = 0;

@@ -1314,6 +1314,33 @@
     </message>
 </context>
 <context>
+    <name>app::PeopleDesk</name>
+    <message>
+        <source>Save the class report</source>
+        <translation>Gruppenbericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>Der Bericht wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The report could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>Der Bericht konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>The report was printed.</source>
+        <translation>Der Bericht wurde gedruckt.</translation>
+    </message>
+    <message>
+        <source>The printer did not take the report.</source>
+        <translation>Der Drucker hat den Bericht nicht angenommen.</translation>
+    </message>
+</context>
+<context>
     <name>ui::charts::ChartPanel</name>
     <message>
         <source>Save as picture (PNG) …</source>

@@ -1314,6 +1314,33 @@
     </message>
 </context>
 <context>
+    <name>app::PeopleDesk</name>
+    <message>
+        <source>Save the class report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report could not be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report was printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The printer did not take the report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::charts::ChartPanel</name>
     <message>
         <source>Save as picture (PNG) …</source>
@@ -2048,7 +2075,7 @@ load NAME        feels a hardness preset that is kept</source>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Of the last attempt</numerusform>
+            <numerusform>Average of the last %n attempt</numerusform>
             <numerusform>Average of the last %n attempts</numerusform>
         </translation>
     </message>

@@ -1314,6 +1314,33 @@
     </message>
 </context>
 <context>
+    <name>app::PeopleDesk</name>
+    <message>
+        <source>Save the class report</source>
+        <translation>Guardar el informe del grupo</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>El informe se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The report could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>El informe no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>The report was printed.</source>
+        <translation>El informe se imprimió.</translation>
+    </message>
+    <message>
+        <source>The printer did not take the report.</source>
+        <translation>La impresora no aceptó el informe.</translation>
+    </message>
+</context>
+<context>
     <name>ui::charts::ChartPanel</name>
     <message>
         <source>Save as picture (PNG) …</source>

@@ -1308,6 +1308,33 @@
     </message>
 </context>
 <context>
+    <name>app::PeopleDesk</name>
+    <message>
+        <source>Save the class report</source>
+        <translation>クラスの報告書を保存</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>報告書を %1 として保存しました。</translation>
+    </message>
+    <message>
+        <source>The report could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>報告書を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>The report was printed.</source>
+        <translation>報告書を印刷しました。</translation>
+    </message>
+    <message>
+        <source>The printer did not take the report.</source>
+        <translation>プリンターが報告書を受け付けませんでした。</translation>
+    </message>
+</context>
+<context>
     <name>ui::charts::ChartPanel</name>
     <message>
         <source>Save as picture (PNG) …</source>

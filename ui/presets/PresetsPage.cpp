@@ -40,6 +40,7 @@ constexpr int kRowPx = 48;
 constexpr int kNarrowestChartPx = 1000;
 constexpr int kLowestNotesPx = 560;
 constexpr int kTablePx = 560;
+constexpr int kOtherPx = 240;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
 
@@ -283,8 +284,9 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     m_other = study::choiceInput({}, whole);
     m_other->setObjectName(QStringLiteral("presetOther"));
     m_other->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_other->setMinimumContentsLength(10);
+    m_other->setMinimumContentsLength(5);
     words->setBuddy(m_other);
+    m_other->setMaximumWidth(kOtherPx);
     m_trials = new QSpinBox(whole);
     m_trials->setObjectName(QStringLiteral("presetTrials"));
     m_trials->setRange(1, kMostTrials);
@@ -292,7 +294,7 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     study::bindToForm(m_trials);
     m_compare = button("", "presetCompare", whole);
     row->addWidget(words);
-    row->addWidget(m_other);
+    row->addWidget(m_other, 1);
     row->addWidget(m_trials);
     row->addWidget(m_compare);
     row->addStretch(1);

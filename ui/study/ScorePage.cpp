@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
@@ -184,6 +185,8 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_resultCard = makeResult();
     m_criteriaCard = makeCriteria();
     m_placeCard = makePlace();
+    m_talk = new people::TalkPanel(m_resultCard->parentWidget());
+    m_talk->hide();
     m_historyCard = makeHistory();
     const auto colour = [this](bool distinct) {
         m_heat->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
@@ -215,7 +218,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
 void ScorePage::arrange()
 {
     const bool beside = width() >= kNarrowestBesidePx && m_scored;
-    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard})
+    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard, static_cast<QWidget*>(m_talk)})
         m_cards->removeWidget(card);
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside) {
@@ -229,6 +232,8 @@ void ScorePage::arrange()
         m_cards->addWidget(m_placeCard, 2, 0, 1, 2);
         m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
     }
+    m_cards->addWidget(m_talk, 4, 0, 1, 2);
+    m_talk->setVisible(m_talks);
     m_placeCard->setVisible(m_scored.has_value());
     for (QWidget* picture : {static_cast<QWidget*>(m_heat), static_cast<QWidget*>(m_section)})
         picture->setMinimumHeight(beside ? 0 : kPictureBelowPx);
@@ -666,6 +671,12 @@ void ScorePage::tellHistory()
     }
     tellKeeping();
     m_listSlot->addWidget(m_list);
+}
+
+void ScorePage::setTalkVisible(bool visible)
+{
+    m_talks = visible;
+    arrange();
 }
 
 void ScorePage::setKeeping(Keeping keeping)

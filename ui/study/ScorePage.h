@@ -26,6 +26,10 @@ class ScoreBar;
 class TabularLabel;
 }  // namespace ui::shell
 
+namespace ui::people {
+class TalkPanel;
+}
+
 namespace ui::study {
 
 class ConductNotes;
@@ -62,6 +66,9 @@ public:
         Kept
     };
     void setKeeping(Keeping keeping);
+    /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
+    [[nodiscard]] people::TalkPanel& talk() { return *m_talk; }
+    void setTalkVisible(bool visible);
     /// Where the score stands among those of a class.
     void setClass(const ::lessons::ClassStanding& standing);
     /// What the score comes to on other grids.
@@ -114,6 +121,8 @@ private:
     QWidget* m_criteriaCard = nullptr;
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
+    people::TalkPanel* m_talk = nullptr;
+    bool m_talks = false;
     shell::TabularLabel* m_total = nullptr;
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
