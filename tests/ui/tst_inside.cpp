@@ -424,14 +424,14 @@ void TestInside::filmsAreDevelopedAndSaved()
     QVERIFY(page.bothFilms().isNull());
     const auto anatomy = support::syntheticMolar(64);
     Tooth tooth(anatomy);
-    page.setTooth(tooth, "Tooth");
+    page.setTooth(tooth);
     QTRY_VERIFY(page.isReady());
     const QImage whole = page.bothFilms();
     QVERIFY(whole.width() > whole.height());
     for (float& top : tooth.top)
         if (top > core::terrain::kEmptyTop)
             top -= 1.0F;
-    page.setTooth(tooth, "Tooth");
+    page.setTooth(tooth);
     QTRY_VERIFY(page.isReady());
     // The left half is as it was, the right one is not.
     const QImage cut = page.bothFilms();
@@ -450,7 +450,7 @@ void TestInside::moreExposureDarkensTheFilm()
     shell::Actions actions(&window);
     inside::XrayPage page(actions, nullptr);
     page.resize(1000, 700);
-    page.setTooth(Tooth(support::syntheticMolar(64)), "Tooth");
+    page.setTooth(Tooth(support::syntheticMolar(64)));
     const auto brightness = [&] {
         const QImage both = page.bothFilms();
         double sum = 0.0;
@@ -478,7 +478,7 @@ void TestInside::aBitewingNeedsATooth()
     auto* bitewing = page.findChild<QPushButton*>("bitewing");
     const auto built = core::teeth::buildTooth({36}, {});
     QVERIFY(built.has_value());
-    page.setTooth(Tooth(built->anatomy), "Tooth 36");
+    page.setTooth(Tooth(built->anatomy));
     QTRY_VERIFY(page.isReady());
     const double one = page.bothFilms().width() / static_cast<double>(page.bothFilms().height());
     QVERIFY(bitewing->isEnabled());
@@ -486,7 +486,7 @@ void TestInside::aBitewingNeedsATooth()
     QTRY_VERIFY(page.isReady());
     const double three = page.bothFilms().width() / static_cast<double>(page.bothFilms().height());
     QVERIFY2(three > 1.3 * one, "three crowns are wider than one tooth");
-    page.setTooth(Tooth(block()), "block.stl");
+    page.setTooth(Tooth(block()));
     QVERIFY(!bitewing->isEnabled());
     QVERIFY(page.findChild<QPushButton*>("oneTooth")->isChecked());
     QTRY_VERIFY(page.isReady());
