@@ -362,7 +362,7 @@ int measureSchool(const QCommandLineParser& parser, const Address& address)
     const auto timed = [](std::vector<double>& ms, const auto& work) {
         QElapsedTimer since;
         since.start();
-        const core::Status done = work();
+        core::Status done = work();
         ms.push_back(static_cast<double>(since.nsecsElapsed()) * 1e-6);
         return done;
     };
