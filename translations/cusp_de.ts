@@ -2290,6 +2290,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::people::ListTable</name>
+    <message>
+        <source>Corner of the table</source>
+        <translation>Ecke der Tabelle</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::LoginPage</name>
     <message>
         <source>Cusp</source>

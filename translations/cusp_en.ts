@@ -2282,6 +2282,13 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
 </context>
 <context>
+    <name>ui::people::ListTable</name>
+    <message>
+        <source>Corner of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::people::LoginPage</name>
     <message>
         <source>Cusp</source>

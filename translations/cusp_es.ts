@@ -2290,6 +2290,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::people::ListTable</name>
+    <message>
+        <source>Corner of the table</source>
+        <translation>Esquina de la tabla</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::LoginPage</name>
     <message>
         <source>Cusp</source>

@@ -2277,6 +2277,13 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+    <name>ui::people::ListTable</name>
+    <message>
+        <source>Corner of the table</source>
+        <translation>表の角</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::LoginPage</name>
     <message>
         <source>Language: %1</source>

@@ -2,6 +2,8 @@
 // cusp db: the school's data as a whole.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include <QDateTime>
 #include <QDir>
@@ -9,14 +11,20 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <sys/resource.h>
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
+#include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
+#include "database/sql/Classes.h"
 #include "database/sql/Copy.h"
+#include "database/sql/Export.h"
 #include "database/sql/Logins.h"
+#include "database/sql/Overview.h"
+#include "database/sql/People.h"
 #include "database/sql/Sample.h"
 #include "database/sql/Statement.h"
 #include "lessons/LessonCatalog.h"
@@ -319,6 +327,90 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
                    {"password", QString::fromStdString(password)}});
 }
 
+/// Median and the worst but one in a hundred of some times, ms.
+QJsonObject timesOf(std::vector<double> ms)
+{
+    std::sort(ms.begin(), ms.end());
+    return {{"p50_ms", ms[ms.size() / 2]}, {"p99_ms", ms[ms.size() * 99 / 100]}};
+}
+
+qint64 peakMiB()
+{
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return used.ru_maxrss / 1024;
+}
+
+/// How long the pages take that a student and a teacher open most, and an export, of what is there.
+int measureSchool(const QCommandLineParser& parser, const Address& address)
+{
+    namespace sql = database::sql;
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    const auto session = logIn(parser, *open);
+    if (!session)
+        return failed(session.error());
+    const sql::School& school = *open->school;
+    const auto people = sql::listPeople(school, *session);
+    const auto classes = sql::listClasses(school, *session);
+    if (!people || !classes)
+        return failed(people ? classes.error() : people.error());
+    constexpr std::size_t kLooks = 100;
+    std::vector<double> history;
+    std::vector<double> matrix;
+    const auto timed = [](std::vector<double>& ms, const auto& work) {
+        QElapsedTimer since;
+        since.start();
+        core::Status done = work();
+        ms.push_back(static_cast<double>(since.nsecsElapsed()) * 1e-6);
+        return done;
+    };
+    for (std::size_t k = 0; k < people->size() && history.size() < kLooks;
+         k += std::max<std::size_t>(1, people->size() / kLooks)) {
+        const database::Person& person = (*people)[k];
+        if (person.role != database::Role::Student)
+            continue;
+        const auto done = timed(history, [&]() -> core::Status {
+            const auto attempts = sql::history(school, *session, person.id, {});
+            if (!attempts)
+                return tl::unexpected(attempts.error());
+            const std::string lesson = attempts->empty() ? std::string() : attempts->front().lessonId;
+            const auto band = sql::classBand(school, *session, person.id, lesson);
+            const auto medians = sql::classMedians(school, *session, person.id, lesson);
+            return band && medians ? core::Status() : core::unexpected(ErrorCode::BadStructure, "a page failed");
+        });
+        if (!done)
+            return failed(done.error());
+    }
+    for (const database::SchoolClass& one : *classes) {
+        const auto done = timed(matrix, [&]() -> core::Status {
+            const auto overview = sql::classOverview(school, *session, one.id);
+            return overview ? core::Status() : core::Status(tl::unexpected(overview.error()));
+        });
+        if (!done)
+            return failed(done.error());
+    }
+    if (history.empty() || matrix.empty())
+        return failed({ErrorCode::FileEmpty, "nobody is there to measure; \"cusp db sample\" makes up a school"});
+    const qint64 before = peakMiB();
+    QElapsedTimer since;
+    since.start();
+    const auto rows = sql::exportAttempts(school, *session, [](std::string_view) { return true; });
+    if (!rows)
+        return failed(rows.error());
+    const double exportS = static_cast<double>(since.nsecsElapsed()) * 1e-9;
+    const QJsonObject object{{"database", address.shown()},
+                             {"attempts", static_cast<qint64>(*rows)},
+                             {"history_page", timesOf(history)},
+                             {"class_matrix", timesOf(matrix)},
+                             {"export_rows_per_s", std::round(static_cast<double>(*rows) / std::max(exportS, 1e-9))},
+                             {"peak_mib_before_export", before},
+                             {"peak_mib_after_export", peakMiB()}};
+    printJson(object);
+    return kDone;
+}
+
 void addAdmin(QCommandLineParser& parser)
 {
     parser.addOption({QStringLiteral("admin"),
@@ -374,6 +466,8 @@ constexpr std::array kParts{
     Part{"copy", "cusp db copy [--db FILE|URL] --to FILE|URL", "brings a school into another database, and verifies it",
          addTarget, copyDatabase},
     Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},
+    Part{"measure", "cusp db measure --as ADMIN [--db FILE|URL]",
+         "times the history page, the class matrix and an export", addPersonOption, measureSchool},
     Part{"sample", "cusp db sample [--db FILE|URL] [--students N] [--attempts N]",
          "makes up a school, to see and measure a large one", addSize, makeUpSchool},
 };

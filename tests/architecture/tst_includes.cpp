@@ -19,7 +19,7 @@ struct Room
 };
 
 /// What the operating system and the compiler offer beside the C++ standard library, which everyone may use.
-const QStringList kSystem{"fcntl.h", "immintrin.h", "linux/", "poll.h",  "pthread.h",
+const QStringList kSystem{"fcntl.h", "immintrin.h", "linux/",    "poll.h", "pthread.h",
                           "sched.h", "sys/",        "termios.h", "time.h", "unistd.h"};
 
 const QStringList kWindow{"QtCore",       "QtGui",    "QtWidgets",    "QtOpenGL",       "QtOpenGLWidgets", "QtSvg",

@@ -25,6 +25,7 @@
 #include "ui/people/ListTable.h"
 #include "ui/shell/Announce.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
 
 namespace ui::people {
 namespace {
@@ -340,7 +341,7 @@ void ClassPage::tellNeeds()
     }
     const auto explain = [this](Need need, const QString& words) {
         QAbstractButton* button = m_need->button(static_cast<int>(need));
-        button->setToolTip(words);
+        button->setToolTip(shell::brokenIntoLines(words));
         button->setAccessibleName(button->text());
         button->setAccessibleDescription(words);
     };
@@ -418,9 +419,9 @@ void ClassPage::askForFile()
 void ClassPage::retell()
 {
     setTitle(tr("Class"));
-    m_class->setAccessibleName(tr("Class"));
+    study::nameInput(m_class, tr("Class"));
     m_lessonWord->setText(tr("How the class does at"));
-    m_lesson->setAccessibleName(tr("Lesson whose charts are shown"));
+    study::nameInput(m_lesson, tr("Lesson whose charts are shown"));
     m_table->setAccessibleName(tr("Best scores, students by lessons"));
     m_assign->setText(tr("Assign lessons"));
     m_assign->setAccessibleName(m_assign->text());

@@ -20,6 +20,7 @@
 #include "ui/people/ListTable.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
@@ -319,7 +320,7 @@ void HistoryPage::drawCharts()
 void HistoryPage::retell()
 {
     setTitle(m_person.isEmpty() ? tr("Your attempts") : tr("Attempts of %1").arg(m_person));
-    m_lessons->setAccessibleName(tr("Show the attempts at this lesson"));
+    study::nameInput(m_lessons, tr("Show the attempts at this lesson"));
     m_table->setAccessibleName(tr("Attempts"));
     m_open->setText(tr("Open grade"));
     m_replay->setText(tr("Replay"));

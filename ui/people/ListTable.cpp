@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/ListTable.h"
 
+#include <QAbstractButton>
 #include <QHeaderView>
 #include <QKeyEvent>
+
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
 namespace {
@@ -25,6 +28,10 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     verticalHeader()->setDefaultSectionSize(kRowPx);
     horizontalHeader()->setHighlightSections(false);
     verticalHeader()->setHighlightSections(false);
+    text::inEveryLanguage(this, [this] {
+        for (auto* corner : findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly))
+            corner->setAccessibleName(tr("Corner of the table"));
+    });
 }
 
 bool ListTable::event(QEvent* event)
