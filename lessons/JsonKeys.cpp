@@ -163,7 +163,7 @@ void JsonKeys::refuseHidden(const QString& text, const char* key)
 
 std::string JsonKeys::visibleText(const char* key, qsizetype longest)
 {
-    const std::string found = text(key, longest);
+    std::string found = text(key, longest);
     refuseHidden(QString::fromStdString(found), key);
     return found;
 }

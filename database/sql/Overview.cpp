@@ -131,7 +131,8 @@ int quantile(const std::vector<int>& sorted, double share)
     return static_cast<int>(std::lround((1.0 - part) * sorted[below] + part * sorted[above]));
 }
 
-std::vector<BandPoint> curveOf(std::map<int, std::vector<int>> scoresOfNth)
+/// @param scoresOfNth  of each student's first attempt, second ...; sorted afterwards
+std::vector<BandPoint> curveOf(std::map<int, std::vector<int>>& scoresOfNth)
 {
     std::vector<BandPoint> curve;
     for (auto& [attempt, scores] : scoresOfNth) {
@@ -231,7 +232,7 @@ core::Result<LessonResults> lessonResults(const School& school, const Session& s
     for (const auto& [person, attempts] : byPerson)
         results.bestTenths.push_back(std::max_element(attempts.begin(), attempts.end())->first);
     std::sort(results.bestTenths.begin(), results.bestTenths.end());
-    results.curve = curveOf(std::move(scoresOfNth));
+    results.curve = curveOf(scoresOfNth);
     results.difficulty = difficultyOf(byPerson, shares);
     results.difficulty.lessonId = lessonId;
     return results;
@@ -256,7 +257,7 @@ core::Result<std::vector<BandPoint>> classBand(const School& school, const Sessi
                     });
         !read)
         return tl::unexpected(read.error());
-    return curveOf(std::move(scoresOfNth));
+    return curveOf(scoresOfNth);
 }
 
 core::Result<std::optional<LessonMedians>> classMedians(const School& school, const Session& session, PersonId person,

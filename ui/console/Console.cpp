@@ -134,7 +134,7 @@ void Console::execute(const QString& line)
     const QStringList words = line.simplified().split(u' ', Qt::SkipEmptyParts);
     if (words.isEmpty())
         return;
-    const QString command = words.front();
+    const QString& command = words.front();
     const QString rest = words.mid(1).join(u' ');
     const bool wantsName =
         command == u"get" || command == u"watch" || command == u"plot" || command == u"save" || command == u"load";
@@ -211,7 +211,10 @@ void Console::set(const QString& name, const QString& value)
     }
     const core::settings::SetAnswer answer = m_parameters.set(name.toStdString(), number.value_or(0.0));
     const QString refused = answerWords(answer, name, parameter);
-    say(refused.isEmpty() ? QStringLiteral("%1 = %2").arg(name, valueWords(*parameter, parameter->read())) : refused);
+    if (parameter != nullptr && refused.isEmpty())
+        say(QStringLiteral("%1 = %2").arg(name, valueWords(*parameter, parameter->read())));
+    else
+        say(refused);
 }
 
 /// Of all, those that are felt: nobody wants the view turned back with them.

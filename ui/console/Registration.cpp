@@ -71,8 +71,8 @@ double PeriodMeter::percentileUs(double share) const
     return 0.001 * static_cast<double>(*at);
 }
 
-void registerFeel(Parameters& parameters, std::function<FeelPreset()> now, std::function<FeelPreset()> initial,
-                  std::function<std::string(const FeelPreset&)> feel)
+void registerFeel(Parameters& parameters, const std::function<FeelPreset()>& now,
+                  const std::function<FeelPreset()>& initial, const std::function<std::string(const FeelPreset&)>& feel)
 {
     for (const auto& field : core::settings::feelFields()) {
         Parameter parameter;
@@ -132,10 +132,11 @@ void registerPush(Parameters& parameters, std::function<double()> read, std::fun
          [] { return Words::tr("How hard the mouse button presses the bur against the tooth.").toStdString(); }});
 }
 
-void registerLive(Parameters& parameters, std::function<core::session::ServoState()> servo, const PeriodMeter& meter)
+void registerLive(Parameters& parameters, const std::function<core::session::ServoState()>& servo,
+                  const PeriodMeter& meter)
 {
     const auto add = [&](const char* name, const char* unit, std::function<double()> read,
-                         std::function<QString()> help) {
+                         const std::function<QString()>& help) {
         Parameter parameter;
         parameter.name = name;
         parameter.unit = unit;

@@ -35,9 +35,9 @@ private:
 /// @param now      what is felt now
 /// @param initial  what is to be felt if nothing is turned
 /// @param feel     sets it; answers why not, or nothing
-void registerFeel(core::settings::Parameters& parameters, std::function<core::settings::FeelPreset()> now,
-                  std::function<core::settings::FeelPreset()> initial,
-                  std::function<std::string(const core::settings::FeelPreset&)> feel);
+void registerFeel(core::settings::Parameters& parameters, const std::function<core::settings::FeelPreset()>& now,
+                  const std::function<core::settings::FeelPreset()>& initial,
+                  const std::function<std::string(const core::settings::FeelPreset&)>& feel);
 
 /// A checkable action as a switch, off to begin with.
 /// @param action  must outlive the registry
@@ -49,7 +49,7 @@ void registerPush(core::settings::Parameters& parameters, std::function<double()
 
 /// "live.force", "live.depth" and so on.
 /// @param meter  must outlive the registry
-void registerLive(core::settings::Parameters& parameters, std::function<core::session::ServoState()> servo,
+void registerLive(core::settings::Parameters& parameters, const std::function<core::session::ServoState()>& servo,
                   const PeriodMeter& meter);
 
 }  // namespace ui::console

@@ -433,7 +433,7 @@ void ClassPage::retell()
     m_legend->setText(
         tr("Best score of each student; a tick: passed. A heading sorts, once more the other way, then by "
            "name. A cell opens the attempts."));
-    m_legend->setToolTip(m_legend->text());
+    m_legend->setToolTip(shell::brokenIntoLines(m_legend->text()));
     m_model->retell();
     fillClasses();
     fillLessons();

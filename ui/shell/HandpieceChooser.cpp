@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/HandpieceChooser.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -43,14 +41,14 @@ void HandpieceChooser::resizeEvent(QResizeEvent* event)
 
 void HandpieceChooser::arrange()
 {
-    int widest = 0;
+    int together = 0;
     int count = 0;
     for (const QToolButton* button : findChildren<QToolButton*>())
         if (!button->isHidden()) {
-            widest = std::max(widest, button->sizeHint().width());
+            together += button->sizeHint().width();
             ++count;
         }
-    const bool fits = count * widest + (count - 1) * kSpace1 <= width();
+    const bool fits = together + (count - 1) * kSpace1 <= width();
     m_row->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 

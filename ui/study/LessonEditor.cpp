@@ -538,7 +538,7 @@ void LessonEditor::save()
     m_isSaveWanted = !m_now || m_weigher->isBusy();
     if (m_isSaveWanted)
         return;  // as soon as it is checked
-    if (const QString whyNot = write(draft(), *m_now); !whyNot.isEmpty()) {
+    if (QString whyNot = write(draft(), *m_now); !whyNot.isEmpty()) {
         say([whyNot] { return whyNot; }, true);
         return;
     }
@@ -571,7 +571,7 @@ bool LessonEditor::saveAll()
         if (!opened.draft.isChanged())
             continue;
         const auto weighed = weigh(opened.draft.object(), opened.draft.file(), nullptr);
-        if (const QString whyNot = write(opened.draft, *weighed); !whyNot.isEmpty()) {
+        if (QString whyNot = write(opened.draft, *weighed); !whyNot.isEmpty()) {
             if (from != m_present)
                 turnTo(from);
             say([whyNot] { return whyNot; }, true);
