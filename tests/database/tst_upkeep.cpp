@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Backups, copies between engines, class lists, and what a check finds.
+#include <QDir>
+#include <QFile>
+#include <QSqlQuery>
+#include <QTest>
+
+#include "core/base/Rng.h"
+#include "database/sql/Backups.h"
+#include "database/sql/Check.h"
+#include "database/sql/Copy.h"
+#include "database/sql/Dialect.h"
+#include "database/sql/Export.h"
+#include "database/sql/Overview.h"
+#include "database/sql/Roster.h"
+#include "database/sql/Sample.h"
+#include "tests/database/SchoolRig.h"
+
+using namespace database;
+using namespace database::sql;
+using core::ErrorCode;
+using support::SchoolRig;
+
+class TestUpkeep : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aBackupIsRestoredWithoutTheOldLog();
+    void aDamagedFileReplacesNoBackup();
+    void backupsAreThinnedOut();
+    void aSchoolMovesBetweenEnginesAndBack();
+    void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
+    void aCheckNamesTheAttemptThatWasChanged();
+    void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
+    void classListsAreTakenWholeOrNotAtAll();
+    void aMadeUpSchoolIsSound_data() { support::addEngines(); }
+    void aMadeUpSchoolIsSound();
+    void flippedBytesAreReportedOrHarmless();
+};
+
+void TestUpkeep::aBackupIsRestoredWithoutTheOldLog()
+{
+    QTemporaryDir elsewhere;
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    const auto backup = backUp(rig.school().db, elsewhere.path(), rig.nowUtc);
+    VERIFY_DONE(backup);
+    QCOMPARE(QFileInfo(*backup).fileName(), QString("backup-2026-11-20-10.15.00.sqlite"));
+    VERIFY_DONE(restoreDrill(rig.school().db));
+    // Work goes on, and stands in the log beside the file when the station is gone.
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 900), {}));
+    const QString copy = elsewhere.filePath("school.sqlite");
+    for (const char* end : {"", "-wal"})
+        QVERIFY(QFile::copy(rig.address() + end, copy + end));
+    QVERIFY(QFileInfo(copy + "-wal").size() > 0);
+    const auto replaced = restoreBackup(*backup, copy, rig.nowUtc);
+    VERIFY_DONE(replaced);
+    QVERIFY(QFile::exists(*replaced) && QFile::exists(*replaced + "-wal"));
+    QVERIFY(!QFile::exists(copy + "-wal"));
+    const auto restored = Database::open(copy);
+    VERIFY_DONE(restored);
+    QSqlQuery count((*restored)->handle());
+    QVERIFY(count.exec("SELECT count(*) FROM attempts") && count.next());
+    QCOMPARE(count.value(0).toInt(), 1);
+    QVERIFY(checkDatabase((*restored)->handle(), {})->findings.empty());
+    VERIFY_REFUSED(restoreBackup(elsewhere.filePath("nothing.sqlite"), copy, rig.nowUtc), ErrorCode::FileMissing);
+}
+
+void TestUpkeep::aDamagedFileReplacesNoBackup()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath("noise.sqlite");
+    QFile noise(file);
+    QVERIFY(noise.open(QIODevice::WriteOnly));
+    noise.write(QByteArray(8192, 'n'));
+    noise.close();
+    QVERIFY(!verifyBackup(file).has_value());
+    const QString target = folder.filePath("school.sqlite");
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        QVERIFY(QFile::copy(rig.address(), target));
+    }
+    QVERIFY(!restoreBackup(file, target, QDateTime::currentDateTimeUtc()).has_value());
+    QVERIFY(QFile::exists(target));
+    QVERIFY(!Database::open(file).has_value());
+}
+
+void TestUpkeep::backupsAreThinnedOut()
+{
+    QStringList files{"somebody-elses.sqlite", "before-schema-3-2026-01-01-00.00.00.sqlite"};
+    QDateTime when(QDate(2026, 11, 20), QTime(18, 0), Qt::UTC);
+    for (int day = 0; day < 400; ++day)
+        for (const int hour : {9, 18})
+            files += "backup-" +
+                     QDateTime(when.date().addDays(-day), QTime(hour, 0), Qt::UTC).toString("yyyy-MM-dd-HH.mm.ss") +
+                     ".sqlite";
+    const QStringList gone = tooMany(files);
+    QStringList kept;
+    for (const QString& file : std::as_const(files))
+        if (!gone.contains(file))
+            kept += file;
+    QVERIFY(kept.contains("somebody-elses.sqlite"));
+    QVERIFY(kept.contains("before-schema-3-2026-01-01-00.00.00.sqlite"));
+    // The last of each of twelve days.
+    for (int day = 0; day < 12; ++day)
+        QVERIFY(kept.contains("backup-" + when.addDays(-day).toString("yyyy-MM-dd-HH.mm.ss") + ".sqlite"));
+    QVERIFY(!kept.contains("backup-2026-11-20-09.00.00.sqlite"));
+    // Twelve days lie in two or three of ten weeks, and those in three or four of nine months.
+    QVERIFY2(kept.size() - 2 >= 12 + 7 + 5 && kept.size() - 2 <= 12 + 9 + 8, qPrintable(kept.join('\n')));
+    QVERIFY(kept.contains("backup-2026-03-31-18.00.00.sqlite"));
+    QVERIFY(!kept.contains("backup-2026-02-28-18.00.00.sqlite"));
+    QVERIFY(tooMany(kept).isEmpty());
+}
+
+void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig first(false);
+    first.populate();
+    AttemptRecord attempt = SchoolRig::attempt("class1-36", 823);
+    attempt.device = "Gerät 歯 \\ ' \"";
+    const QByteArray recording("recording\0with a zero", 21);
+    const AttemptId id = addAttempt(first.school(), first.student, attempt, recording).value();
+    VERIFY_DONE(addComment(first.school(), first.instructor, id, {"Well done.", {{1.0, 2.0, -0.5}}, 90'000}));
+    VERIFY_DONE(overrideScore(first.school(), first.instructor, id, 900, "It is better than that."));
+    SchoolRig server(true);
+    QVERIFY(server.isOpen());
+    const auto there = copySchool(first.school(), server.school());
+    VERIFY_DONE(there);
+    QCOMPARE(there->recordings, 1);
+    VERIFY_REFUSED(copySchool(first.school(), server.school()), ErrorCode::OutOfRange);
+    SchoolRig back(false);
+    VERIFY_DONE(copySchool(server.school(), back.school()));
+    for (SchoolRig* rig : {&server, &back}) {
+        const auto report = checkDatabase(rig->school().db, {auditHead(first.school())->code()});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+        const auto session = Logins::login(rig->school(), "s1001", SchoolRig::kPassword);
+        VERIFY_DONE(session);
+        QVERIFY(*openAttempt(rig->school(), *session, id) == *openAttempt(first.school(), first.student, id));
+        QCOMPARE(openRecording(rig->school(), *session, id).value(), recording);
+        QVERIFY(*readTalk(rig->school(), *session, id) == *readTalk(first.school(), first.student, id));
+        // Numbers go on behind those that came along.
+        const auto next = addAttempt(rig->school(), *session, SchoolRig::attempt("class1-36", 1), {});
+        VERIFY_DONE(next);
+        QVERIFY(next->value > id.value);
+    }
+}
+
+void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    std::vector<AttemptRecord> attempts;
+    for (int k = 0; k < 5; ++k) {
+        attempts.push_back(SchoolRig::attempt("class1-36", 500 + k));
+        VERIFY_DONE(addAttempt(rig.school(), rig.student, attempts.back(), {}));
+    }
+    QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
+    QSqlQuery query(rig.school().db);
+    const auto sql = [&](const char* words, const AttemptRecord& attempt) {
+        return query.exec(QString::fromLatin1(words).arg(QString::fromStdString(attempt.uid)));
+    };
+    QVERIFY(sql("UPDATE attempts SET score_tenths = 999 WHERE uid = '%1'", attempts[1]));
+    QVERIFY(sql("DELETE FROM score_sheets WHERE attempt_id = (SELECT id FROM attempts WHERE uid = '%1')", attempts[2]));
+    QVERIFY(sql("DELETE FROM attempts WHERE uid = '%1'", attempts[2]));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QString all;
+    for (const std::string& finding : report->findings)
+        all += QString::fromStdString(finding) + '\n';
+    QVERIFY2(all.contains(QString::fromStdString(attempts[1].uid) + " (2026-11-20T10:15:00Z, class1-36) was changed"),
+             qPrintable(all));
+    QVERIFY2(all.contains(QString::fromStdString(attempts[2].uid) + " was removed"), qPrintable(all));
+    QVERIFY2(all.contains("do not add up"), qPrintable(all));
+    QCOMPARE(report->findings.size(), std::size_t{3});
+}
+
+void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const auto people = [&] { return listPeople(rig.school(), rig.admin)->size(); };
+    const std::size_t before = people();
+    const char* good = "\xEF\xBB\xBFusername;given_name;family_name;role;class\r\n"
+                       "new1;Åsa;\"Berg; af\";student;DEN101-A|Evening\r\n\r\n"
+                       "s1001;Sam;Renamed;;Evening\r\n";
+    const auto dry = importRoster(rig.school(), rig.admin, good, true);
+    VERIFY_DONE(dry);
+    QVERIFY(dry->faults.empty());
+    QCOMPARE(dry->people.size(), std::size_t{2});
+    QVERIFY(dry->people[0].isNew && dry->people[0].code.empty() && !dry->people[1].isNew);
+    QCOMPARE(people(), before);
+    const auto done = importRoster(rig.school(), rig.admin, good, false);
+    VERIFY_DONE(done);
+    QCOMPARE(people(), before + 1);
+    VERIFY_DONE(Logins::redeem(rig.school(), "new1", done->people[0].code, "another horse"));
+    QCOMPARE(findPerson(rig.school(), rig.admin, "new1")->familyName, std::string("Berg; af"));
+    QCOMPARE(findPerson(rig.school(), rig.admin, "s1001")->familyName, std::string("Renamed"));
+    QCOMPARE(listClasses(rig.school(), rig.admin)->size(), std::size_t{3});
+
+    const auto bad = importRoster(rig.school(), rig.admin,
+                                  "username,role,class\nok1,student,A\nt w o,student,A\nok1,student,A\nok2,boss,A\n"
+                                  "teach,student,A\nok3,student,A,more\n",
+                                  false);
+    VERIFY_DONE(bad);
+    QStringList lines;
+    for (const RosterFault& fault : bad->faults)
+        lines += QStringLiteral("%1 %2").arg(fault.line).arg(QString::fromStdString(fault.column));
+    QCOMPARE(lines, (QStringList{"3 username", "4 username", "5 role", "6 role", "7 "}));
+    QCOMPARE(people(), before + 1);
+    for (const char* broken :
+         {"", "name\nx\n", "username,username\nx,y\n", "username\n\"x\n", "username\n\"x\"y\n", "username\n\xFF\xFE\n"})
+        QVERIFY2(!importRoster(rig.school(), rig.admin, broken, false).has_value(), broken);
+    QCOMPARE(people(), before + 1);
+    // In a spreadsheet no name is a formula.
+    AttemptRecord formula = SchoolRig::attempt("=cmd|'/c calc'!A0", 1);
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, formula, {}));
+    std::string csv;
+    VERIFY_DONE(exportAttempts(rig.school(), rig.admin, [&](std::string_view line) {
+        csv += line;
+        return true;
+    }));
+    QVERIFY2(csv.find(",'=cmd|'/c calc'!A0,") != std::string::npos, csv.c_str());
+    QVERIFY2(csv.find(",0.1,no,,80.0,345.678,0.850,2.400,") != std::string::npos, csv.c_str());
+}
+
+void TestUpkeep::aMadeUpSchoolIsSound()
+{
+    SCHOOL_RIG(rig);
+    const auto admin =
+        Logins::createFirstAdmin(rig.school(), {"admin", "", "", Role::Admin}, SchoolRig::kPassword, SchoolRig::kCheap);
+    VERIFY_DONE(admin);
+    VERIFY_DONE(makeSample(rig.school(), *admin, {40, 600, 20, 7}, {"class1-36", "decay-21"}));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QCOMPARE(report->attempts, 600);
+    const auto classes = listClasses(rig.school(), *admin);
+    QCOMPARE(classes->size(), std::size_t{2});
+    const auto overview = classOverview(rig.school(), *admin, classes->front().id);
+    VERIFY_DONE(overview);
+    QCOMPARE(overview->students.size(), std::size_t{20});
+    QCOMPARE(overview->lessons, (std::vector<std::string>{"class1-36", "decay-21"}));
+    // What is summed up is what there is.
+    int attempts = 0;
+    for (const auto& row : overview->cells)
+        for (const MatrixCell& cell : row)
+            attempts += cell.attempts;
+    int listed = 0;
+    for (const MatrixStudent& student : overview->students)
+        listed += static_cast<int>(history(rig.school(), *admin, student.id, {})->size());
+    QCOMPARE(attempts, listed);
+    const auto results = lessonResults(rig.school(), *admin, classes->front().id, "class1-36");
+    VERIFY_DONE(results);
+    QVERIFY(!results->curve.empty() && results->curve.front().people >= 5);
+    QVERIFY(results->curve.front().lowerQuartileTenths <= results->curve.front().medianTenths);
+    // He who made it up again has people there already.
+    VERIFY_REFUSED(makeSample(rig.school(), *admin, {}, {"class1-36"}), ErrorCode::OutOfRange);
+}
+
+void TestUpkeep::flippedBytesAreReportedOrHarmless()
+{
+    QTemporaryDir folder;
+    QByteArray whole;
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        for (int k = 0; k < 60; ++k)
+            VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500 + k), {}));
+        QSqlQuery query(rig.school().db);
+        QVERIFY(query.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
+        query.clear();
+        QFile file(rig.address());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        whole = file.readAll();
+    }
+    QVERIFY(whole.size() > 100'000);
+    const int rounds =
+        qEnvironmentVariableIntValue("CUSP_FLIPS") > 0 ? qEnvironmentVariableIntValue("CUSP_FLIPS") : 150;
+    const QString path = folder.filePath("flipped.sqlite");
+    core::Rng rng(20261123);
+    int refused = 0;
+    int found = 0;
+    for (int round = 0; round < rounds; ++round) {
+        QByteArray damaged = whole;
+        const int at = rng.below(static_cast<int>(damaged.size()));
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << rng.below(8)));
+        for (const char* end : {"-wal", "-shm"})
+            QFile::remove(path + end);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(damaged);
+        file.close();
+        const auto opened = Database::open(path, std::chrono::milliseconds(10));
+        if (!opened) {
+            QVERIFY(!opened.error().detail.empty());
+            ++refused;
+            continue;
+        }
+        const auto report = checkDatabase((*opened)->handle(), {});
+        if (!report || !report->findings.empty()) {
+            ++found;
+            continue;
+        }
+        // Harmless: nothing that people see has changed.
+        const School school{(*opened)->handle(), StationKey::make()};
+        QSqlQuery count(school.db);
+        QVERIFY(count.exec("SELECT count(*), sum(score_tenths) FROM attempts") && count.next());
+        QCOMPARE(count.value(0).toInt(), 60);
+        QCOMPARE(count.value(1).toInt(), 60 * 500 + 59 * 30);
+    }
+    qInfo("%d flips: %d refused at opening, %d found by the check, %d harmless", rounds, refused, found,
+          rounds - refused - found);
+    QVERIFY(refused > 0);
+}
+
+QTEST_GUILESS_MAIN(TestUpkeep)
+#include "tst_upkeep.moc"
