@@ -39,11 +39,13 @@
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/Rubric.h"
+#include "tests/database/SchoolRig.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/LoginPage.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
 #include "ui/replay/HistoryPanel.h"
@@ -188,6 +190,7 @@ private slots:
     void theFirstWindowFitsTheScreen_data();
     void theFirstWindowFitsTheScreen();
     void everyControlHasAName();
+    void aPlaceThatWasLeftIsLocked();
     void everyActionIsFitToBeRead();
     void longTooltipsAreBrokenIntoLines();
     void tabReachesEveryButtonOfTheRoom();
@@ -2505,6 +2508,28 @@ void TestMainWindow::theFirstWindowFitsTheScreen()
     QCOMPARE(m_window->size(), MainWindow::firstSize(m_window->screen()->availableSize()));
     m_window->resize(size);
     QTRY_COMPARE(m_window->size(), size);
+}
+
+void TestMainWindow::aPlaceThatWasLeftIsLocked()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setIdleLimit(std::chrono::milliseconds(300));
+    QTest::qWait(500);
+    QVERIFY(!child<ui::people::LoginPage>()->isVisible());  // a guest has nothing to lock
+    m_window->setWho(rig.student);
+    QTRY_VERIFY(child<ui::people::LoginPage>()->isVisible());
+    QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::Locked);
+    // No key leads past it, and what others want to show waits behind it.
+    for (QAction* action : {actions().lessons, actions().attempts, actions().grade, actions().back, actions().help})
+        QVERIFY(!action->isEnabled());
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    QVERIFY(child<ui::people::LoginPage>()->isVisible());
+    // Back again he finds it as it is now.
+    m_window->setWho(rig.student);
+    QVERIFY(!child<ui::people::LoginPage>()->isVisible());
+    QVERIFY(child<ui::study::ScorePage>()->isVisible());
 }
 
 void TestMainWindow::everyControlHasAName()

@@ -73,6 +73,7 @@ namespace {
 constexpr qint64 kGuideEveryMs = 100;
 constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
+constexpr int kIdleLooks = 20;  ///< at whether the place was left, in the time after which it was
 constexpr int kSessionMs = 100;
 constexpr int kQuestionIconPx = 36;
 constexpr int kConsolePx = 260;
@@ -373,6 +374,9 @@ void MainWindow::connectActions()
 void MainWindow::connectDoor()
 {
     using people::LoginPage;
+    m_sinceTouch.start();
+    connect(&m_idleWatch, &QTimer::timeout, this, &MainWindow::lockIfIdle);
+    setIdleLimit(m_idleLimit);
     connect(m_login, &LoginPage::loginWanted, this, &MainWindow::loginWanted);
     connect(m_login, &LoginPage::codeWanted, this, &MainWindow::codeWanted);
     connect(m_login, &LoginPage::schoolWanted, this, &MainWindow::schoolWanted);
@@ -380,6 +384,18 @@ void MainWindow::connectDoor()
     connect(m_scorePage, &study::ScorePage::keepWanted, this, &MainWindow::keepWanted);
     // His attempt is on the disk, and offered to him when he is back.
     connect(m_login, &LoginPage::otherWanted, this, &MainWindow::logoutWanted);
+}
+
+void MainWindow::setIdleLimit(std::chrono::milliseconds limit)
+{
+    m_idleLimit = limit;
+    m_idleWatch.start(limit / kIdleLooks);
+}
+
+void MainWindow::lockIfIdle()
+{
+    if (!m_who.isGuest() && !isAtDoor() && m_sinceTouch.hasExpired(m_idleLimit.count()))
+        askWho(people::Door::Locked);
 }
 
 bool MainWindow::isAtDoor() const
@@ -1013,6 +1029,8 @@ void MainWindow::connectView()
 
 void MainWindow::takeFrame(const core::session::ServoState& servo)
 {
+    if (servo.touching)
+        m_sinceTouch.start();
     takeSession();
     m_servo = servo;
     m_periods.take(servo);
@@ -1845,6 +1863,18 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::Wheel:
+    case QEvent::TabletMove:
+    case QEvent::TouchUpdate:
+        m_sinceTouch.start();
+        break;
+    default:
+        break;
+    }
     // Who has walked to a button with Tab presses it with Space; only elsewhere Space switches the drill.
     if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractButton*>(watched) != nullptr &&
         dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -13,6 +14,7 @@
 #include <QMainWindow>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 #include <glm/mat4x4.hpp>
 
 #include "core/base/Result.h"
@@ -202,6 +204,8 @@ public slots:
                       const std::optional<study::ScoredWork>& scored);
     /// Who works here now.
     void setWho(const database::Session& who);
+    /// Who is logged in and touches nothing for so long finds the place locked; the drill at work counts as a touch.
+    void setIdleLimit(std::chrono::milliseconds limit);
     /// Somebody else will work here: nothing that was said to the one before stays to be read.
     void leaveAll();
     /// What was typed at the door is wrong.
@@ -327,6 +331,7 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
     void changeAccount();
+    void lockIfIdle();
     [[nodiscard]] bool isAtDoor() const;
     /// Whether something is saved or discarded; cancelled, nothing happens.
     struct Question
@@ -447,6 +452,9 @@ private:
     tooth::ToothView* m_beside = nullptr;  ///< while there is another attempt beside
     glm::dmat4 m_sharedLook{1.0};          ///< from where both looked last
     bool m_selfDrilling = false;
+    QElapsedTimer m_sinceTouch;  ///< keys, mouse, pen, or the bur on the tooth
+    std::chrono::milliseconds m_idleLimit = std::chrono::minutes(10);
+    QTimer m_idleWatch;
     QWidget* m_behindDoor = nullptr;  ///< the page to go on with
     bool m_mayLeaveDoor = false;      ///< who practises as a guest, and has only looked at it
     bool m_mayClose = false;
