@@ -264,7 +264,8 @@ void Application::openDatabase()
         m_options.database.isEmpty() ? QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite")) : m_options.database;
     const auto address = database::Address::parse(where);
     if (!address) {
-        m_window->showError(address.error(), Failed::KeepingGrades, where);
+        m_whyNoDesk = address.error();
+        m_window->showError(m_whyNoDesk, Failed::KeepingGrades, where);
         return;
     }
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
@@ -297,6 +298,7 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
             m_window->showError(error, Failed::KeepingGrades, m_options.database);
         // A server may come back; a file that cannot be used does not by itself.
         if (error.code != core::ErrorCode::ConnectionLost && error.code != core::ErrorCode::Busy) {
+            m_whyNoDesk = error;
             m_people.reset();
             m_desk.reset();
         }
@@ -311,34 +313,21 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
 void Application::connectDoor()
 {
     using ui::shell::MainWindow;
-    const auto take = [this](const core::Result<database::Session>& answer) { takeAnswer(answer); };
-    connect(m_window.get(), &MainWindow::loginWanted, this, [this, take](const QString& name, const QString& password) {
-        if (m_desk)
-            m_desk->ask(
-                this,
-                [name = name.toStdString(), password = password.toStdString()](const School& school) {
-                    return Logins::login(school, name, password);
-                },
-                take);
+    connect(m_window.get(), &MainWindow::loginWanted, this, [this](const QString& name, const QString& password) {
+        askAtDoor([name = name.toStdString(), password = password.toStdString()](const School& school) {
+            return Logins::login(school, name, password);
+        });
     });
     connect(m_window.get(), &MainWindow::codeWanted, this,
-            [this, take](const QString& name, const QString& code, const QString& password) {
-                if (m_desk)
-                    m_desk->ask(
-                        this,
-                        [name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
-                            const School& school) { return Logins::redeem(school, name, code, password); },
-                        take);
+            [this](const QString& name, const QString& code, const QString& password) {
+                askAtDoor([name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
+                              const School& school) { return Logins::redeem(school, name, code, password); });
             });
     connect(m_window.get(), &MainWindow::schoolWanted, this,
-            [this, take](const database::NewPerson& admin, const QString& password) {
-                if (m_desk)
-                    m_desk->ask(
-                        this,
-                        [admin, password = password.toStdString()](const School& school) {
-                            return Logins::createFirstAdmin(school, admin, password, database::timedCost());
-                        },
-                        take);
+            [this](const database::NewPerson& admin, const QString& password) {
+                askAtDoor([admin, password = password.toStdString()](const School& school) {
+                    return Logins::createFirstAdmin(school, admin, password, database::timedCost());
+                });
             });
     connect(m_window.get(), &MainWindow::guestWanted, this, &Application::becomeGuest);
     connect(m_window.get(), &MainWindow::logoutWanted, this, &Application::leave);
@@ -348,12 +337,19 @@ void Application::connectDoor()
     });
 }
 
-void Application::takeAnswer(const core::Result<database::Session>& answer)
+/// Lets in who has given the right answer; where there is no database to ask, says why.
+void Application::askAtDoor(const std::function<core::Result<database::Session>(const School&)>& work)
 {
-    if (answer)
-        enter(*answer);
+    const auto answer = [this](const core::Result<database::Session>& who) {
+        if (who)
+            enter(*who);
+        else
+            m_window->refuseLogin(who.error());
+    };
+    if (m_desk)
+        m_desk->ask(this, work, answer);
     else
-        m_window->refuseLogin(answer.error());
+        answer(tl::unexpected(m_whyNoDesk));
 }
 
 /// A person has logged in, or come back to the place he had locked.
@@ -401,7 +397,8 @@ void Application::becomeGuest()
 {
     m_keepsOnLogin = false;
     m_window->setWho(m_who);
-    keepJournal();
+    if (!m_journal)  // else he has only looked at the door
+        keepJournal();
 }
 
 /// A whole tooth, to nobody's credit.
@@ -776,8 +773,9 @@ void Application::grade()
         practised = now.practised;
     if (m_graded && m_graded->generation == m_ownGeneration && m_graded->hash == hash &&
         m_graded->practised == practised) {
-        m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
-        tellKeeping();
+        showGrade();
+        if (m_graded->keeping == Keeping::Nowhere)
+            keepGrade();  // what failed may work now
         m_explainer.tellAgain();
         return;
     }
@@ -826,7 +824,7 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                 done->recording,
                 found.practised};
     static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
-    m_window->showScore(sheet, {}, expected, m_graded->work);
+    showGrade();
     keepGrade();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
@@ -889,11 +887,21 @@ void Application::keepGrade()
                  });
 }
 
-void Application::tellKeeping()
+/// Of the work on the table, in place of an old one that was opened.
+void Application::showGrade()
 {
     m_opened.reset();
     if (m_people)
         m_people->talkAbout({});
+    m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
+    tellKeeping();
+}
+
+/// On the score page, where the grade it is about is shown.
+void Application::tellKeeping()
+{
+    if (m_opened)
+        return;
     ui::study::ScorePage& page = m_window->scorePage();
     page.setHistory(m_graded->history);
     page.setKeeping(m_graded->keeping);
@@ -937,10 +945,13 @@ void Application::tellHistory()
 /// One that was kept: marked again from its recording, which comes to the same, and shows where and when.
 void Application::showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording)
 {
+    const int load = ++m_loading;
     m_window->showBusy(tr("Working out the score card …"));
     inBackground(
         this, [recording] { return lessons::markAgain(recording); },
-        [this, attempt, recording](const core::Result<lessons::Remarked>& marked) {
+        [this, load, attempt, recording](const core::Result<lessons::Remarked>& marked) {
+            if (load != m_loading)
+                return;
             if (!marked) {
                 m_window->showError(marked.error(), Failed::Marking);
                 return;

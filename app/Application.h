@@ -65,7 +65,7 @@ private:
     void openDatabase();
     void takeOpening(const SchoolDesk::Opening& opening);
     void connectDoor();
-    void takeAnswer(const core::Result<database::Session>& answer);
+    void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work);
     void enter(const database::Session& who);
     void leave();
     void becomeGuest();
@@ -96,6 +96,7 @@ private:
     [[nodiscard]] database::AttemptRecord recordOf(const core::session::Concluded& done,
                                                    const lessons::ScoreSheet& sheet,
                                                    const std::optional<ui::study::Expectation>& expected) const;
+    void showGrade();
     void keepGrade();
     void tellKeeping();
     void tellHistory();
@@ -147,6 +148,7 @@ private:
     std::unique_ptr<PeopleDesk> m_people;  ///< null where m_desk is
     QString m_stationFolder;               ///< of this computer's own files: journals, outbox, key
     database::Session m_who;               ///< who works here
+    core::Error m_whyNoDesk;
     bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 

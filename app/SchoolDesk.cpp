@@ -136,44 +136,35 @@ void SchoolDesk::deliverAll()
     if (!m_key)
         return;
     const database::Outbox outbox(QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key);
-    const QStringList files = outbox.waiting();
-    int left = static_cast<int>(files.size());
-    core::Error why;
-    if (!files.isEmpty())
-        if (const core::Status connected = connect(); !connected)
-            why = connected.error();
-    for (const QString& file : files) {
-        if (!why.detail.empty())
-            break;
+    for (const QString& file : outbox.waiting()) {
+        if (!connect())
+            return;
         const auto letter = outbox.read(file);
         if (!letter) {
-            outbox.setAside(file);
-            --left;
-            QMetaObject::invokeMethod(
-                this, [this, error = letter.error()] { emit damaged(error); }, Qt::QueuedConnection);
+            setAside(outbox, file, letter.error());
             continue;
         }
         const auto id = database::sql::deliverAttempt(*m_school, letter->attempt, letter->recording);
         if (id) {
             outbox.remove(file);
-            --left;
             QMetaObject::invokeMethod(
                 this, [this, uid = QString::fromStdString(letter->attempt.uid)] { emit delivered(uid); },
                 Qt::QueuedConnection);
         } else if (id.error().code == ErrorCode::OutOfRange || id.error().code == ErrorCode::UnknownName) {
             // It will never be taken; those behind it shall be.
-            outbox.setAside(file);
-            --left;
-            QMetaObject::invokeMethod(
-                this, [this, error = id.error()] { emit damaged(error); }, Qt::QueuedConnection);
+            setAside(outbox, file, id.error());
         } else {
             notice(id.error());
-            why = id.error();
+            return;
         }
     }
-    if (std::exchange(m_waiting, left) != left)
-        QMetaObject::invokeMethod(
-            this, [this, left, why] { emit waitingChanged(left, why); }, Qt::QueuedConnection);
+}
+
+void SchoolDesk::setAside(const database::Outbox& outbox, const QString& file, const core::Error& why)
+{
+    outbox.setAside(file);
+    QMetaObject::invokeMethod(
+        this, [this, why] { emit damaged(why); }, Qt::QueuedConnection);
 }
 
 }  // namespace app

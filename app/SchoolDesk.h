@@ -75,8 +75,6 @@ public:
 signals:
     /// The database has this attempt now.
     void delivered(const QString& uid);
-    /// So many attempts wait, since the database cannot be reached: told when that changes.
-    void waitingChanged(int waiting, const core::Error& why);
     /// An attempt on its way is damaged, or the database refuses it for good; its file is kept.
     void damaged(const core::Error& error);
 
@@ -87,6 +85,7 @@ private:
     [[nodiscard]] core::Status openDatabase();
     void notice(const core::Error& error);
     void deliverAll();
+    void setAside(const database::Outbox& outbox, const QString& file, const core::Error& why);
 
     database::Address m_address;
     QString m_folder;
@@ -98,7 +97,6 @@ private:
     std::unique_ptr<database::sql::School> m_school;
     std::optional<database::StationKey> m_key;
     bool m_isLost = false;
-    int m_waiting = 0;
 };
 
 }  // namespace app

@@ -408,11 +408,14 @@ void MainWindow::changeAccount()
 {
     if (isAtDoor())
         goBack();
-    else if (m_who.isGuest()) {
-        askWho(people::Door::Login);
-        m_mayLeaveDoor = true;
-        enableActions();
-    } else
+    else if (m_who.isGuest())
+        // Who logs in begins with a clean table.
+        leaveWork([this] {
+            askWho(people::Door::Login);
+            m_mayLeaveDoor = true;
+            enableActions();
+        });
+    else
         askWho(people::Door::Locked);
 }
 
