@@ -25,6 +25,7 @@
 #include "core/settings/StabilityBound.h"
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
+#include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -59,6 +60,7 @@ constexpr double kMnPerN = 1000.0;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
+constexpr int kOpenWatchMs = 10'000;
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
@@ -268,6 +270,7 @@ void Application::openDatabase()
         m_window->showError(m_whyNoDesk, Failed::KeepingGrades, where);
         return;
     }
+    m_where = address->isServer() ? address->shown() : QDir::toNativeSeparators(address->file);
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     if (m_options.database.isEmpty() || address->isServer())
         QDir().mkpath(m_stationFolder);
@@ -284,30 +287,49 @@ void Application::openDatabase()
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording) { play(recording); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
-    m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
+    const auto open = [this] {
+        m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
+    };
+    m_openWatch.setInterval(kOpenWatchMs);
+    connect(&m_openWatch, &QTimer::timeout, this, open);
+    connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, open);
+    connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, &Application::restore);
+    open();
     if (m_options.asksWho)
         m_window->askWho(ui::people::Door::Login);
 }
 
 void Application::takeOpening(const SchoolDesk::Opening& opening)
 {
+    m_backup = opening.soundBackup;
+    const QDateTime backupMade = database::sql::madeAt(m_backup);
     if (!opening.status) {
         const core::Error& error = opening.status.error();
-        m_window->setUnreachable(error);
-        if (!m_options.asksWho)
+        m_window->setUnreachable(error, m_where, backupMade);
+        if (!m_options.asksWho && !m_openWatch.isActive())
             m_window->showError(error, Failed::KeepingGrades, m_options.database);
         // A server may come back; a file that cannot be used does not by itself.
-        if (error.code != core::ErrorCode::ConnectionLost && error.code != core::ErrorCode::Busy) {
-            m_whyNoDesk = error;
-            m_people.reset();
-            m_desk.reset();
-        }
+        if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::Busy)
+            m_openWatch.start();
         return;
     }
-    m_window->setUnreachable({});
-    m_isNewSchool = opening.isNew;
-    if (m_options.asksWho && opening.isNew && m_who.isGuest())
-        m_window->askWho(ui::people::Door::NewSchool);
+    m_openWatch.stop();
+    m_window->setUnreachable({}, m_where, backupMade);
+    m_isOnNetworkDrive = !opening.notice.empty();
+    const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
+    if (m_window->isAtDoor() && wasNew != opening.isNew)
+        m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);
+}
+
+void Application::restore()
+{
+    m_desk->restore(this, m_backup, [this](const SchoolDesk::Opening& opening) {
+        const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
+        takeOpening(opening);
+        if (opening.status)
+            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it.")
+                                    .arg(QLocale().toString(made, QLocale::ShortFormat)));
+    });
 }
 
 void Application::connectDoor()
@@ -371,6 +393,9 @@ void Application::enter(const database::Session& who)
         keepGrade();
     else
         m_window->openLessons();
+    if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
+        m_window->showMessage(tr("The school's data lie on a network drive: only one computer at a time can use them. "
+                                 "For several, keep them on a PostgreSQL server."));
 }
 
 /// The attempt stays on the disk, in the folder of who made it, and is offered to him when he is back.

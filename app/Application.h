@@ -64,6 +64,7 @@ private:
 
     void openDatabase();
     void takeOpening(const SchoolDesk::Opening& opening);
+    void restore();
     void connectDoor();
     void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work);
     void enter(const database::Session& who);
@@ -149,6 +150,10 @@ private:
     QString m_stationFolder;               ///< of this computer's own files: journals, outbox, key
     database::Session m_who;               ///< who works here
     core::Error m_whyNoDesk;
+    QString m_where;     ///< the database, to read
+    QString m_backup;    ///< that can be put in the place of the database; empty: none
+    QTimer m_openWatch;  ///< tries again what a server or another program has held up
+    bool m_isOnNetworkDrive = false;
     bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 

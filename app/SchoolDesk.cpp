@@ -3,10 +3,11 @@
 
 #include <utility>
 
+#include <QDateTime>
 #include <QDir>
 
 #include "database/sql/Attempts.h"
-#include "database/sql/Audit.h"
+#include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 
 namespace app {
@@ -82,27 +83,67 @@ void SchoolDesk::notice(const core::Error& error)
     m_isLost = m_isLost || error.code == ErrorCode::ConnectionLost;
 }
 
-void SchoolDesk::open(QObject* owner, const std::function<void(const Opening&)>& done)
+SchoolDesk::Opening SchoolDesk::tryToOpen()
+{
+    Opening opening;
+    opening.status = connect();
+    if (opening.status) {
+        opening.notice = m_database->notice();
+        const auto isNew = database::sql::Logins::isNew(*m_school);
+        opening.isNew = isNew.value_or(false);
+        if (!isNew) {
+            notice(isNew.error());
+            opening.status = tl::unexpected(isNew.error());
+        }
+    }
+    const bool mayBeRestored = opening.status ? opening.isNew
+                                              : opening.status.error().code == ErrorCode::BadStructure ||
+                                                    opening.status.error().code == ErrorCode::WrongKind;
+    if (mayBeRestored && !m_address.isServer())
+        opening.soundBackup = database::sql::newestSound(m_address.file);
+    return opening;
+}
+
+void SchoolDesk::answer(const QPointer<QObject>& owner, const Opened& done, const Opening& opening)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [owner, opening, done] {
+            if (owner)
+                done(opening);
+        },
+        Qt::QueuedConnection);
+}
+
+void SchoolDesk::open(QObject* owner, const Opened& done)
 {
     post([this, guard = QPointer<QObject>(owner), done] {
-        Opening opening;
-        opening.status = connect();
-        if (opening.status) {
-            opening.notice = m_database->notice();
-            const auto isNew = database::sql::Logins::isNew(*m_school);
-            opening.isNew = isNew.value_or(false);
-            if (!isNew)
-                opening.status = tl::unexpected(isNew.error());
-        }
+        answer(guard, done, tryToOpen());
         deliverAll();
-        QMetaObject::invokeMethod(
-            this,
-            [guard, opening, done] {
-                if (guard)
-                    done(opening);
-            },
-            Qt::QueuedConnection);
     });
+}
+
+void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& done)
+{
+    post([this, guard = QPointer<QObject>(owner), backup, done] {
+        m_school.reset();
+        m_database.reset();
+        const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
+        Opening opening = tryToOpen();
+        if (!replaced)
+            opening.status = tl::unexpected(replaced.error());
+        else if (opening.status) {
+            outbox().sendAgain();
+            opening.status = database::sql::noteRestored(*m_school, backup);
+        }
+        answer(guard, done, opening);
+        deliverAll();
+    });
+}
+
+database::Outbox SchoolDesk::outbox() const
+{
+    return {QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key};
 }
 
 void SchoolDesk::keep(QObject* owner, const database::Session& session, const database::AttemptRecord& attempt,
@@ -113,8 +154,7 @@ void SchoolDesk::keep(QObject* owner, const database::Session& session, const da
         if (!m_key)
             status = connect();  // which reads the key, whether or not there is a server
         if (m_key)
-            status = database::Outbox(QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key)
-                         .put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
+            status = outbox().put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
         QMetaObject::invokeMethod(
             this,
             [guard, status, kept] {
@@ -135,24 +175,28 @@ void SchoolDesk::deliverAll()
 {
     if (!m_key)
         return;
-    const database::Outbox outbox(QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key);
-    for (const QString& file : outbox.waiting()) {
+    const database::Outbox letters = outbox();
+    for (const QString& file : letters.waiting()) {
         if (!connect())
             return;
-        const auto letter = outbox.read(file);
+        const auto letter = letters.read(file);
         if (!letter) {
-            setAside(outbox, file, letter.error());
+            setAside(letters, file, letter.error());
             continue;
         }
         const auto id = database::sql::deliverAttempt(*m_school, letter->attempt, letter->recording);
         if (id) {
-            outbox.remove(file);
+            // Of a server its administrator makes backups.
+            if (m_address.isServer())
+                letters.remove(file);
+            else
+                letters.keepArrived(file);
             QMetaObject::invokeMethod(
                 this, [this, uid = QString::fromStdString(letter->attempt.uid)] { emit delivered(uid); },
                 Qt::QueuedConnection);
         } else if (id.error().code == ErrorCode::OutOfRange || id.error().code == ErrorCode::UnknownName) {
             // It will never be taken; those behind it shall be.
-            setAside(outbox, file, id.error());
+            setAside(letters, file, id.error());
         } else {
             notice(id.error());
             return;

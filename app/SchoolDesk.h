@@ -34,10 +34,16 @@ public:
     struct Opening
     {
         core::Status status;
-        bool isNew = false;  ///< nobody has been entered yet
-        std::string notice;
+        bool isNew = false;   ///< nobody has been entered yet
+        std::string notice;   ///< of the database
+        QString soundBackup;  ///< its path, where the file is damaged or gone and a backup is whole; else empty
     };
-    void open(QObject* owner, const std::function<void(const Opening&)>& done);
+    using Opened = std::function<void(const Opening&)>;
+    /// May be called again where it came to nothing.
+    void open(QObject* owner, const Opened& done);
+    /// Puts a backup in the place of the file, and opens that. Attempts of this station that were delivered after the
+    /// backup was made are delivered again.
+    void restore(QObject* owner, const QString& backup, const Opened& done);
 
     /// Does `work` with the school on the desk's thread and gives its result to `done` on the ui thread, unless `owner`
     /// has gone meanwhile. Where there is no connection, the error of that is the result.
@@ -80,9 +86,12 @@ signals:
 
 private:
     void post(std::function<void()> job);
+    void answer(const QPointer<QObject>& owner, const Opened& done, const Opening& opening);
     // What follows runs on the desk's thread.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
+    [[nodiscard]] Opening tryToOpen();
+    [[nodiscard]] database::Outbox outbox() const;
     void notice(const core::Error& error);
     void deliverAll();
     void setAside(const database::Outbox& outbox, const QString& file, const core::Error& why);

@@ -2,6 +2,7 @@
 #include "database/Outbox.h"
 
 #include <array>
+#include <cstdio>
 #include <string_view>
 
 #include <QDir>
@@ -22,6 +23,7 @@ using core::ErrorCode;
 constexpr std::string_view kMagic = "CUSPOUT1";
 constexpr qint64 kLargest = 1LL << 30U;
 const QString kEnding = QStringLiteral(".attempt");
+const QString kArrived = QStringLiteral("arrived");
 
 /// The texts of a record, in the order of the file.
 template <class Record>
@@ -86,6 +88,25 @@ void syncFolder(const QString& folder)
     }
 }
 
+/// Oldest first.
+QStringList lettersIn(const QString& folder)
+{
+    QStringList files;
+    const QDir there(folder);
+    for (const QString& name : there.entryList({'*' + kEnding}, QDir::Files, QDir::Time | QDir::Reversed))
+        files += there.filePath(name);
+    return files;
+}
+
+/// One of that name there is the same attempt, and is replaced.
+void move(const QString& file, const QString& folder)
+{
+    QDir().mkpath(folder);
+    const QString target = QDir(folder).filePath(QFileInfo(file).fileName());
+    if (rename(QFile::encodeName(file).constData(), QFile::encodeName(target).constData()) == 0)
+        syncFolder(folder);
+}
+
 core::Error refused(ErrorCode code, const QString& file, const std::string& why)
 {
     return {code, "attempt " + file.toStdString() + ": " + why};
@@ -119,11 +140,23 @@ core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, c
 
 QStringList Outbox::waiting() const
 {
-    QStringList files;
-    const QDir there(m_folder);
-    for (const QString& name : there.entryList({'*' + kEnding}, QDir::Files, QDir::Time | QDir::Reversed))
-        files += there.filePath(name);
-    return files;
+    return lettersIn(m_folder);
+}
+
+QStringList Outbox::arrived() const
+{
+    return lettersIn(QDir(m_folder).filePath(kArrived));
+}
+
+void Outbox::keepArrived(const QString& file) const
+{
+    move(file, QDir(m_folder).filePath(kArrived));
+}
+
+void Outbox::sendAgain() const
+{
+    for (const QString& file : arrived())
+        move(file, m_folder);
 }
 
 core::Result<Outbox::Letter> Outbox::read(const QString& path) const
@@ -164,9 +197,7 @@ void Outbox::remove(const QString& file) const
 
 void Outbox::setAside(const QString& file) const
 {
-    const QDir folder(m_folder);
-    folder.mkpath(QStringLiteral("damaged"));
-    QFile::rename(file, folder.filePath("damaged/" + QFileInfo(file).fileName()));
+    move(file, QDir(m_folder).filePath(QStringLiteral("damaged")));
 }
 
 }  // namespace database

@@ -41,6 +41,12 @@ public:
     /// BadStructure: damaged, or not written by this station. Such a file is for setAside().
     [[nodiscard]] core::Result<Letter> read(const QString& file) const;
     void remove(const QString& file) const;
+    /// Into the folder "arrived" beside it: the database has it, but no backup of the database does yet.
+    void keepArrived(const QString& file) const;
+    /// Those that lie there; removed when they are in a backup.
+    [[nodiscard]] QStringList arrived() const;
+    /// All of them wait again: the database has been put back to how it was before them.
+    void sendAgain() const;
     /// Into the folder "damaged" beside it: nothing is thrown away.
     void setAside(const QString& file) const;
 

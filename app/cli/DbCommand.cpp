@@ -179,6 +179,11 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
                                                        QDateTime::currentDateTimeUtc());
     if (!replaced)
         return failed(replaced.error());
+    const auto open = openSchool(address, false);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    if (auto noted = database::sql::noteRestored(*open->school, parser.positionalArguments().front()); !noted)
+        return failedWithBackups(noted.error(), address);
     return answer(parser,
                   replaced->isEmpty()
                       ? QStringLiteral("Restored as %1.").arg(address.file)

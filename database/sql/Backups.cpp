@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Backups.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 
@@ -14,6 +16,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include "database/sql/Audit.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Statement.h"
@@ -165,15 +168,52 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     return file;
 }
 
-/// When a backup was made, out of its name; invalid for other files.
-QDateTime madeAt(const QString& file)
+/// Whether another program has a database open. While one does, it holds a lock on a byte of the -shm file (the "dead
+/// man's switch" of SQLite's os_unix.c); without a write-ahead log only while it reads or writes.
+bool isOpenElsewhere(const QString& databaseFile)
 {
-    static const QRegularExpression kName(QStringLiteral(R"(^backup-(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)\.sqlite$)"));
-    const auto found = kName.match(QFileInfo(file).fileName());
-    return found.hasMatch() ? QDateTime::fromString(found.captured(1), kStamp) : QDateTime();
+    struct Place
+    {
+        const char* ending;
+        off_t start;
+        off_t length;
+    };
+    constexpr std::array kPlaces{Place{"-shm", 128, 1}, Place{"", 0x40000000, 512}};
+    return std::any_of(kPlaces.begin(), kPlaces.end(), [&databaseFile](const Place& place) {
+        const int file =
+            open(QFile::encodeName(databaseFile + QLatin1String(place.ending)).constData(), O_RDWR | O_CLOEXEC);
+        if (file < 0)
+            return false;
+        struct flock lock
+        {};
+        lock.l_type = F_WRLCK;
+        lock.l_whence = SEEK_SET;
+        lock.l_start = place.start;
+        lock.l_len = place.length;
+        const bool held = fcntl(file, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+        close(file);
+        return held;
+    });
 }
 
 }  // namespace
+
+QDateTime madeAt(const QString& backup)
+{
+    static const QRegularExpression kName(QStringLiteral(R"(^backup-(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)\.sqlite$)"));
+    const auto found = kName.match(QFileInfo(backup).fileName());
+    QDateTime made = found.hasMatch() ? QDateTime::fromString(found.captured(1), kStamp) : QDateTime();
+    made.setTimeSpec(Qt::UTC);
+    return made;
+}
+
+QString newestSound(const QString& databaseFile)
+{
+    for (const QString& backup : backupsIn(backupFolder(databaseFile)))
+        if (verifyBackup(backup))
+            return backup;
+    return {};
+}
 
 QString backupFolder(const QString& databaseFile)
 {
@@ -265,6 +305,9 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
 {
     if (auto sound = verifyBackup(backup); !sound)
         return tl::unexpected(sound.error());
+    if (isOpenElsewhere(databaseFile))
+        return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
+                                                     ": another program has it open; close every Cusp that uses it");
     const QFileInfo target(databaseFile);
     const QString part = databaseFile + ".restoring";
     QFile::remove(part);
@@ -291,6 +334,14 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
         return tl::unexpected(
             refused(databaseFile, "it could not be put in its place; it lies there as " + part.toStdString()));
     return replaced;
+}
+
+core::Status noteRestored(const School& school, const QString& backup)
+{
+    return inTransaction(school.db, "note the restoring", [&] {
+        return note(school, "system", "backup.restored",
+                    "backup:" + QFileInfo(backup).completeBaseName().toStdString());
+    });
 }
 
 core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include "core/base/Result.h"
+#include "database/sql/School.h"
 
 /// Copies of an SQLite database, each checked before it counts. What a server keeps its administrator backs up;
 /// `cusp db copy` brings it into a file.
@@ -39,11 +40,20 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// months that have one.
 [[nodiscard]] QStringList tooMany(const QStringList& files);
 
-/// Puts a backup in the place of the database, which nobody may have open. The backup is checked first; what lies there
-/// is moved to "replaced-...", with its -wal and -shm, which would otherwise be read into the restored file. Returns
-/// where the old file lies now, empty if there was none.
+/// The newest backup of a database's own folder that verifyBackup() finds whole; empty: there is none.
+[[nodiscard]] QString newestSound(const QString& databaseFile);
+
+/// When a backup was made, UTC, out of its name; invalid for other files.
+[[nodiscard]] QDateTime madeAt(const QString& backup);
+
+/// Puts a backup in the place of the database. Busy: another program has that open; this one has closed it. The backup
+/// is checked first; what lies there is moved to "replaced-...", with its -wal and -shm, which would otherwise be read
+/// into the restored file. Returns where the old file lies now, empty if there was none.
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
+
+/// Into the audit of the restored database, whose end is older than before.
+[[nodiscard]] core::Status noteRestored(const School& school, const QString& backup);
 
 /// Tries that a backup can be made of this database and brought back: into a folder of its own, which is removed.
 /// Returns how many rows were compared.

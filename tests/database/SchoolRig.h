@@ -51,8 +51,7 @@ public:
     /// As the next run of the program would find it.
     void reopen()
     {
-        m_school.reset();
-        m_database.reset();
+        close();
         auto opened = database::sql::Database::open(m_address, std::chrono::milliseconds(200));
         if (!opened) {
             qWarning("%s", opened.error().detail.c_str());
@@ -61,6 +60,11 @@ public:
         m_database = std::move(*opened);
         m_school = std::make_unique<database::sql::School>(
             database::sql::School{m_database->handle(), m_key, [this] { return nowUtc; }});
+    }
+    void close()
+    {
+        m_school.reset();
+        m_database.reset();
     }
     [[nodiscard]] bool isOpen() const { return m_database != nullptr; }
     [[nodiscard]] const database::sql::School& school() const { return *m_school; }

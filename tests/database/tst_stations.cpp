@@ -233,6 +233,17 @@ void TestStations::aServerThatGoesAwayGetsEverythingOnce()
     QVERIFY(QFile::rename(file + ".again", file));
     VERIFY_DONE(deliver());
     QVERIFY(keptIn(rig.school()) == put);
+    // A database that was put back to an older state gets once more what it had got.
+    keep();
+    const QString arrived = outbox.waiting().front();
+    outbox.keepArrived(arrived);
+    QVERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(outbox.arrived().size(), 1);
+    outbox.sendAgain();
+    QCOMPARE(outbox.waiting(), QStringList{arrived});
+    QVERIFY(outbox.arrived().isEmpty());
+    VERIFY_DONE(deliver());
+    QVERIFY(keptIn(rig.school()) == put);
     // A letter that was changed on the way, or written by another station, is not taken.
     keep();
     QFile changed(outbox.waiting().front());

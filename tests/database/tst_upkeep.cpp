@@ -4,6 +4,9 @@
 #include <QFile>
 #include <QSqlQuery>
 #include <QTest>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/base/Rng.h"
 #include "database/sql/Backups.h"
@@ -27,6 +30,7 @@ class TestUpkeep : public QObject
 
 private slots:
     void aBackupIsRestoredWithoutTheOldLog();
+    void nothingIsRestoredUnderAnotherProgram();
     void aDamagedFileReplacesNoBackup();
     void backupsAreThinnedOut();
     void aSchoolMovesBetweenEnginesAndBack();
@@ -66,6 +70,38 @@ void TestUpkeep::aBackupIsRestoredWithoutTheOldLog()
     QCOMPARE(count.value(0).toInt(), 1);
     QVERIFY(checkDatabase((*restored)->handle(), {})->findings.empty());
     VERIFY_REFUSED(restoreBackup(elsewhere.filePath("nothing.sqlite"), copy, rig.nowUtc), ErrorCode::FileMissing);
+}
+
+/// Who has it open would go on writing into the file that was moved away.
+void TestUpkeep::nothingIsRestoredUnderAnotherProgram()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const auto backup = backUp(rig.school().db, backupFolder(rig.address()), rig.nowUtc);
+    QVERIFY(backup);
+    QCOMPARE(newestSound(rig.address()), *backup);
+    rig.close();
+    int ready[2];
+    int done[2];
+    QVERIFY(pipe(ready) == 0 && pipe(done) == 0);
+    const pid_t other = fork();
+    if (other == 0) {
+        char byte = 'x';
+        sqlite3* db = nullptr;
+        if (sqlite3_open(rig.address().toUtf8().constData(), &db) == SQLITE_OK &&
+            sqlite3_exec(db, "SELECT count(*) FROM people", nullptr, nullptr, nullptr) == SQLITE_OK &&
+            write(ready[1], &byte, 1) == 1 && read(done[0], &byte, 1) == 1)
+            sqlite3_close(db);
+        _exit(0);
+    }
+    char byte = 'x';
+    QCOMPARE(read(ready[0], &byte, 1), 1);
+    VERIFY_REFUSED(restoreBackup(*backup, rig.address(), rig.nowUtc), ErrorCode::Busy);
+    QCOMPARE(write(done[1], &byte, 1), 1);
+    QCOMPARE(waitpid(other, nullptr, 0), other);
+    QVERIFY(restoreBackup(*backup, rig.address(), rig.nowUtc).has_value());
+    rig.reopen();
+    QVERIFY(rig.isOpen());
 }
 
 void TestUpkeep::aDamagedFileReplacesNoBackup()

@@ -36,7 +36,7 @@ LoginPage::LoginPage(QWidget* parent)
       m_password(field("password", true)), m_again(field("passwordAgain", true)), m_fault(study::faultLabel(m_card)),
       m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)), m_guest(new QPushButton(m_card)),
       m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
-      m_language(new QToolButton(m_card))
+      m_tryAgain(new QPushButton(m_card)), m_restore(new QPushButton(m_card)), m_language(new QToolButton(m_card))
 {
     setAutoFillBackground(true);
     m_card->setProperty("kind", "card");
@@ -62,8 +62,16 @@ LoginPage::LoginPage(QWidget* parent)
     m_guest->setObjectName(QStringLiteral("practiseAsGuest"));
     for (QPushButton* button : {m_go, m_other, m_guest})
         m_column->addWidget(button);
+    m_column->addSpacing(kSpace2);
     m_column->addWidget(m_unreachable);
-    m_unreachable->hide();
+    m_tryAgain->setObjectName(QStringLiteral("tryAgain"));
+    m_restore->setObjectName(QStringLiteral("restoreBackup"));
+    for (QPushButton* button : {m_restore, m_tryAgain}) {
+        button->setAutoDefault(true);
+        m_column->addWidget(button);
+    }
+    m_restore->hide();
+    setUnreachable({});
     m_language->setObjectName(QStringLiteral("language"));
     m_language->setMenu(new LanguageMenu(m_language));
     m_language->setPopupMode(QToolButton::InstantPopup);
@@ -103,6 +111,12 @@ LoginPage::LoginPage(QWidget* parent)
             ask(Door::Login);
     });
     connect(m_guest, &QPushButton::clicked, this, &LoginPage::guestWanted);
+    for (const auto& [button, wanted] :
+         {std::pair(m_tryAgain, &LoginPage::againWanted), std::pair(m_restore, &LoginPage::restoreWanted)})
+        connect(button, &QPushButton::clicked, this, [this, wanted] {
+            setBusy(true);
+            emit(this->*wanted)();
+        });
     text::inEveryLanguage(this, [this] { speak(); });
     ask(Door::Login);
 }
@@ -203,24 +217,45 @@ void LoginPage::speak()
     name(m_family, tr("Family name"));
     name(m_password, m_door == Door::Login ? tr("Password or one-time code") : tr("Password"));
     name(m_again, tr("The password again"));
-    for (QPushButton* button : {m_go, m_other, m_guest})
+    m_tryAgain->setText(tr("Try again"));
+    //: %1: day and time
+    m_restore->setText(
+        tr("Restore the backup of %1").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
+    m_restore->setToolTip(brokenIntoLines(tr("Attempts of this computer are brought in again. What teachers and admins "
+                                             "have entered since then is missing. The file that is there now is kept "
+                                             "beside it.")));
+    for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
         button->setAccessibleName(button->text());
     m_guest->setToolTip(brokenIntoLines(tr("Drill and be graded; nothing is kept")));
 }
 
-void LoginPage::setUnreachable(const QString& sentence)
+void LoginPage::say(const QString& sentence)
 {
     m_unreachable->setText(sentence);
     m_unreachable->setVisible(!sentence.isEmpty());
-    setBusy(m_isBusy);
+}
+
+void LoginPage::setUnreachable(const QString& sentence)
+{
+    say(sentence);
+    m_tryAgain->setVisible(!sentence.isEmpty());
+    setBusy(false);
+}
+
+void LoginPage::offerBackup(const QDateTime& made)
+{
+    m_backupMade = made;
+    m_restore->setVisible(made.isValid());
+    speak();
 }
 
 void LoginPage::setBusy(bool busy)
 {
     m_isBusy = busy;
-    for (QWidget* input : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_given),
-                           static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_password),
-                           static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other)})
+    for (QWidget* input :
+         {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_given), static_cast<QWidget*>(m_family),
+          static_cast<QWidget*>(m_password), static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go),
+          static_cast<QWidget*>(m_other), static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
         input->setEnabled(!busy);
 }
 

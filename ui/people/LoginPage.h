@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QString>
 #include <QWidget>
 
@@ -28,8 +29,12 @@ public:
     [[nodiscard]] Door door() const { return m_door; }
     /// Who has left his place, for Door::Locked.
     void setLockedBy(const QString& username);
-    /// The database cannot be reached: why. Practice without a login still works. Empty: it can.
+    /// The database cannot be used: why. Practice without a login still works. Empty: it can.
     void setUnreachable(const QString& sentence);
+    /// Something else in its place.
+    void say(const QString& sentence);
+    /// A backup of then, UTC, can be put in the place of a database that is damaged or gone; invalid: there is none.
+    void offerBackup(const QDateTime& made);
     /// What was typed is being looked at: nothing can be typed meanwhile.
     void setBusy(bool busy);
     /// Says what was wrong, beside where it was typed.
@@ -40,6 +45,9 @@ signals:
     void codeWanted(const QString& username, const QString& code, const QString& newPassword);
     void schoolWanted(const database::NewPerson& admin, const QString& password);
     void guestWanted();
+    /// The database that cannot be used is to be tried again.
+    void againWanted();
+    void restoreWanted();
     /// Not who has locked the place.
     void otherWanted();
 
@@ -69,6 +77,9 @@ private:
     QPushButton* m_other;
     QPushButton* m_guest;
     QLabel* m_unreachable;
+    QPushButton* m_tryAgain;
+    QPushButton* m_restore;
+    QDateTime m_backupMade;
     QToolButton* m_language;
     QString m_code;  ///< that was typed as the password
 };

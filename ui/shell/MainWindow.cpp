@@ -381,6 +381,8 @@ void MainWindow::connectDoor()
     connect(m_login, &LoginPage::codeWanted, this, &MainWindow::codeWanted);
     connect(m_login, &LoginPage::schoolWanted, this, &MainWindow::schoolWanted);
     connect(m_login, &LoginPage::guestWanted, this, &MainWindow::guestWanted);
+    connect(m_login, &LoginPage::againWanted, this, &MainWindow::openAgainWanted);
+    connect(m_login, &LoginPage::restoreWanted, this, &MainWindow::restoreWanted);
     connect(m_scorePage, &study::ScorePage::keepWanted, this, &MainWindow::keepWanted);
     // His attempt is on the disk, and offered to him when he is back.
     connect(m_login, &LoginPage::otherWanted, this, &MainWindow::logoutWanted);
@@ -476,9 +478,16 @@ void MainWindow::refuseLogin(const core::Error& error)
         m_login->refuse(text::loginFault(error));
 }
 
-void MainWindow::setUnreachable(const std::optional<core::Error>& error)
+void MainWindow::setUnreachable(const std::optional<core::Error>& error, const QString& where,
+                                const QDateTime& backupMade)
 {
-    m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) : QString());
+    m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) + u'\n' + where : QString());
+    m_login->offerBackup(backupMade);
+}
+
+void MainWindow::sayAtDoor(const QString& sentence)
+{
+    m_login->say(sentence);
 }
 
 void MainWindow::connectPresets()

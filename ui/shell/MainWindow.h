@@ -208,10 +208,16 @@ public slots:
     void setIdleLimit(std::chrono::milliseconds limit);
     /// Somebody else will work here: nothing that was said to the one before stays to be read.
     void leaveAll();
+    /// Beside what is typed there; the next thing said there takes its place.
+    void sayAtDoor(const QString& sentence);
+    /// Is somebody asked to log in?
+    [[nodiscard]] bool isAtDoor() const;
     /// What was typed at the door is wrong.
     void refuseLogin(const core::Error& error);
-    /// The database cannot be reached, and why; nothing: it can.
-    void setUnreachable(const std::optional<core::Error>& error);
+    /// The database cannot be used, and why; nothing: it can.
+    /// @param where       its file, or its server
+    /// @param backupMade  when the backup was that can be put in its place; invalid: there is none
+    void setUnreachable(const std::optional<core::Error>& error, const QString& where, const QDateTime& backupMade);
     /// Every tooth shown from now on is drilled by the simulated handpiece, and the window says so beside its name.
     void setSelfDrilling() { m_selfDrilling = true; }
     /// The device has a work area and a force: the user can ask to be led home over the tooth.
@@ -228,6 +234,9 @@ signals:
     void classesWanted();
     /// Practice without an account.
     void guestWanted();
+    /// The database that cannot be used is to be tried again, or its backup to be put in its place.
+    void openAgainWanted();
+    void restoreWanted();
     /// The grade that is shown shall be kept as that of whoever logs in now.
     void keepWanted();
     /// Who works here leaves for somebody else; his work has been asked about, or is kept to be gone on with.
@@ -332,7 +341,6 @@ private:
     void connectDoor();
     void changeAccount();
     void lockIfIdle();
-    [[nodiscard]] bool isAtDoor() const;
     /// Whether something is saved or discarded; cancelled, nothing happens.
     struct Question
     {

@@ -116,6 +116,9 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
                                                     "open it.");
     case core::ErrorCode::FileUnwritable:
+        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool)
+            return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
+                                                        "or make its folder writable.");
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
                                                     "on the disk.");
     case core::ErrorCode::FileEmpty:

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole program and the school's database: people come and go, and the database is damaged, gone, locked or full.
+#include <QAction>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSqlQuery>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/Application.h"
+#include "database/sql/Attempts.h"
+#include "database/sql/Backups.h"
+#include "database/sql/Logins.h"
+#include "database/sql/People.h"
+#include "database/sql/Statement.h"
+#include "tests/support/OpenGlMain.h"
+#include "ui/people/HistoryPage.h"
+#include "ui/people/LoginPage.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/study/ScorePage.h"
+#include "ui/tooth/ToothView.h"
+
+using namespace database;
+using ui::people::Door;
+
+namespace {
+constexpr int kPatienceMs = 30000;
+const std::string kPassword = "correct horse";
+}  // namespace
+
+class TestSchool : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup() { m_application.reset(); }
+
+    void aDatabaseIsRestoredFromTheDoor_data();
+    void aDatabaseIsRestoredFromTheDoor();
+    void aLockedDatabaseIsTriedAgain();
+    void whatTheDiskRefusesIsKeptWhenItCanBe();
+    void aGuestsGradeIsKeptWhenHeLogsIn();
+    void nobodyIsOfferedAnothersWork();
+
+private:
+    template <class T>
+    T* child(const char* name = "") const
+    {
+        return m_application->window().findChild<T*>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
+    [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    [[nodiscard]] Door door() const { return child<ui::people::LoginPage>()->door(); }
+    [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
+    /// The program as a student starts it: at the door.
+    void start();
+    void click(const char* button) const { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
+    void logIn(const QString& name) const;
+    /// From wherever he is.
+    void leaveFor(const QString& name) const;
+    void toTheTooth() const;
+    void drill(double xMm) const;
+    /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
+    void grade(const QString& said) const;
+    [[nodiscard]] QString keeping() const
+    {
+        const auto* label = child<QLabel>("historyRemark");
+        return label->isVisible() ? label->text() : QString();
+    }
+    /// What the database holds, asked beside the program.
+    [[nodiscard]] int attemptsKept() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<app::Application> m_application;
+};
+
+/// A school with an admin and two students.
+void TestSchool::init()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    m_folder = std::make_unique<QTemporaryDir>();
+    const auto database = sql::Database::open(file()).value();
+    const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+    const sql::School school{database->handle(), key};
+    const auto admin =
+        sql::Logins::createFirstAdmin(school, {"admin", "Ada", "Admin", Role::Admin}, kPassword, {1, 8192}).value();
+    for (const char* name : {"sam", "sue"}) {
+        const auto entered = sql::addPerson(school, admin, {name, name, "Student", Role::Student}).value();
+        QVERIFY(sql::Logins::redeem(school, name, entered.code, kPassword));
+    }
+}
+
+void TestSchool::start()
+{
+    app::WindowOptions options;
+    options.source = {36};
+    options.database = file();
+    options.asksWho = true;
+    m_application = app::Application::make(options).value();
+    m_application->show();
+}
+
+void TestSchool::logIn(const QString& name) const
+{
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("username")->isEnabled(), kPatienceMs);
+    child<QLineEdit>("username")->setText(name);
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), name, kPatienceMs);
+}
+
+void TestSchool::leaveFor(const QString& name) const
+{
+    actions().account->trigger();
+    QCOMPARE(door(), Door::Locked);
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    logIn(name);
+}
+
+void TestSchool::toTheTooth() const
+{
+    for (int k = 0; k < 2 && !m_application->window().view().isVisible(); ++k)
+        actions().back->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs);
+}
+
+void TestSchool::drill(double xMm) const
+{
+    ui::tooth::ToothView& view = m_application->window().view();
+    const QString before = removed();
+    const glm::dvec2 pixel = view.camera().pixelOf({xMm, 1.0, -1.0});
+    const QPoint at(qRound(pixel.x), qRound(pixel.y));
+    QTest::mouseMove(&view, at);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() != before, kPatienceMs);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    QTest::qWait(500);  // the stroke ends, and is told
+}
+
+void TestSchool::grade(const QString& said) const
+{
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains(said), qPrintable(keeping()), kPatienceMs);
+}
+
+int TestSchool::attemptsKept() const
+{
+    const auto database = sql::Database::open(file());
+    return database ? sql::ask((*database)->handle(), "SELECT count(*) FROM attempts", "count").value().toInt() : -1;
+}
+
+void TestSchool::aDatabaseIsRestoredFromTheDoor_data()
+{
+    QTest::addColumn<bool>("isGone");
+    QTest::newRow("noise in its place") << false;
+    QTest::newRow("gone") << true;
+}
+
+/// What was delivered after the backup is delivered again.
+void TestSchool::aDatabaseIsRestoredFromTheDoor()
+{
+    QFETCH(bool, isGone);
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    {
+        const auto database = sql::Database::open(file()).value();
+        QVERIFY(sql::backUp(database->handle(), sql::backupFolder(file()), QDateTime::currentDateTimeUtc()));
+    }
+    actions().back->trigger();
+    drill(2.0);
+    grade("");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    m_application.reset();
+
+    QFile database(file());
+    if (isGone)
+        QVERIFY(database.remove());
+    else {
+        QVERIFY(database.open(QIODevice::WriteOnly));
+        database.write(QByteArray(100'000, 'n'));
+        database.close();
+    }
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
+    QCOMPARE(child<QPushButton>("tryAgain")->isVisible(), !isGone);
+    if (isGone)
+        QCOMPARE(door(), Door::NewSchool);
+    // Meanwhile one can practise.
+    QVERIFY(child<QPushButton>("practiseAsGuest")->isEnabled());
+    click("restoreBackup");
+    QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
+    QCOMPARE(door(), Door::Login);
+    logIn("sam");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    if (!isGone)
+        QCOMPARE(QDir(m_folder->path()).entryList({"replaced-*"}, QDir::Files).size(), 1);
+    const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
+                                "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
+    QCOMPARE(noted.value().toInt(), 1);
+}
+
+void TestSchool::aLockedDatabaseIsTriedAgain()
+{
+    auto other = sql::Database::open(file()).value();
+    QVERIFY(sql::execute(other->handle(), "PRAGMA locking_mode = EXCLUSIVE", "lock"));
+    QVERIFY(sql::execute(other->handle(), "BEGIN EXCLUSIVE", "lock"));
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
+    QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
+    const QStringList said = [this] {
+        QStringList words;
+        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
+            words << label->text();
+        return words;
+    }();
+    QVERIFY2(said.join(' ').contains("Another program is writing to it"), qPrintable(said.join('\n')));
+    other.reset();
+    click("tryAgain");
+    QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
+    logIn("sam");
+}
+
+void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    // Not even root can write here.
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    grade("not being kept");
+    QVERIFY2(message().contains("make room on the disk"), qPrintable(message()));
+    actions().back->trigger();
+    QVERIFY(inTheWay.remove());
+    grade("first grade");
+    QCOMPARE(attemptsKept(), 1);
+}
+
+void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
+{
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    click("practiseAsGuest");
+    toTheTooth();
+    drill(-2.0);
+    grade("not logged in");
+    QCOMPARE(attemptsKept(), 0);
+    click("keepGrade");
+    logIn("sue");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QVERIFY(child<ui::study::ScorePage>()->isVisible());
+    const auto owner =
+        sql::ask(sql::Database::open(file()).value()->handle(),
+                 "SELECT people.username FROM attempts JOIN people ON people.id = attempts.person_id", "read");
+    QCOMPARE(owner.value().toString(), QString("sue"));
+    // Whoever comes next gets a whole tooth.
+    leaveFor("sam");
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+}
+
+/// Sam's half-done work is Sam's: Sue sees a whole tooth, and he finds it again.
+void TestSchool::nobodyIsOfferedAnothersWork()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    const QString whole = removed();
+    drill(-2.0);
+    const QString own = removed();
+    QElapsedTimer since;
+    since.start();
+    leaveFor("sue");
+    qInfo("another had the place after %lld ms", since.elapsed());
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), whole, kPatienceMs);
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    drill(2.0);
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), kPatienceMs);
+    QTest::mouseClick(child<ui::shell::MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    grade("first grade");
+    QCOMPARE(attemptsKept(), 1);
+}
+
+int main(int argc, char** argv)
+{
+    return support::openGlMain<TestSchool>(argc, argv);
+}
+
+#include "tst_school.moc"
