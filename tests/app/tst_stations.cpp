@@ -14,8 +14,10 @@
 #include <QSqlQuery>
 #include <QTest>
 
+#include "app/SchoolDesk.h"
 #include "core/base/Rng.h"
-#include "database/Outbox.h"
+#include "core/teeth/Block.h"
+#include "core/teeth/ToothBuilder.h"
 #include "database/sql/Check.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
@@ -32,42 +34,65 @@ int fromEnvironment(const char* name, int otherwise)
     return value > 0 ? value : otherwise;
 }
 
-/// What a station does: logs in, and for each attempt puts it into its outbox, says so, delivers, and says so.
-/// Arguments: address, folder, user's name, attempts.
-int beStation(const QStringList& words)
+/// What a station does with its part of the program: logs in, and for each attempt has it kept, says so, waits until it
+/// is delivered, and says how long that took. Arguments: address, folder, user's name, attempts.
+class Station : public QObject
 {
-    auto database = Database::open(Address::parse(words[0]).value());
-    auto key = StationKey::readOrMake(QDir(words[1]).filePath("station.key"));
-    if (!database || !key)
-        return 1;
-    const School school{(*database)->handle(), *key};
-    const auto session = Logins::login(school, words[2].toStdString(), SchoolRig::kPassword);
-    if (!session) {
-        std::cerr << session.error().detail << '\n';
-        return 1;
+public:
+    explicit Station(const QStringList& words)
+        : m_desk(Address::parse(words[0]).value(), words[1]), m_left(words[3].toInt()),
+          m_recording({}, core::teeth::buildTooth(
+                              core::teeth::parseSource(core::teeth::blockName(core::teeth::BlockShape::Layers)), {})
+                              .value()
+                              .anatomy)
+    {
+        QDir().mkpath(words[1]);
+        connect(&m_desk, &app::SchoolDesk::delivered, this, [this](const QString& uid) {
+            if (uid != QString::fromStdString(m_attempt.uid))
+                return;  // that was left over from a station that was killed
+            std::cout << "took " << m_since.nsecsElapsed() / 1000 << std::endl;
+            next();
+        });
+        m_desk.open(this, [this, name = words[2].toStdString()](const app::SchoolDesk::Opening& opening) {
+            if (!opening.status)
+                fail(opening.status.error());
+            m_desk.ask(
+                this, [name](const School& school) { return Logins::login(school, name, SchoolRig::kPassword); },
+                [this](const core::Result<Session>& session) {
+                    if (!session)
+                        return fail(session.error());
+                    m_session = *session;
+                    next();
+                });
+        });
     }
-    Outbox outbox(QDir(words[1]).filePath("outbox"), *key);
-    const auto deliver = [&] {
-        for (const QString& file : outbox.waiting())
-            if (const auto letter = outbox.read(file);
-                letter && deliverAttempt(school, letter->attempt, letter->recording))
-                outbox.remove(file);
-    };
-    deliver();
-    std::cout << "ready" << std::endl;
-    const QByteArray recording(20'000, 'r');
-    for (int k = 0; k < words[3].toInt(); ++k) {
-        const AttemptRecord attempt = SchoolRig::attempt("class1-36", 100 + k % 900);
-        QElapsedTimer since;
-        since.start();
-        if (!outbox.put(*session, attempt, recording + QByteArray::fromStdString(attempt.uid)))
-            continue;
-        std::cout << "kept " << attempt.uid << std::endl;
-        deliver();
-        std::cout << "took " << since.nsecsElapsed() / 1000 << std::endl;
+
+private:
+    void next()
+    {
+        if (m_left-- <= 0)
+            return QCoreApplication::exit(0);
+        m_attempt = SchoolRig::attempt("class1-36", 100 + m_left % 900);
+        m_since.start();
+        m_desk.keep(this, m_session, m_attempt, m_recording, [this](const core::Status& kept) {
+            if (!kept)
+                return fail(kept.error());
+            std::cout << "kept " << m_attempt.uid << std::endl;
+        });
     }
-    return outbox.waiting().isEmpty() ? 0 : 2;
-}
+    static void fail(const core::Error& error)
+    {
+        std::cerr << error.detail << std::endl;
+        QCoreApplication::exit(1);
+    }
+
+    app::SchoolDesk m_desk;
+    Session m_session;
+    AttemptRecord m_attempt;
+    int m_left = 0;
+    core::recording::Recording m_recording;
+    QElapsedTimer m_since;
+};
 
 std::unique_ptr<QProcess> startStation(const SchoolRig& rig, const QString& folder, const QString& user, int attempts)
 {
@@ -260,8 +285,10 @@ int main(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
-    if (arguments.value(1) == u"--station")
-        return beStation(arguments.mid(2));
+    if (arguments.value(1) == u"--station") {
+        const Station station(arguments.mid(2));
+        return QCoreApplication::exec();
+    }
     TestStations test;
     return QTest::qExec(&test, argc, argv);
 }
