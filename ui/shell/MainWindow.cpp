@@ -31,6 +31,7 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/PresetShelf.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
@@ -498,6 +499,7 @@ void MainWindow::connectPresets()
     });
     using presets::PresetsPage;
     using presets::TrialCard;
+    connectConsole();
     connect(m_presets, &PresetsPage::saveWanted, this, &MainWindow::presetSaveWanted);
     connect(m_presets, &PresetsPage::useWanted, this, &MainWindow::presetUseWanted);
     connect(m_presets, &PresetsPage::importWanted, this, [this] {
@@ -600,20 +602,19 @@ void MainWindow::showFeel(const core::settings::FeelPreset& now, const core::set
     m_settingsPage->refresh();
 }
 
-void MainWindow::setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
-                          std::function<core::Result<core::settings::FeelPreset>(const QString&)> find)
+/// How the console keeps a preset, which is answered by showPresetKept() or showPresetFault(), and feels one.
+void MainWindow::connectConsole()
 {
     m_console->setPresets(
-        [this, save = std::move(save)](const QString& name) {
+        [this](const QString& name) {
             core::settings::FeelPreset preset = m_feel;
             preset.name = name.toStdString();
             preset.version = 0;
-            const auto kept = save(preset);
-            return kept ? tr("The hardness preset was kept: %1.").arg(presets::presetWords(*kept))
-                        : QString::fromStdString(kept.error().detail);
+            emit presetSaveWanted(preset);
+            return QString();
         },
-        [this, find = std::move(find)](const QString& name) {
-            const auto found = find(name);
+        [this](const QString& name) {
+            const auto found = lessons::findPreset(m_presets->all(), name);
             if (!found)
                 return QString::fromStdString(found.error().detail);
             const std::string refused = feelByHand(*found);
@@ -657,12 +658,23 @@ void MainWindow::setPresets(std::vector<lessons::ReadPreset> all, const core::se
 void MainWindow::showPresetKept(const core::settings::FeelPreset& preset)
 {
     m_presets->select(preset);
-    showMessage(tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset)));
+    const QString said = tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset));
+    if (m_console->isVisible())
+        m_console->say(said);
+    else
+        showMessage(said);
 }
 
 void MainWindow::showPresetFault(const QString& sentence)
 {
     m_presets->setFault(sentence);
+    if (m_console->isVisible())
+        m_console->say(sentence);
+}
+
+void MainWindow::setMayKeepPresets(bool may)
+{
+    m_presets->setMayKeep(may);
 }
 
 void MainWindow::beginTrial()

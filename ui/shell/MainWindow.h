@@ -109,9 +109,6 @@ public:
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
-    /// How the console keeps a preset and finds one.
-    void setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
-                  std::function<core::Result<core::settings::FeelPreset>(const QString&)> find);
 
 public slots:
     /// The tooth that is now on the table.
@@ -157,6 +154,8 @@ public slots:
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
+    /// Who works here may keep presets and say which is in use; else he looks at them and tries them.
+    void setMayKeepPresets(bool may);
     /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
     void showPresetKept(const core::settings::FeelPreset& preset);
     /// What could not be done, on the page of presets.
@@ -378,6 +377,7 @@ private:
     void setDrillFor(lessons::Task task);
     void showXray();
     void connectPresets();
+    void connectConsole();
     void registerParameters();
     [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& next);
     void savePicture(const QString& path, const QImage& picture);
