@@ -226,6 +226,8 @@ void MainWindow::speak()
 {
     setAids(m_aids);
     markExercise();
+    if (m_unreachable)
+        tellUnreachable();
     if (m_tooth == nullptr) {
         setWindowTitle(tr("Cusp"));
         return;
@@ -482,8 +484,16 @@ void MainWindow::refuseLogin(const core::Error& error)
 void MainWindow::setUnreachable(const std::optional<core::Error>& error, const QString& where,
                                 const QDateTime& backupMade)
 {
-    m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) + u'\n' + where : QString());
+    m_unreachable = error;
+    m_where = where;
+    tellUnreachable();
     m_login->offerBackup(backupMade);
+}
+
+void MainWindow::tellUnreachable()
+{
+    m_login->setUnreachable(
+        m_unreachable ? text::errorText(*m_unreachable, text::Failed::KeepingGrades) + u'\n' + m_where : QString());
 }
 
 void MainWindow::sayAtDoor(const QString& sentence)

@@ -339,6 +339,7 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
     void changeAccount();
+    void tellUnreachable();
     void lockIfIdle();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     struct Question
@@ -402,6 +403,8 @@ private:
     people::HistoryPage* m_history;
     people::ClassPage* m_classes;
     database::Session m_who;
+    std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
+    QString m_where;                           ///< the database
     study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
     presets::PresetsPage* m_presets;
