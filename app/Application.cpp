@@ -9,13 +9,13 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
-#include <QPointer>
 #include <QRandomGenerator>
 #include <QStandardPaths>
 #include <QThread>
 #include <QThreadPool>
 #include <QUrl>
 
+#include "app/Background.h"
 #include "app/Demonstration.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
@@ -92,23 +92,6 @@ bool isGradedExam(const core::recording::Recording& recording)
                  (event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote);
     });
     return graded;
-}
-
-/// Runs `work` on a pool thread and gives its result to `done` on this one, unless `owner` has gone meanwhile.
-template <class Work, class Done>
-void inBackground(QObject* owner, Work work, Done done)
-{
-    const QPointer<QObject> guard(owner);
-    QThreadPool::globalInstance()->start([guard, work = std::move(work), done = std::move(done)]() mutable {
-        auto result = std::make_shared<decltype(work())>(work());
-        QMetaObject::invokeMethod(
-            qApp,
-            [guard, result, done = std::move(done)]() mutable {
-                if (guard)
-                    done(*result);
-            },
-            Qt::QueuedConnection);
-    });
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
