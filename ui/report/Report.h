@@ -13,6 +13,7 @@
 #include <QString>
 
 #include "database/overview.h"
+#include "database/people.h"
 #include "database/records.h"
 #include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
@@ -52,6 +53,7 @@ struct ClassReport
     QString className;
     QString teacher;
     database::ClassOverview overview;
+    QList<database::ClassAssignment> given;  ///< what the class is to do
     people::LessonTitles titles;
     database::LessonResults results;  ///< of the lesson whose charts are shown; none where its id is empty
     int passMarkTenths = 0;

@@ -40,6 +40,7 @@
 class QStackedWidget;
 
 namespace ui::people {
+class AssignPage;
 class ClassPage;
 class HistoryPage;
 class LoginPage;
@@ -109,6 +110,7 @@ public:
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
+    [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
     /// How the console keeps a preset and finds one.
     void setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
                   std::function<core::Result<core::settings::FeelPreset>(const QString&)> find);
@@ -197,6 +199,8 @@ public slots:
     /// Opens the page of attempts, or that of classes.
     void openHistory();
     void openClasses();
+    /// The page where lessons are given to a class.
+    void openAssign();
     /// Another attempt than the one on the table, with its score card.
     /// @param work  its lesson, or its tooth
     void showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
@@ -401,6 +405,7 @@ private:
     people::LoginPage* m_login;
     people::HistoryPage* m_history;
     people::ClassPage* m_classes;
+    people::AssignPage* m_assign;
     database::Session m_who;
     study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
