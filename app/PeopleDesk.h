@@ -9,7 +9,10 @@
 #include "app/SchoolDesk.h"
 #include "core/recording/Recording.h"
 #include "database/overview.h"
+#include "database/people.h"
 #include "database/records.h"
+#include "lessons/LessonCatalog.h"
+#include "ui/people/AssignPage.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/report/Report.h"
 #include "ui/shell/MainWindow.h"
@@ -36,10 +39,15 @@ signals:
     void scoreWanted(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
 
 private:
+    void readLessons(const std::function<void()>& then);
+    void tellLessons();
+    [[nodiscard]] const lessons::Lesson* lesson(const std::string& id) const;
     void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson);
     void tellClassAt(const QString& lesson);
     void openClasses();
+    void openAssign();
     void tellOverview(database::ClassId ofClass);
+    void changeAssignments(const QList<ui::people::AssignmentChange>& changes);
     void tellResults(const QString& lesson);
     void fetch(qint64 attempt,
                const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
@@ -56,14 +64,10 @@ private:
     std::function<database::Session()> m_who;
     database::PersonId m_person;  ///< whose attempts are shown
     database::ClassOverview m_overview;
+    QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
-    struct Known
-    {
-        int passMarkTenths = 0;
-        std::map<std::string, QString> criteria;
-    };
-    std::map<std::string, Known> m_lessons;  ///< by id
+    std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
 };
 
