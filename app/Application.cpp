@@ -176,6 +176,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         page.setMomentsProgress({});
         m_window->showError(error, Failed::Marking);
     });
+    connect(&page, &ui::study::ScorePage::replayWanted, this, [this] {
+        if (m_opened)
+            playOpened({});
+    });
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
@@ -1301,10 +1305,18 @@ void Application::play(const core::recording::Recording& recording, std::optiona
 /// Of the attempt that was graded, a little before that moment, held.
 void Application::showMoment(double seconds)
 {
-    if (m_opened && !m_replay)
-        play(*m_opened, std::max(0.0, seconds - ui::replay::kLeadUpS));
+    if (m_opened)
+        playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
     else if (m_graded && !m_replay)
         play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
+}
+
+/// The attempt whose score card is open; the way back leads there.
+void Application::playOpened(std::optional<double> heldAtS)
+{
+    play(*m_opened, heldAtS);
+    m_playsOpened = m_replay != nullptr;
+    m_people->followReplay(m_playsOpened);
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -1331,6 +1343,9 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
+    m_playsOpened = false;
+    if (m_people)
+        m_people->followReplay(false);
     m_replay.reset();
 }
 
@@ -1339,11 +1354,14 @@ void Application::stopReplay()
 {
     if (!m_replay)
         return;
+    const bool returns = m_playsOpened && m_opened;
     if (!m_assignment.anatomy) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             begin(*practice, {}, false);
             m_window->showMessage(tr("The tooth is whole, and yours to drill."));
         }
+        if (returns)
+            m_window->backToScore();
         return;
     }
     putReplayAway();
@@ -1358,7 +1376,10 @@ void Application::stopReplay()
     if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
         m_window->view().setHeights(own->top);
     startLoops();
-    m_window->showMessage(tr("This is your own work again, as you left it."));
+    if (returns)
+        m_window->backToScore();
+    else
+        m_window->showMessage(tr("This is your own work again, as you left it."));
 }
 
 }  // namespace app

@@ -126,6 +126,7 @@ private:
     void discardUnfinished();
     /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
     void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {});
+    void playOpened(std::optional<double> heldAtS);
     void putReplayAway();
     void stopReplay();
     void drawPicture();
@@ -186,6 +187,7 @@ private:
     };
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
+    bool m_playsOpened = false;                          ///< that one is played, from its score card
     Explainer m_explainer;                               ///< of m_graded
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 
 #include <QDir>
 #include <QFileDialog>
@@ -168,6 +169,10 @@ void PeopleDesk::connectTalk()
                 });
             });
     connect(&talk, &ui::people::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
+    connect(&m_window, &MainWindow::replayShown, this, [this, &talk](double seconds) {
+        if (m_follows && m_talkedAbout)
+            talk.setMoment(std::llround(1000.0 * seconds));
+    });
 }
 
 /// Does it to the attempt that is talked about, and shows the talk anew; what is refused is said where it was typed.
@@ -195,13 +200,14 @@ void PeopleDesk::sayInTalk(Work work)
 void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt)
 {
     m_talkedAbout = attempt;
+    m_follows = false;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
     const bool teaches = m_who().role() == database::Role::Instructor && attempt->person != m_who().person();
-    page.talk().setMay(teaches, teaches);
+    page.setMayTalk(teaches);
     page.talk().setTalk({});
     tellTalk();
 }

@@ -32,6 +32,9 @@ public:
     /// on the page.
     void talkAbout(const std::optional<database::AttemptRecord>& attempt);
 
+    /// The attempt that is talked about is played now, so that comments can be pinned to its moments; or another one.
+    void followReplay(bool follows) { m_follows = follows; }
+
 signals:
     /// This recording is to be played.
     void replayWanted(const core::recording::Recording& recording);
@@ -67,6 +70,7 @@ private:
     QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
+    bool m_follows = false;                        ///< it is played
     std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
 };

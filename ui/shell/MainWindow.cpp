@@ -469,6 +469,11 @@ void MainWindow::showOldScore(const QString& work, const lessons::ScoreSheet& sh
     goTo(m_scorePage);
 }
 
+void MainWindow::backToScore()
+{
+    goTo(m_scorePage);
+}
+
 void MainWindow::leaveAll()
 {
     m_behindDoor = m_room;
@@ -1116,6 +1121,8 @@ void MainWindow::takeSession()
     m_session = now;
     if (m_replaying) {
         m_room->replay().setPosition(m_session.recordedS);
+        if (m_pages->currentWidget() == m_room)
+            emit replayShown(m_session.recordedS);
         if (replayedPoints() != marked)
             markExercise();
     } else if (m_session.toothGeneration == m_ownGeneration) {

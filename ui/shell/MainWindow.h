@@ -206,6 +206,8 @@ public slots:
     void showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
                       const QList<database::AttemptRecord>& history, const std::optional<study::Expectation>& expected,
                       const std::optional<study::ScoredWork>& scored);
+    /// The score card again that was left for its replay.
+    void backToScore();
     /// Who works here now.
     void setWho(const database::Session& who);
     /// Who is logged in and touches nothing for so long finds the place locked; the drill at work counts as a touch.
@@ -288,6 +290,8 @@ signals:
     void resumeRequested();
     void discardRequested();
     void replayStopRequested();
+    /// This moment of what is played is seen in the practice room, s since its beginning.
+    void replayShown(double seconds);
     /// Whether a force shall hold the hand within what is to be cut. Off with every new tooth.
     void fixtureWanted(bool wanted);
     void replayPauseRequested(bool paused);

@@ -202,11 +202,25 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     row->addStretch(1);
     row->addWidget(block, 1000);
     row->addStretch(1);
-    body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+    m_scroll = new ScrollPane(content, QPalette::Window, this);
+    body()->addWidget(m_scroll, 1);
+    connect(m_heat, &HeatMap::pinned, this,
+            [this](const std::optional<std::array<double, 3>>& place) { m_talk->setPlace(place, true); });
+    connect(m_talk, &people::TalkPanel::placeWanted, this, &ScorePage::showPin);
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
     buttons->addStretch(1);
+    m_replay = new QPushButton(this);
+    m_replay->setObjectName(QStringLiteral("replayScored"));
+    m_replay->setAutoDefault(true);
+    text::inEveryLanguage(m_replay, [this] {
+        m_replay->setText(tr("Replay"));
+        m_replay->setAccessibleName(tr("Replay this attempt"));
+    });
+    m_replay->hide();
+    connect(m_replay, &QPushButton::clicked, this, &ScorePage::replayWanted);
+    buttons->addWidget(m_replay);
     buttons->addWidget(pageButton(actions.saveRecording, "", this));
     buttons->addWidget(pageButton(actions.reload, "", this));
     m_back = pageButton(actions.back, "filled", this);
@@ -423,6 +437,7 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     m_moments.clear();
     m_criterionCount = sheet.criteria.size();
     m_scored = scored;
+    m_heat->setPin({});
     if (m_scored) {
         m_heat->setWork(*m_scored);
         m_section->setWork(*m_scored);
@@ -676,7 +691,27 @@ void ScorePage::tellHistory()
 void ScorePage::setTalkVisible(bool visible)
 {
     m_talks = visible;
+    m_replay->setVisible(visible);
+    if (!visible)
+        setMayTalk(false);
     arrange();
+}
+
+void ScorePage::setMayTalk(bool may)
+{
+    m_talk->setMay(may, may);
+    m_heat->setPinnable(may);
+    m_talk->setMoment({});
+    m_talk->setPlace({});
+    m_heat->setPin({});
+}
+
+/// The place that a comment is about; the next one may be about it, too.
+void ScorePage::showPin(const std::optional<std::array<double, 3>>& placeMm)
+{
+    m_heat->setPin(placeMm);
+    m_talk->setPlace(placeMm);
+    m_scroll->ensureWidgetVisible(m_heat);
 }
 
 void ScorePage::setKeeping(Keeping keeping)

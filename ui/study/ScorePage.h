@@ -23,6 +23,7 @@ class QPushButton;
 namespace ui::shell {
 class HistoryChart;
 class ScoreBar;
+class ScrollPane;
 class TabularLabel;
 }  // namespace ui::shell
 
@@ -69,6 +70,8 @@ public:
     /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
     [[nodiscard]] people::TalkPanel& talk() { return *m_talk; }
     void setTalkVisible(bool visible);
+    /// Who reads may write as well: comments, which can be pinned to places of the picture, and another score.
+    void setMayTalk(bool may);
     /// Where the score stands among those of a class.
     void setClass(const ::lessons::ClassStanding& standing);
     /// What the score comes to on other grids.
@@ -82,6 +85,8 @@ public:
 signals:
     /// The attempt is to be seen from this moment on.
     void momentWanted(double seconds);
+    /// The attempt is to be seen from its beginning.
+    void replayWanted();
     /// A guest wants to log in, so that the grade is kept as his.
     void keepWanted();
 
@@ -99,6 +104,7 @@ private:
     void speak();
     void fillCriteria();
     void showPlace(const CriterionRow& row);
+    void showPin(const std::optional<std::array<double, 3>>& placeMm);
     void tellKeeping();
     void tellNoise();
     void tellMoments();
@@ -122,6 +128,8 @@ private:
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
     people::TalkPanel* m_talk = nullptr;
+    shell::ScrollPane* m_scroll = nullptr;
+    QPushButton* m_replay = nullptr;
     bool m_talks = false;
     shell::TabularLabel* m_total = nullptr;
     QLabel* m_verdictIcon = nullptr;
