@@ -65,8 +65,6 @@ constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
 
-const QString kPresetInUse = QStringLiteral("presets/inUse");
-
 QString dataFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -127,9 +125,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     : m_options(options), m_device(makeDevice(options.simulatedDevice, m_demoWish, m_links.pointer)),
       m_servo(*m_device, std::move(tick), m_servoLinks, m_links.servo, kServoPeriod),
       m_session(m_servoLinks, m_links, settingsFor(options.simulatedDevice)), m_follower(m_session),
-      m_window(std::make_unique<ui::shell::MainWindow>(m_links)),
-      m_shelf(std::make_unique<lessons::PresetFolder>(lessons::presetsFolder())),
-      m_preset(lessons::shippedPresets().front())
+      m_window(std::make_unique<ui::shell::MainWindow>(m_links)), m_presets(*m_window, [this] { return m_who; })
 {
     using ui::shell::MainWindow;
     connect(m_window.get(), &MainWindow::toothChosen, this, [this](int fdi) { openTooth({fdi}); });
@@ -301,6 +297,7 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         return;
     }
     m_openWatch.stop();
+    m_presets.setSchool(m_desk.get());
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
     const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
@@ -370,6 +367,8 @@ void Application::enter(const database::Session& who)
     }
     m_isNewSchool = false;
     m_who = who;
+    m_byHand.reset();
+    m_presets.refresh();
     // What was practised without a login is nobody's, unless its grade is what he logs in for.
     const bool keeps = std::exchange(m_keepsOnLogin, false) && m_graded && m_graded->keeping == Keeping::Guest;
     if (!keeps && m_assignment.anatomy)
@@ -399,6 +398,8 @@ void Application::leave()
             [](const core::Result<bool>&) {});
     stopJournal(false);
     m_who = {};
+    m_byHand.reset();
+    m_presets.refresh();
     m_window->leaveAll();
     m_window->setWho(m_who);
     clearTable();
@@ -424,71 +425,20 @@ void Application::clearTable()
 void Application::connectPresets()
 {
     using ui::shell::MainWindow;
-    connect(m_window.get(), &MainWindow::presetsWanted, this, &Application::tellPresets);
-    connect(m_window.get(), &MainWindow::presetUseWanted, this, &Application::usePreset);
-    connect(m_window.get(), &MainWindow::presetSaveWanted, this, &Application::keepPreset);
-    connect(m_window.get(), &MainWindow::presetImportWanted, this, &Application::importPreset);
-    connect(m_window.get(), &MainWindow::presetExportWanted, this, &Application::exportPreset);
     connect(m_window.get(), &MainWindow::presetFelt, this, &Application::feel);
     connect(m_window.get(), &MainWindow::feelWanted, this, &Application::feelByHand);
-    m_window->setShelf([this](core::settings::FeelPreset preset) { return m_shelf->save(std::move(preset)); },
-                       [this](const QString& name) { return lessons::findPreset(*m_shelf, name); });
     connect(m_window.get(), &MainWindow::presetTrialWanted, this, [this](const core::settings::FeelPreset& preset) {
         openTooth(core::teeth::parseSource(core::teeth::blockName(core::teeth::BlockShape::Layers)), {}, preset);
     });
-    if (const QString named = ui::shell::memory().value(kPresetInUse).toString(); !named.isEmpty())
-        if (const auto found = lessons::findPreset(*m_shelf, named))
-            m_preset = *found;
-    m_window->showFeel(m_preset, m_preset);
-}
-
-void Application::tellPresets()
-{
-    m_window->setPresets(m_shelf->list(), m_preset);
-}
-
-/// From the next tooth on. What lies on the table goes on as it was begun.
-void Application::usePreset(const core::settings::FeelPreset& preset)
-{
-    m_preset = preset;
-    m_byHand.reset();
-    ui::shell::memory().setValue(kPresetInUse,
-                                 QStringLiteral("%1 v%2").arg(QString::fromStdString(preset.name)).arg(preset.version));
-    tellPresets();
-    m_window->showMessage(tr("The next tooth feels like this."));
-}
-
-void Application::keepPreset(const core::settings::FeelPreset& preset)
-{
-    const auto kept = m_shelf->save(preset);
-    if (!kept) {
-        m_window->showPresetFault(tr("Not kept: %1").arg(QString::fromStdString(kept.error().detail)));
-        return;
-    }
-    tellPresets();
-    m_window->showPresetKept(*kept);
-}
-
-void Application::importPreset(const QString& path)
-{
-    const lessons::ReadPreset read = lessons::readPreset(path);
-    if (read.preset) {
-        keepPreset(*read.preset);
-        if (!read.faults.empty())
-            m_window->showPresetFault(read.faults.front().sentence());
-        return;
-    }
-    const auto grave =
-        std::find_if(read.faults.begin(), read.faults.end(), [](const lessons::Fault& fault) { return fault.grave; });
-    m_window->showPresetFault(tr("Not imported: %1").arg(grave->sentence()));
-}
-
-void Application::exportPreset(const core::settings::FeelPreset& preset, const QString& path)
-{
-    if (const auto written = lessons::writePreset(path, preset))
-        m_window->showMessage(tr("The preset was exported as %1.").arg(QDir::toNativeSeparators(path)));
-    else
-        m_window->showPresetFault(tr("Not exported: %1").arg(QString::fromStdString(written.error().detail)));
+    connect(&m_presets, &PresetDesk::inUseChanged, this, [this] {
+        m_byHand.reset();
+        // What nobody has begun to work on begins anew, as it feels now.
+        const auto tooth = m_session.toothSoFar();
+        if (!m_assignment.lesson && !m_tried && !m_replay && tooth && tooth->anatomy == m_assignment.anatomy &&
+            tooth->top == tooth->anatomy->top)
+            clearTable();
+    });
+    m_window->showFeel(m_presets.inUse(), m_presets.inUse());
 }
 
 /// In the middle of an attempt: what differs goes to the servo as numbers, and so onto the recording.
@@ -506,8 +456,8 @@ void Application::feel(const core::settings::FeelPreset& preset)
 void Application::feelByHand(const core::settings::FeelPreset& preset)
 {
     core::settings::FeelPreset asKept = preset;
-    asKept.hash = m_preset.hash;
-    m_byHand = asKept == m_preset ? std::nullopt : std::optional(preset);
+    asKept.hash = m_presets.inUse().hash;
+    m_byHand = asKept == m_presets.inUse() ? std::nullopt : std::optional(preset);
     feel(preset);
 }
 
@@ -668,8 +618,8 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
 {
     const bool isExam = assignment.lesson && assignment.lesson->exam;
-    const core::settings::FeelPreset usual = m_tried.value_or(m_preset);
-    const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_preset);
+    const core::settings::FeelPreset usual = m_tried.value_or(m_presets.inUse());
+    const core::settings::FeelPreset preset = m_tried || isExam ? usual : m_byHand.value_or(m_presets.inUse());
     const core::session::ServoSettings settings = lessons::servoSettings(
         assignment.lesson ? &*assignment.lesson : nullptr, settingsFor(m_options.simulatedDevice), preset);
     auto servo = core::session::makeServoTick(settings);
@@ -1246,7 +1196,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     lay(*assignment, attempt->recording.settings(), {}, false);
     m_tried.reset();
     const core::settings::FeelPreset felt =
-        core::settings::feltAs(m_preset, m_settings.hardness, m_settings.force,
+        core::settings::feltAs(m_presets.inUse(), m_settings.hardness, m_settings.force,
                                assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
     m_window->showFeel(felt, felt);
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));

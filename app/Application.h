@@ -11,6 +11,7 @@
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
 #include "app/PeopleDesk.h"
+#include "app/PresetDesk.h"
 #include "app/ReplayDesk.h"
 #include "app/SchoolDesk.h"
 #include "core/session/Follower.h"
@@ -23,7 +24,6 @@
 #include "haptics/simulated/IdealHand.h"
 #include "lessons/Assignment.h"
 #include "lessons/ClassStanding.h"
-#include "lessons/PresetShelf.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/study/ScorePage.h"
 
@@ -76,11 +76,6 @@ private:
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
                    const std::optional<core::settings::FeelPreset>& tried = {});
     void connectPresets();
-    void tellPresets();
-    void usePreset(const core::settings::FeelPreset& preset);
-    void keepPreset(const core::settings::FeelPreset& preset);
-    void importPreset(const QString& path);
-    void exportPreset(const core::settings::FeelPreset& preset, const QString& path);
     void feel(const core::settings::FeelPreset& preset);
     void feelByHand(const core::settings::FeelPreset& preset);
     void tellNumbers();
@@ -158,10 +153,9 @@ private:
     bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
-    std::unique_ptr<lessons::PresetShelf> m_shelf;
-    core::settings::FeelPreset m_preset;                 ///< what teeth feel like
+    PresetDesk m_presets;
     std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
-    std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_preset, but in exams
+    std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_presets.inUse(), but in exams
     core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
     core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent
     core::session::ServoSettings m_settings;             ///< of the student's own attempt

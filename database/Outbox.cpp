@@ -9,10 +9,9 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include "core/base/Bytes.h"
+#include "core/base/WholeFile.h"
 #include "database/Passwords.h"
 
 namespace database {
@@ -78,16 +77,6 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
     return bytes.ok();
 }
 
-/// The name of a new file is on the disk when its folder is.
-void syncFolder(const QString& folder)
-{
-    const int file = open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file >= 0) {
-        static_cast<void>(fsync(file));
-        close(file);
-    }
-}
-
 /// Oldest first.
 QStringList lettersIn(const QString& folder)
 {
@@ -104,7 +93,7 @@ void move(const QString& file, const QString& folder)
     QDir().mkpath(folder);
     const QString target = QDir(folder).filePath(QFileInfo(file).fileName());
     if (rename(QFile::encodeName(file).constData(), QFile::encodeName(target).constData()) == 0)
-        syncFolder(folder);
+        core::bringToDisk(folder.toStdU16String());
 }
 
 core::Error refused(ErrorCode code, const QString& file, const std::string& why)
@@ -134,7 +123,7 @@ core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, c
         return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
                                       "it cannot be written (" + file.errorString().toStdString() +
                                           "); make room on the disk, and grade the work again"));
-    syncFolder(m_folder);
+    core::bringToDisk(m_folder.toStdU16String());  // with the name of the new file
     return {};
 }
 

@@ -9,6 +9,8 @@
 #include <QString>
 #include <sodium.h>
 
+#include "database/Sodium.h"
+
 namespace database {
 namespace {
 
@@ -18,12 +20,6 @@ constexpr std::size_t kUidBytes = 16;
 constexpr std::string_view kCodeLetters = "23456789ABCDEFGHJKMNPQRSTUVWXYZ";
 constexpr int kCodeLength = 12;
 constexpr int kCodeGroup = 4;
-
-/// Once, before anything of libsodium's is used; it may be called again.
-bool begin()
-{
-    return sodium_init() >= 0;
-}
 
 double threadMs()
 {
@@ -36,14 +32,6 @@ double threadMs()
 QByteArray normal(const std::string& password)
 {
     return QString::fromStdString(password).normalized(QString::NormalizationForm_KC).toUtf8();
-}
-
-std::string hexOf(const unsigned char* bytes, std::size_t count)
-{
-    std::string hex(2 * count + 1, '\0');
-    sodium_bin2hex(hex.data(), hex.size(), bytes, count);
-    hex.pop_back();
-    return hex;
 }
 
 }  // namespace
@@ -78,8 +66,9 @@ core::Result<std::string> hashPassword(const std::string& password, const Passwo
 {
     const QByteArray given = normal(password);
     std::array<char, crypto_pwhash_STRBYTES> hash{};
-    if (!begin() || crypto_pwhash_str_alg(hash.data(), given.constData(), static_cast<unsigned long long>(given.size()),
-                                          cost.passes, cost.memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
+    if (!beginSodium() ||
+        crypto_pwhash_str_alg(hash.data(), given.constData(), static_cast<unsigned long long>(given.size()),
+                              cost.passes, cost.memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
         return core::unexpected(core::ErrorCode::FileTooLarge,
                                 "there is not enough memory to work with passwords; close other programs");
     return std::string(hash.data());
@@ -88,19 +77,19 @@ core::Result<std::string> hashPassword(const std::string& password, const Passwo
 bool fits(const std::string& password, const std::string& hash)
 {
     const QByteArray given = normal(password);
-    return begin() && hash.size() < crypto_pwhash_STRBYTES && given.size() <= 4 * kLongestPassword &&
+    return beginSodium() && hash.size() < crypto_pwhash_STRBYTES && given.size() <= 4 * kLongestPassword &&
            crypto_pwhash_str_verify(hash.c_str(), given.constData(), static_cast<unsigned long long>(given.size())) ==
                0;
 }
 
 bool wantsRehash(const std::string& hash, const PasswordCost& cost)
 {
-    return begin() && crypto_pwhash_str_needs_rehash(hash.c_str(), cost.passes, cost.memoryBytes) != 0;
+    return beginSodium() && crypto_pwhash_str_needs_rehash(hash.c_str(), cost.passes, cost.memoryBytes) != 0;
 }
 
 std::string newCode()
 {
-    begin();
+    beginSodium();
     std::string code;
     for (int k = 0; k < kCodeLength; ++k) {
         if (k > 0 && k % kCodeGroup == 0)
@@ -117,7 +106,7 @@ std::string hashOfCode(const std::string& uid, const std::string& code)
 
 std::string newUid()
 {
-    begin();
+    beginSodium();
     std::array<unsigned char, kUidBytes> bytes{};
     randombytes_buf(bytes.data(), bytes.size());
     return hexOf(bytes.data(), bytes.size());
@@ -125,7 +114,7 @@ std::string newUid()
 
 std::string digestOf(std::string_view bytes)
 {
-    begin();
+    beginSodium();
     std::array<unsigned char, kDigestBytes> digest{};
     crypto_generichash(digest.data(), digest.size(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
                        nullptr, 0);

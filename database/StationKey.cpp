@@ -10,26 +10,14 @@
 #include <QSaveFile>
 #include <sodium.h>
 
+#include "database/Sodium.h"
+
 namespace database {
 namespace {
-
-/// Once, before anything of libsodium's is used; it may be called again.
-bool begin()
-{
-    return sodium_init() >= 0;
-}
 
 const unsigned char* bytesOf(std::string_view words)
 {
     return reinterpret_cast<const unsigned char*>(words.data());
-}
-
-std::string hexOf(const unsigned char* bytes, std::size_t count)
-{
-    std::string hex(2 * count + 1, '\0');
-    sodium_bin2hex(hex.data(), hex.size(), bytes, count);
-    hex.pop_back();
-    return hex;
 }
 
 template <std::size_t N>
@@ -50,7 +38,7 @@ core::Error refused(core::ErrorCode code, const QString& file, const char* why)
 core::Result<StationKey> StationKey::readOrMake(const QString& path)
 {
     using core::ErrorCode;
-    if (!begin())
+    if (!beginSodium())
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "this computer has no source of chance"));
     std::array<unsigned char, kSeedBytes> seed{};
     QFile file(path);
@@ -79,7 +67,7 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
 StationKey StationKey::make()
 {
     std::array<unsigned char, kSeedBytes> seed{};
-    begin();
+    beginSodium();
     randombytes_buf(seed.data(), seed.size());
     return fromSeed(seed);
 }
@@ -105,7 +93,7 @@ bool StationKey::isSigned(std::string_view words, const std::string& signatureHe
 {
     std::array<unsigned char, crypto_sign_BYTES> signature{};
     std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
-    return begin() && takeHex(signatureHex, signature) && takeHex(publicHex, open) &&
+    return beginSodium() && takeHex(signatureHex, signature) && takeHex(publicHex, open) &&
            crypto_sign_verify_detached(signature.data(), bytesOf(words), words.size(), open.data()) == 0;
 }
 

@@ -42,16 +42,12 @@ bool before(const ReadPreset& a, const ReadPreset& b)
 
 }  // namespace
 
-std::vector<ReadPreset> PresetFolder::list() const
+std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept)
 {
     std::vector<ReadPreset> all;
     for (const FeelPreset& shipped : shippedPresets())
         all.push_back({{}, shipped, {}});
-    const QDir folder(m_folder);
-    const QStringList names =
-        folder.entryList({QStringLiteral("*.") + QLatin1String(kPresetSuffix)}, QDir::Files, QDir::Name);
-    for (const QString& name : names.mid(0, kMostPresets)) {
-        ReadPreset read = readPreset(folder.filePath(name));
+    for (ReadPreset& read : kept) {
         const auto isSameVersion = [&](const ReadPreset& other) {
             return read.preset && other.preset && other.preset->name == read.preset->name &&
                    other.preset->version == read.preset->version;
@@ -73,39 +69,60 @@ std::vector<ReadPreset> PresetFolder::list() const
     return all;
 }
 
-core::Result<FeelPreset> PresetFolder::save(FeelPreset preset)
+core::Result<Placed> place(FeelPreset preset, const std::vector<ReadPreset>& all)
 {
-    int wanted = preset.version;
+    const int wanted = preset.version;
+    int newest = 0;
+    bool isTaken = wanted <= 0;
+    for (const ReadPreset& other : all) {
+        if (!other.preset || other.preset->name != preset.name)
+            continue;
+        const bool isNewest = other.preset->version > newest;  // they come newest first
+        newest = std::max(newest, other.preset->version);
+        preset.version = other.preset->version;
+        if ((wanted > 0 ? preset.version == wanted : isNewest) && hashOf(preset) == other.preset->hash)
+            return Placed{*other.preset, true};
+        isTaken = isTaken || other.preset->version == wanted;
+    }
+    preset.version = isTaken ? newest + 1 : wanted;
+    if (auto sound = checkPreset(preset); !sound)
+        return tl::unexpected(sound.error());
+    return Placed{hashed(std::move(preset))};
+}
+
+std::vector<ReadPreset> PresetFolder::list() const
+{
+    const QDir folder(m_folder);
+    const QStringList names =
+        folder.entryList({QStringLiteral("*.") + QLatin1String(kPresetSuffix)}, QDir::Files, QDir::Name);
+    std::vector<ReadPreset> kept;
+    for (const QString& name : names.mid(0, kMostPresets))
+        kept.push_back(readPreset(folder.filePath(name)));
+    return shelved(std::move(kept));
+}
+
+core::Result<FeelPreset> PresetFolder::save(const FeelPreset& preset) const
+{
     if (!QDir().mkpath(m_folder))
         return core::unexpected(core::ErrorCode::FileUnwritable, "The folder of presets " + m_folder.toStdString() +
                                                                      " cannot be made; check the rights.");
+    FeelPreset wanted = preset;
     for (int attempt = 0; attempt < kTries; ++attempt) {
-        int newest = 0;
-        bool isTaken = wanted <= 0;
-        for (const ReadPreset& other : list()) {
-            if (!other.preset || other.preset->name != preset.name)
-                continue;
-            const bool isNewest = other.preset->version > newest;  // they come newest first
-            newest = std::max(newest, other.preset->version);
-            preset.version = other.preset->version;
-            if ((wanted > 0 ? preset.version == wanted : isNewest) && hashOf(preset) == other.preset->hash)
-                return *other.preset;
-            isTaken = isTaken || other.preset->version == wanted;
-        }
-        preset.version = isTaken ? newest + 1 : wanted;
-        if (auto sound = checkPreset(preset); !sound)
-            return tl::unexpected(sound.error());
-        preset = hashed(std::move(preset));
-        const QString file = QDir(m_folder).filePath(fileNameOf(preset));
+        const auto placed = place(wanted, list());
+        if (!placed)
+            return tl::unexpected(placed.error());
+        if (placed->isThere)
+            return placed->preset;
+        const QString file = QDir(m_folder).filePath(fileNameOf(placed->preset));
         const QString part = file + QStringLiteral(".part");
-        if (auto written = writePreset(part, preset); !written)
+        if (auto written = writePreset(part, placed->preset); !written)
             return tl::unexpected(written.error());
         if (QFile::rename(part, file))  // which puts nothing over a file that is there
-            return preset;
+            return placed->preset;
         QFile::remove(part);
         if (!QFileInfo::exists(file))
             break;
-        wanted = 0;
+        wanted.version = 0;
     }
     return core::unexpected(core::ErrorCode::FileUnwritable, "The hardness preset could not be kept in " +
                                                                  m_folder.toStdString() + "; check the rights.");
@@ -116,10 +133,10 @@ QString presetsFolder()
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("presets"));
 }
 
-core::Result<FeelPreset> findPreset(const PresetShelf& shelf, const QString& name)
+core::Result<FeelPreset> findPreset(const std::vector<ReadPreset>& all, const QString& name)
 {
     QStringList known;
-    for (const ReadPreset& read : shelf.list()) {
+    for (const ReadPreset& read : all) {
         if (!read.preset)
             continue;
         const QString own = QString::fromStdString(read.preset->name);

@@ -11,33 +11,36 @@
 
 namespace lessons {
 
-/// Where hardness presets are kept. A version that is there is never changed.
-class PresetShelf
+/// What is kept, and what is shipped: every version of every preset, by name, the newest version of each first; then
+/// what cannot be read, and why. The same version with two contents: the later one cannot be read.
+[[nodiscard]] std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept);
+
+/// As what a preset is to be kept.
+struct Placed
 {
-public:
-    PresetShelf() = default;
-    PresetShelf(const PresetShelf&) = delete;
-    PresetShelf& operator=(const PresetShelf&) = delete;
-    virtual ~PresetShelf() = default;
-
-    /// Every version of every preset, by name, the newest version of each first; with it what cannot be read and why.
-    [[nodiscard]] virtual std::vector<ReadPreset> list() const = 0;
-
-    /// Keeps a preset and says as what. Where its version is taken by another content, or is 0, it becomes the next
-    /// version of its name; what is as that version, or as the newest, is not kept again. Errors: checkPreset(), or
-    /// what cannot be written.
-    [[nodiscard]] virtual core::Result<core::settings::FeelPreset> save(core::settings::FeelPreset preset) = 0;
+    core::settings::FeelPreset preset;  ///< with its version and hash
+    bool isThere = false;               ///< nothing is left to do
 };
+/// Where its version is taken by another content, or is 0, it becomes the next version of its name; what is as that
+/// version, or as the newest, is there already. Errors: checkPreset().
+/// @param all  as shelved() puts them
+[[nodiscard]] core::Result<Placed> place(core::settings::FeelPreset preset, const std::vector<ReadPreset>& all);
 
-/// A folder with a file for each version, and what is shipped.
-class PresetFolder final : public PresetShelf
+/// The newest version of that name, or the version that "name v2" asks for. UnknownName lists the names there are.
+[[nodiscard]] core::Result<core::settings::FeelPreset> findPreset(const std::vector<ReadPreset>& all,
+                                                                  const QString& name);
+
+/// A folder with a file for each version. A version that is there is never changed.
+class PresetFolder
 {
 public:
     /// @param folder  made when the first preset is saved
     explicit PresetFolder(QString folder) : m_folder(std::move(folder)) {}
 
-    [[nodiscard]] std::vector<ReadPreset> list() const override;
-    [[nodiscard]] core::Result<core::settings::FeelPreset> save(core::settings::FeelPreset preset) override;
+    /// As shelved().
+    [[nodiscard]] std::vector<ReadPreset> list() const;
+    /// Keeps it as place() says. Errors also: what cannot be written.
+    [[nodiscard]] core::Result<core::settings::FeelPreset> save(const core::settings::FeelPreset& preset) const;
 
 private:
     QString m_folder;
@@ -45,8 +48,5 @@ private:
 
 /// "presets" in the user's data folder of Cusp.
 [[nodiscard]] QString presetsFolder();
-
-/// The newest version of that name, or the version that "name v2" asks for. UnknownName lists the names there are.
-[[nodiscard]] core::Result<core::settings::FeelPreset> findPreset(const PresetShelf& shelf, const QString& name);
 
 }  // namespace lessons

@@ -50,7 +50,7 @@ core::Status takePreset(const QString& nameOrFile, core::session::ServoSettings&
                 "Hardness preset " + read.faults.front().sentence().toStdString() +
                     "; name natural, typodont or a JSON file, \"cusp simulate --help\" shows what it may hold.");
         preset = *read.preset;
-    } else if (auto found = lessons::findPreset(lessons::PresetFolder(lessons::presetsFolder()), nameOrFile)) {
+    } else if (auto found = lessons::findPreset(lessons::PresetFolder(lessons::presetsFolder()).list(), nameOrFile)) {
         preset = *found;
     } else {
         return tl::unexpected(found.error());

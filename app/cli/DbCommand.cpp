@@ -96,7 +96,7 @@ int failedWithBackups(const core::Error& error, const Address& address)
 
 int initDatabase(const QCommandLineParser& parser, const Address& address)
 {
-    const auto open = openSchool(address, true);
+    const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
     if (!open->database->notice().empty())
@@ -118,7 +118,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
 
 int checkWhole(const QCommandLineParser& parser, const Address& address)
 {
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
     std::vector<std::string> witnesses;
@@ -155,7 +155,7 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
     const QString folder = parser.isSet(QStringLiteral("to")) ? parser.value(QStringLiteral("to"))
@@ -179,7 +179,7 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
                                                        QDateTime::currentDateTimeUtc());
     if (!replaced)
         return failed(replaced.error());
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
     if (auto noted = database::sql::noteRestored(*open->school, parser.positionalArguments().front()); !noted)
@@ -195,7 +195,7 @@ int drillRestore(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
     const auto rows = database::sql::restoreDrill(open->school->db);
@@ -207,7 +207,7 @@ int drillRestore(const QCommandLineParser& parser, const Address& address)
 
 int migrateDatabase(const QCommandLineParser& parser, const Address& address)
 {
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
@@ -224,10 +224,10 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     const auto target = Address::parse(parser.value(QStringLiteral("to")));
     if (!target)
         return failed(target.error());
-    const auto from = openSchool(address, false);
+    const auto from = openSchool(address, Opening::AsItIs);
     if (!from)
         return failedWithBackups(from.error(), address);
-    const auto to = openSchool(*target, true);
+    const auto to = openSchool(*target, Opening::Create);
     if (!to)
         return failed(to.error());
     const bool tells = !wantsJson(parser);
@@ -252,7 +252,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
 
 int tellStats(const QCommandLineParser& parser, const Address& address)
 {
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
     QJsonObject object{{"database", address.shown()}};
@@ -298,7 +298,7 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
     size.students = static_cast<int>(*students);
     size.attempts = *attempts;
     size.seed = static_cast<std::uint64_t>(*seed);
-    const auto open = openSchool(address, true);
+    const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failed(open.error());
     const std::string password = database::newCode() + "x";
@@ -350,7 +350,7 @@ qint64 peakMiB()
 int measureSchool(const QCommandLineParser& parser, const Address& address)
 {
     namespace sql = database::sql;
-    const auto open = openSchool(address, false);
+    const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
     const auto session = logIn(parser, *open);

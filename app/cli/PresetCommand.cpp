@@ -139,7 +139,7 @@ int showPreset(const QStringList& arguments)
         return *code;
     if (parser.positionalArguments().size() != 1)
         return wrongUsage(QStringLiteral("name one preset; usage: ") + usage);
-    const auto preset = lessons::findPreset(shelfOf(parser), parser.positionalArguments().front());
+    const auto preset = lessons::findPreset(shelfOf(parser).list(), parser.positionalArguments().front());
     if (!preset)
         return failed(preset.error());
     if (parser.isSet(QStringLiteral("json"))) {

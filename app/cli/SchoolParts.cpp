@@ -41,9 +41,9 @@ core::Result<database::Address> databaseAddress(const QCommandLineParser& parser
                                         : QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite")));
 }
 
-core::Result<OpenSchool> openSchool(const database::Address& address, bool mayCreate,
-                                    const database::sql::Database::Options& options)
+core::Result<OpenSchool> openSchool(const database::Address& address, Opening how)
 {
+    const bool mayCreate = how == Opening::Create;
     if (!mayCreate && !address.isServer() && !QFileInfo::exists(address.file))
         return core::unexpected(ErrorCode::FileMissing, "database " + address.file.toStdString() +
                                                             ": there is no such file; \"cusp db init\" creates one");
@@ -51,6 +51,8 @@ core::Result<OpenSchool> openSchool(const database::Address& address, bool mayCr
         QDir().mkpath(dataFolder());
     const QString folder = address.isServer() ? dataFolder() : QFileInfo(address.file).absolutePath();
     OpenSchool open;
+    database::sql::Database::Options options;
+    options.mayMigrate = how != Opening::AsItIs;
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());

@@ -22,9 +22,13 @@ struct OpenSchool
 /// Adds --db: the user's own file if not given.
 void addDatabaseOption(QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Address> databaseAddress(const QCommandLineParser& parser);
-/// @param mayCreate  else FileMissing where no file is
-[[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, bool mayCreate,
-                                                  const database::sql::Database::Options& options = {});
+/// What a command may do to a database beside its own work.
+enum class Opening {
+    AsItIs,   ///< FileMissing where no file is; WrongKind where an older program wrote it
+    Migrate,  ///< bring it to the newest schema
+    Create    ///< where nothing is
+};
+[[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, Opening how);
 
 /// Adds --as: who does it. His password is asked for, or read from the first line of standard input.
 void addPersonOption(QCommandLineParser& parser);

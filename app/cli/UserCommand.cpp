@@ -52,7 +52,7 @@ core::Result<Desk> deskOf(const QCommandLineParser& parser)
     const auto address = databaseAddress(parser);
     if (!address)
         return tl::unexpected(address.error());
-    auto open = openSchool(*address, false);
+    auto open = openSchool(*address, Opening::AsItIs);
     if (!open)
         return tl::unexpected(open.error());
     auto session = logIn(parser, *open);

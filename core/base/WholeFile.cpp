@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace core {
@@ -62,6 +63,16 @@ Status writeWhole(const fs::path& path, std::string_view bytes, std::string_view
     fs::remove(beside, ignored);
     return failed(filled ? failure.message()
                          : "the disk is full or the connection to it broke; make room or name another");
+}
+
+bool bringToDisk(const fs::path& path)
+{
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    const bool done = fsync(file) == 0;
+    close(file);
+    return done;
 }
 
 bool isSameFile(const fs::path& a, const fs::path& b)

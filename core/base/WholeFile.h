@@ -14,6 +14,9 @@ namespace core {
 /// @param what  what the sentence calls it: "The mesh"
 [[nodiscard]] Status writeWhole(const std::filesystem::path& path, std::string_view bytes, std::string_view what);
 
+/// Brings a file, or the names in a folder, to the disk. False: that could not be done.
+bool bringToDisk(const std::filesystem::path& path);
+
 /// Do two names stand for the same file, be it there already or not?
 [[nodiscard]] bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 

@@ -31,11 +31,6 @@ const QString kColumns =
                    "a.state_hash, a.recording_hash, a.device, a.method, a.grid, a.view_mode, a.seed, a.preset, "
                    "a.preset_hash, a.program, a.mean_force_mn, a.peak_force_mn, a.pass_mark_tenths");
 
-QVariant number(std::int64_t value)
-{
-    return QVariant::fromValue<qlonglong>(value);
-}
-
 QVariant tenthsOr(const std::optional<int>& tenths)
 {
     return tenths ? QVariant(*tenths) : QVariant();
@@ -431,8 +426,7 @@ core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const 
         whose = QStringLiteral(" AND a.person_id = ?");
         values += me;
     } else if (who->reach == Reach::Classes) {
-        whose = QStringLiteral(" AND (a.person_id = ? OR a.person_id IN (SELECT theirs.person_id FROM enrolments mine "
-                               "JOIN enrolments theirs ON mine.class_id = theirs.class_id WHERE mine.person_id = ?))");
+        whose = QStringLiteral(" AND (a.person_id = ? OR a.person_id IN %1)").arg(classmates());
         values += me;
         values += me;
     }
@@ -459,11 +453,11 @@ core::Result<std::vector<int>> bestOfClassmates(const School& school, const Sess
     const qlonglong me = session.person().value;
     std::vector<int> best;
     if (auto read = forEach(school.db,
-                            "SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN people p ON "
-                            "p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? AND (a.person_id = ? OR "
-                            "(p.role = 'student' AND a.person_id IN (SELECT theirs.person_id FROM enrolments mine JOIN "
-                            "enrolments theirs ON mine.class_id = theirs.class_id WHERE mine.person_id = ?))) GROUP BY "
-                            "a.person_id",
+                            QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
+                                           "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
+                                           "AND (a.person_id = ? OR (p.role = 'student' AND a.person_id IN %1)) GROUP "
+                                           "BY a.person_id")
+                                .arg(classmates()),
                             "compare with the class", {text(lessonId), text(rubricHash), me, me},
                             [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
         !read)

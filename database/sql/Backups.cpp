@@ -16,6 +16,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include "core/base/WholeFile.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
@@ -40,15 +41,9 @@ core::Error refused(const QString& file, const std::string& why)
     return {ErrorCode::FileUnwritable, "backup " + file.toStdString() + ": " + why};
 }
 
-/// Of a file or a folder, to the disk.
 bool sync(const QString& path)
 {
-    const int file = open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    if (file < 0)
-        return false;
-    const bool done = fsync(file) == 0;
-    close(file);
-    return done;
+    return core::bringToDisk(path.toStdU16String());
 }
 
 /// A connection of its own to a file that must not change.

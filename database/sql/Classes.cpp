@@ -15,11 +15,6 @@ const std::string kListClasses = "list the classes";
 const std::string kChange = "change the class";
 constexpr qsizetype kLongestName = 100;
 
-QVariant number(std::int64_t value)
-{
-    return QVariant::fromValue<qlonglong>(value);
-}
-
 /// ", and only those": what a session's reach adds to a query over classes, as c.
 QString within(const Who& who)
 {

@@ -45,8 +45,7 @@ core::Result<std::int64_t> exportAttempts(const School& school, const Session& s
     QString whose;
     QVariantList values;
     if (who->reach != Reach::All) {
-        whose = QStringLiteral(" WHERE a.person_id IN (SELECT theirs.person_id FROM enrolments mine JOIN enrolments "
-                               "theirs ON mine.class_id = theirs.class_id WHERE mine.person_id = ?)");
+        whose = QStringLiteral(" WHERE a.person_id IN %1").arg(classmates());
         values = {static_cast<qlonglong>(session.person().value)};
     }
     const std::string doing = "export the attempts";

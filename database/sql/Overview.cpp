@@ -21,11 +21,6 @@ constexpr int kRecent = 20;
 constexpr std::size_t kRecentShown = 5;
 constexpr double kUmPerMm = 1000.0;
 
-QVariant number(std::int64_t value)
-{
-    return QVariant::fromValue<qlonglong>(value);
-}
-
 /// The students of a class, as people p.
 const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person_id = p.id WHERE e.class_id = ? AND "
                                          "p.role = 'student'");
@@ -247,10 +242,10 @@ core::Result<std::vector<BandPoint>> classBand(const School& school, const Sessi
     std::map<int, std::vector<int>> scoresOfNth;
     if (auto read =
             forEach(school.db,
-                    "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN people p "
-                    "ON p.id = a.person_id WHERE p.role = 'student' AND a.lesson_id = ? AND a.person_id IN "
-                    "(SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs ON mine.class_id = "
-                    "theirs.class_id WHERE mine.person_id = ?) ORDER BY a.person_id, a.finished_utc, a.id",
+                    QStringLiteral("SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN "
+                                   "people p ON p.id = a.person_id WHERE p.role = 'student' AND a.lesson_id = ? AND "
+                                   "a.person_id IN %1 ORDER BY a.person_id, a.finished_utc, a.id")
+                        .arg(classmates()),
                     kDoing, {text(lessonId), number(person.value)},
                     [&](const QSqlQuery& row) {
                         scoresOfNth[++count[row.value(0).toLongLong()]].push_back(row.value(1).toInt());
@@ -269,10 +264,10 @@ core::Result<std::optional<LessonMedians>> classMedians(const School& school, co
     std::vector<int> scores;
     std::vector<int> durations;
     if (auto read = forEach(school.db,
-                            "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), a.duration_ms FROM attempts "
-                            "a JOIN people p ON p.id = a.person_id WHERE p.role = 'student' AND a.lesson_id = ? AND "
-                            "a.person_id IN (SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs ON "
-                            "mine.class_id = theirs.class_id WHERE mine.person_id = ?)",
+                            QStringLiteral("SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), "
+                                           "a.duration_ms FROM attempts a JOIN people p ON p.id = a.person_id WHERE "
+                                           "p.role = 'student' AND a.lesson_id = ? AND a.person_id IN %1")
+                                .arg(classmates()),
                             kDoing, {text(lessonId), number(person.value)},
                             [&](const QSqlQuery& row) {
                                 people.insert(row.value(0).toLongLong());

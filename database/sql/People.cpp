@@ -88,8 +88,7 @@ core::Result<std::vector<Person>> listPeople(const School& school, const Session
     QString where;
     QVariantList values;
     if (who->reach != Reach::All) {
-        where = QStringLiteral(" WHERE p.id IN (SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs "
-                               "ON mine.class_id = theirs.class_id WHERE mine.person_id = ?)");
+        where = QStringLiteral(" WHERE p.id IN %1").arg(classmates());
         values = {static_cast<qlonglong>(session.person().value)};
     }
     std::vector<Person> people;

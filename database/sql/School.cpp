@@ -80,4 +80,10 @@ core::Result<Who> admitToClass(const School& school, const Session& session, Ope
     return who;
 }
 
+QString classmates()
+{
+    return QStringLiteral("(SELECT theirs.person_id FROM enrolments mine JOIN enrolments theirs ON mine.class_id = "
+                          "theirs.class_id WHERE mine.person_id = ?)");
+}
+
 }  // namespace database::sql

@@ -41,4 +41,7 @@ struct Who
 [[nodiscard]] core::Result<Who> admitToClass(const School& school, const Session& session, Operation operation,
                                              ClassId ofClass);
 
+/// The people of all classes that a person (bound to its one "?") belongs to, himself included: SQL, in brackets.
+[[nodiscard]] QString classmates();
+
 }  // namespace database::sql

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -29,6 +30,10 @@ namespace database::sql {
 
 /// As it must be bound: an empty std::string is '', a null QString would be NULL.
 [[nodiscard]] QVariant text(const std::string& utf8);
+[[nodiscard]] inline QVariant number(std::int64_t value)
+{
+    return QVariant::fromValue<qlonglong>(value);
+}
 [[nodiscard]] std::string textOf(const QSqlQuery& row, int column);
 
 /// Runs `work` inside a transaction that writes, which ends with it: kept if it succeeds, undone if not.

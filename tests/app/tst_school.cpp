@@ -17,6 +17,7 @@
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
+#include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
@@ -47,6 +48,7 @@ private slots:
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void nobodyIsOfferedAnothersWork();
+    void theSchoolsPresetIsTheAdmins();
 
 private:
     template <class T>
@@ -242,7 +244,7 @@ void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
     QFile inTheWay(m_folder->filePath("outbox"));
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
     grade("not being kept");
-    QVERIFY2(message().contains("make room on the disk"), qPrintable(message()));
+    QVERIFY2(message().contains("Make room on the disk"), qPrintable(message()));
     actions().back->trigger();
     QVERIFY(inTheWay.remove());
     grade("first grade");
@@ -296,6 +298,36 @@ void TestSchool::nobodyIsOfferedAnothersWork()
     QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
     grade("first grade");
     QCOMPARE(attemptsKept(), 1);
+}
+
+/// What an admin keeps and puts to use, everybody's teeth feel like; a student looks on.
+void TestSchool::theSchoolsPresetIsTheAdmins()
+{
+    start();
+    logIn("admin");
+    ui::shell::MainWindow& window = m_application->window();
+    actions().presets->trigger();
+    core::settings::FeelPreset hard = lessons::shippedPresets().front();
+    hard.name = "hard";
+    hard.version = 0;
+    hard.enamelRate *= 0.5;
+    emit window.presetSaveWanted(hard);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("hard"), qPrintable(message()), kPatienceMs);
+    QVERIFY(child<QPushButton>("presetUse")->isEnabled());
+    click("presetUse");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("everybody"), qPrintable(message()), kPatienceMs);
+    leaveFor("sam");
+    actions().presets->trigger();
+    QVERIFY(!child<QPushButton>("presetUse")->isEnabled());
+    QVERIFY(!child<QPushButton>("presetImport")->isEnabled());
+    hard.dentinRate *= 0.5;
+    emit window.presetSaveWanted(hard);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("presetFault")->text().contains("only an admin"), kPatienceMs);
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    const auto preset = sql::ask(sql::Database::open(file()).value()->handle(), "SELECT preset FROM attempts", "read");
+    QCOMPARE(preset.value().toString(), QString("hard v1"));
 }
 
 int main(int argc, char** argv)

@@ -287,9 +287,9 @@ void TestPresets::namesAreFound()
     mine.version = 0;
     mine.dentinRate = 1.0;
     QVERIFY(shelf.save(mine));
-    QCOMPARE(lessons::findPreset(shelf, "mine").value().version, 2);
-    QCOMPARE(lessons::findPreset(shelf, "mine v1").value().version, 1);
-    const auto none = lessons::findPreset(shelf, "theirs");
+    QCOMPARE(lessons::findPreset(shelf.list(), "mine").value().version, 2);
+    QCOMPARE(lessons::findPreset(shelf.list(), "mine v1").value().version, 1);
+    const auto none = lessons::findPreset(shelf.list(), "theirs");
     QVERIFY2(none.error().detail.find("mine, natural") != std::string::npos, none.error().detail.c_str());
 }
 

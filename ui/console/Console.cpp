@@ -157,7 +157,8 @@ void Console::execute(const QString& line)
         m_panel.forget(rest);
     } else if (command == u"save" || command == u"load") {
         const Preset& what = command == u"save" ? m_save : m_load;
-        say(what ? what(rest) : tr("Presets are not to be had here."));
+        if (const QString answer = what ? what(rest) : tr("Presets are not to be had here."); !answer.isEmpty())
+            say(answer);
     } else if (command == u"help") {
         say(tr("list [TEXT]      the parameters whose name holds the text\n"
                "get NAME         its value, range and what it does\n"

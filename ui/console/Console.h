@@ -24,12 +24,14 @@ class Console : public QWidget
     Q_OBJECT
 public:
     /// Keeps what is felt now under a name, or feels what is kept under it; a sentence to be shown either way.
+    /// Answers what it did, or nothing: then say() follows.
     using Preset = std::function<QString(const QString& name)>;
 
     /// @param parameters, panel  must outlive the console
     Console(const core::settings::Parameters& parameters, WatchPanel& panel, QWidget* parent);
 
     void setPresets(Preset save, Preset load);
+    void say(const QString& text);
     /// As if the line had been typed: its answer is appended to the output.
     void execute(const QString& line);
     /// What Tab would make of a line that has been begun.
@@ -45,7 +47,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void say(const QString& text);
     void hint();
     void list(const QString& text);
     void get(const QString& name);

@@ -147,7 +147,8 @@ QWidget* HistoryPage::makeCharts()
     offer(Criteria, [] { return tr("Criteria"); });
     offer(Time, [] { return tr("Time"); });
     offer(Force, [] { return tr("Force"); });
-    offer(Speed, [] { return tr("Speed and accuracy"); });
+    //: A chart of speed and accuracy
+    offer(Speed, [] { return tr("Speed"); });
     choice->addStretch(1);
     m_which->button(Criteria)->setChecked(true);
     connect(m_which, &QButtonGroup::idClicked, this, &HistoryPage::drawCharts);

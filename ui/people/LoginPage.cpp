@@ -220,7 +220,7 @@ void LoginPage::speak()
     m_tryAgain->setText(tr("Try again"));
     //: %1: day and time
     m_restore->setText(
-        tr("Restore the backup of %1").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
+        tr("Restore backup (%1)").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
     m_restore->setToolTip(brokenIntoLines(tr("Attempts of this computer are brought in again. What teachers and admins "
                                              "have entered since then is missing. The file that is there now is kept "
                                              "beside it.")));

@@ -107,20 +107,20 @@ QWidget* PresetsPage::makeList()
             show(*m_all[static_cast<std::size_t>(at)].preset);
     });
     column->addWidget(m_list, 1);
-    auto* import = button("", "presetImport", side);
+    m_import = button("", "presetImport", side);
     m_export = button("", "presetExport", side);
-    connect(import, &QPushButton::clicked, this, &PresetsPage::importWanted);
+    connect(m_import, &QPushButton::clicked, this, &PresetsPage::importWanted);
     connect(m_export, &QPushButton::clicked, this, [this] { emit exportWanted(m_base); });
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(kSpace2);
-    buttons->addWidget(import);
+    buttons->addWidget(m_import);
     buttons->addWidget(m_export);
     column->addLayout(buttons);
-    text::inEveryLanguage(side, [this, import] {
+    text::inEveryLanguage(side, [this] {
         m_list->setAccessibleName(tr("Hardness presets and their versions"));
-        import->setText(tr("Import …"));
-        import->setAccessibleName(tr("Import a preset"));
-        import->setToolTip(tr("Read a preset from a file and keep it here"));
+        m_import->setText(tr("Import …"));
+        m_import->setAccessibleName(tr("Import a preset"));
+        m_import->setToolTip(tr("Read a preset from a file and keep it here"));
         m_export->setText(tr("Export …"));
         m_export->setAccessibleName(tr("Export this version"));
         m_export->setToolTip(tr("Write the chosen version to a file, for another school"));
@@ -428,12 +428,14 @@ void PresetsPage::tell()
                                          QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
     m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
     m_save->setAccessibleName(m_save->text());
-    m_save->setEnabled(held && isNamed && (isChanged() || !isNewest()));
-    m_save->setToolTip(tr("A version is never changed: this becomes another"));
+    m_save->setEnabled(m_mayKeep && held && isNamed && (isChanged() || !isNewest()));
+    m_save->setToolTip(m_mayKeep ? tr("A version is never changed: this becomes another")
+                                 : tr("An admin keeps the school's presets"));
     m_try->setEnabled(held);
     m_compare->setEnabled(held);
-    m_use->setEnabled(!isChanged() && !isSameVersion(m_base, m_inUse));
+    m_use->setEnabled(m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse));
     m_export->setEnabled(!isChanged());
+    m_import->setEnabled(m_mayKeep);
 }
 
 void PresetsPage::duplicate()
@@ -455,6 +457,12 @@ void PresetsPage::resizeEvent(QResizeEvent* event)
     m_burChoice->setVisible(isWide);
     m_notes->setVisible(height() >= kLowestNotesPx);
     m_side->setFixedWidth(isWide ? kListPx : kNarrowListPx);
+}
+
+void PresetsPage::setMayKeep(bool may)
+{
+    m_mayKeep = may;
+    tell();
 }
 
 void PresetsPage::setFault(const QString& sentence)

@@ -38,7 +38,11 @@ public:
     /// What could not be done, beside the buttons; empty: nothing any more.
     void setFault(const QString& sentence);
 
+    /// Versions can be kept, imported and put to use; else they are looked at and tried.
+    void setMayKeep(bool may);
+
     [[nodiscard]] const core::settings::FeelPreset& draft() const { return m_draft; }
+    [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
 
 signals:
     void tryWanted(const core::settings::FeelPreset& preset);
@@ -70,6 +74,8 @@ private:
     core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
     core::settings::FeelPreset m_draft;  ///< what has been made of it
 
+    bool m_mayKeep = true;
+
     QWidget* m_side = nullptr;  ///< with the list
     QListWidget* m_list = nullptr;
     QLineEdit* m_name = nullptr;
@@ -88,6 +94,7 @@ private:
     QPushButton* m_try = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_use = nullptr;
+    QPushButton* m_import = nullptr;
     QPushButton* m_export = nullptr;
 };
 

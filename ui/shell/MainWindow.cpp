@@ -31,6 +31,7 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/PresetShelf.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
@@ -226,6 +227,8 @@ void MainWindow::speak()
 {
     setAids(m_aids);
     markExercise();
+    if (m_unreachable)
+        tellUnreachable();
     if (m_tooth == nullptr) {
         setWindowTitle(tr("Cusp"));
         return;
@@ -492,8 +495,16 @@ void MainWindow::refuseLogin(const core::Error& error)
 void MainWindow::setUnreachable(const std::optional<core::Error>& error, const QString& where,
                                 const QDateTime& backupMade)
 {
-    m_login->setUnreachable(error ? text::errorText(*error, text::Failed::KeepingGrades) + u'\n' + where : QString());
+    m_unreachable = error;
+    m_where = where;
+    tellUnreachable();
     m_login->offerBackup(backupMade);
+}
+
+void MainWindow::tellUnreachable()
+{
+    m_login->setUnreachable(
+        m_unreachable ? text::errorText(*m_unreachable, text::Failed::KeepingGrades) + u'\n' + m_where : QString());
 }
 
 void MainWindow::sayAtDoor(const QString& sentence)
@@ -509,6 +520,7 @@ void MainWindow::connectPresets()
     });
     using presets::PresetsPage;
     using presets::TrialCard;
+    connectConsole();
     connect(m_presets, &PresetsPage::saveWanted, this, &MainWindow::presetSaveWanted);
     connect(m_presets, &PresetsPage::useWanted, this, &MainWindow::presetUseWanted);
     connect(m_presets, &PresetsPage::importWanted, this, [this] {
@@ -611,20 +623,19 @@ void MainWindow::showFeel(const core::settings::FeelPreset& now, const core::set
     m_settingsPage->refresh();
 }
 
-void MainWindow::setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
-                          std::function<core::Result<core::settings::FeelPreset>(const QString&)> find)
+/// How the console keeps a preset, which is answered by showPresetKept() or showPresetFault(), and feels one.
+void MainWindow::connectConsole()
 {
     m_console->setPresets(
-        [this, save = std::move(save)](const QString& name) {
+        [this](const QString& name) {
             core::settings::FeelPreset preset = m_feel;
             preset.name = name.toStdString();
             preset.version = 0;
-            const auto kept = save(preset);
-            return kept ? tr("The hardness preset was kept: %1.").arg(presets::presetWords(*kept))
-                        : QString::fromStdString(kept.error().detail);
+            emit presetSaveWanted(preset);
+            return QString();
         },
-        [this, find = std::move(find)](const QString& name) {
-            const auto found = find(name);
+        [this](const QString& name) {
+            const auto found = lessons::findPreset(m_presets->all(), name);
             if (!found)
                 return QString::fromStdString(found.error().detail);
             const std::string refused = feelByHand(*found);
@@ -668,12 +679,23 @@ void MainWindow::setPresets(std::vector<lessons::ReadPreset> all, const core::se
 void MainWindow::showPresetKept(const core::settings::FeelPreset& preset)
 {
     m_presets->select(preset);
-    showMessage(tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset)));
+    const QString said = tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset));
+    if (m_console->isVisible())
+        m_console->say(said);
+    else
+        showMessage(said);
 }
 
 void MainWindow::showPresetFault(const QString& sentence)
 {
     m_presets->setFault(sentence);
+    if (m_console->isVisible())
+        m_console->say(sentence);
+}
+
+void MainWindow::setMayKeepPresets(bool may)
+{
+    m_presets->setMayKeep(may);
 }
 
 void MainWindow::beginTrial()

@@ -111,9 +111,6 @@ public:
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
     [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
-    /// How the console keeps a preset and finds one.
-    void setShelf(std::function<core::Result<core::settings::FeelPreset>(core::settings::FeelPreset)> save,
-                  std::function<core::Result<core::settings::FeelPreset>(const QString&)> find);
 
 public slots:
     /// The tooth that is now on the table.
@@ -159,6 +156,8 @@ public slots:
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
+    /// Who works here may keep presets and say which is in use; else he looks at them and tries them.
+    void setMayKeepPresets(bool may);
     /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
     void showPresetKept(const core::settings::FeelPreset& preset);
     /// What could not be done, on the page of presets.
@@ -348,6 +347,7 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
     void changeAccount();
+    void tellUnreachable();
     void lockIfIdle();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     struct Question
@@ -386,6 +386,7 @@ private:
     void setDrillFor(lessons::Task task);
     void showXray();
     void connectPresets();
+    void connectConsole();
     void registerParameters();
     [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& next);
     void savePicture(const QString& path, const QImage& picture);
@@ -411,6 +412,8 @@ private:
     people::ClassPage* m_classes;
     people::AssignPage* m_assign;
     database::Session m_who;
+    std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
+    QString m_where;                           ///< the database
     study::LessonEditor* m_editor;
     study::Forecast* m_forecast;
     presets::PresetsPage* m_presets;

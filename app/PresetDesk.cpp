@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/PresetDesk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDir>
+#include <QJsonDocument>
+
+#include "database/sql/Presets.h"
+#include "database/sql/Settings.h"
+#include "ui/presets/PresetWords.h"
+#include "ui/shell/Memory.h"
+#include "ui/text/Texts.h"
+
+namespace app {
+namespace {
+
+using core::settings::FeelPreset;
+using database::Role;
+using database::Session;
+using database::sql::School;
+using lessons::ReadPreset;
+using ui::shell::MainWindow;
+
+const QString kInUse = QStringLiteral("presets/inUse");  ///< of who practises without a login
+const std::string kSchoolsInUse = "preset.in_use";       ///< among the school's settings
+constexpr int kTries = 16;
+
+core::Result<std::vector<ReadPreset>> readAll(const School& school, const Session& who)
+{
+    const auto kept = database::sql::listPresets(school, who);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    std::vector<ReadPreset> all;
+    for (const database::sql::KeptPreset& one : *kept)
+        all.push_back(lessons::readPresetText(QByteArray::fromStdString(one.json), QString::fromStdString(one.name)));
+    return all;
+}
+
+/// Another station may keep one of the same name at the same time: then it becomes the version after that.
+core::Result<FeelPreset> keepInSchool(const School& school, const Session& who, FeelPreset wanted)
+{
+    core::Error why;
+    for (int attempt = 0; attempt < kTries; ++attempt) {
+        auto all = readAll(school, who);
+        if (!all)
+            return tl::unexpected(all.error());
+        const auto placed = lessons::place(wanted, lessons::shelved(std::move(*all)));
+        if (!placed || placed->isThere)
+            return placed.map([](const lessons::Placed& at) { return at.preset; });
+        const FeelPreset& preset = placed->preset;
+        const QByteArray json = QJsonDocument(lessons::toJson(preset)).toJson(QJsonDocument::Compact);
+        const auto kept =
+            database::sql::addPreset(school, who, {preset.name, preset.version, preset.hash, json.toStdString()});
+        if (kept)
+            return preset;
+        why = kept.error();
+        if (why.code != core::ErrorCode::OutOfRange)
+            break;
+        wanted.version = 0;
+    }
+    return tl::unexpected(why);
+}
+
+}  // namespace
+
+PresetDesk::PresetDesk(MainWindow& window, std::function<Session()> who)
+    : m_window(window), m_who(std::move(who)), m_folder(lessons::presetsFolder()),
+      m_inUse(lessons::shippedPresets().front())
+{
+    connectPage();
+    refresh();
+}
+
+void PresetDesk::connectPage()
+{
+    connect(&m_window, &MainWindow::presetsWanted, this, &PresetDesk::refresh);
+    connect(&m_window, &MainWindow::presetUseWanted, this, &PresetDesk::use);
+    connect(&m_window, &MainWindow::presetSaveWanted, this, &PresetDesk::keep);
+    connect(&m_window, &MainWindow::presetImportWanted, this, &PresetDesk::import);
+    connect(&m_window, &MainWindow::presetExportWanted, this, &PresetDesk::exportTo);
+}
+
+void PresetDesk::setSchool(SchoolDesk* school)
+{
+    m_school = school;
+    refresh();
+}
+
+void PresetDesk::refresh()
+{
+    const Session who = m_who();
+    m_window.setMayKeepPresets(who.isGuest() || who.role() == Role::Admin);
+    // His own first: he has chosen it himself.
+    const auto takeWith = [this, who](std::vector<ReadPreset> all, QString inUse) {
+        if (who.isGuest()) {
+            for (ReadPreset& own : m_folder.list())
+                if (!own.file.isEmpty())
+                    all.push_back(std::move(own));
+            inUse = ui::shell::memory().value(kInUse, inUse).toString();
+        }
+        take(lessons::shelved(std::move(all)), inUse);
+    };
+    if (!m_school) {
+        takeWith({}, {});
+        return;
+    }
+    struct Found
+    {
+        std::vector<ReadPreset> all;
+        QString inUse;
+    };
+    m_school->ask(
+        this,
+        [who](const School& school) -> core::Result<Found> {
+            auto all = readAll(school, who);
+            auto settings = database::sql::readSettings(school, who);
+            if (!all || !settings)
+                return tl::unexpected(all ? settings.error() : all.error());
+            return Found{std::move(*all), QString::fromStdString((*settings)[kSchoolsInUse])};
+        },
+        [this, who, takeWith](const core::Result<Found>& found) {
+            if (who.person() != m_who().person())
+                return;
+            if (found)
+                takeWith(found->all, found->inUse);
+            else
+                takeWith({}, {});
+        });
+}
+
+void PresetDesk::take(std::vector<ReadPreset> all, const QString& inUse)
+{
+    m_all = std::move(all);
+    const auto chosen = lessons::findPreset(m_all, inUse);
+    const FeelPreset before = std::exchange(m_inUse, chosen.value_or(lessons::shippedPresets().front()));
+    m_window.setPresets(m_all, m_inUse);
+    if (!(before == m_inUse))
+        emit inUseChanged();
+}
+
+/// From the next tooth on. What lies on the table goes on as it was begun.
+void PresetDesk::use(const FeelPreset& preset)
+{
+    const QString name = QStringLiteral("%1 v%2").arg(QString::fromStdString(preset.name)).arg(preset.version);
+    const auto used = [this](const QString& said) {
+        refresh();
+        m_window.showMessage(said);
+    };
+    const Session who = m_who();
+    if (who.isGuest()) {
+        ui::shell::memory().setValue(kInUse, name);
+        used(tr("The next tooth feels like this."));
+        return;
+    }
+    if (!m_school)
+        return;
+    m_school->ask(
+        this,
+        [who, name](const School& school) -> core::Result<bool> {
+            if (auto done = database::sql::changeSetting(school, who, kSchoolsInUse, name.toStdString()); !done)
+                return tl::unexpected(done.error());
+            return true;
+        },
+        [this, used](const core::Result<bool>& done) {
+            if (done)
+                used(tr("The next tooth of everybody here feels like this."));
+            else
+                m_window.showPresetFault(ui::text::errorText(done.error(), ui::text::Failed::ReadingSchool));
+        });
+}
+
+void PresetDesk::keep(const FeelPreset& preset)
+{
+    const Session who = m_who();
+    if (who.isGuest() || !m_school) {
+        tellKept(m_folder.save(preset));
+        return;
+    }
+    m_school->ask(
+        this, [who, preset](const School& school) { return keepInSchool(school, who, preset); },
+        [this](const core::Result<FeelPreset>& kept) { tellKept(kept); });
+}
+
+void PresetDesk::tellKept(const core::Result<FeelPreset>& kept)
+{
+    if (!kept) {
+        m_window.showPresetFault(kept.error().code == core::ErrorCode::NotAllowed
+                                     ? tr("Not kept: only an admin keeps the school's presets.")
+                                     : tr("Not kept: %1").arg(QString::fromStdString(kept.error().detail)));
+        return;
+    }
+    const ReadPreset one{{}, *kept, {}};
+    const bool isThere = std::any_of(m_all.begin(), m_all.end(), [&kept](const ReadPreset& other) {
+        return other.preset && other.preset->hash == kept->hash;
+    });
+    if (!isThere) {
+        m_all.push_back(one);
+        m_all = lessons::shelved(std::move(m_all));
+    }
+    m_window.setPresets(m_all, m_inUse);
+    m_window.showPresetKept(*kept);
+}
+
+void PresetDesk::import(const QString& path)
+{
+    const ReadPreset read = lessons::readPreset(path);
+    if (read.preset) {
+        keep(*read.preset);
+        if (!read.faults.empty())
+            m_window.showPresetFault(read.faults.front().sentence());
+        return;
+    }
+    const auto grave =
+        std::find_if(read.faults.begin(), read.faults.end(), [](const lessons::Fault& fault) { return fault.grave; });
+    m_window.showPresetFault(tr("Not imported: %1").arg(grave->sentence()));
+}
+
+void PresetDesk::exportTo(const FeelPreset& preset, const QString& path)
+{
+    if (const auto written = lessons::writePreset(path, preset))
+        m_window.showMessage(tr("The preset was exported as %1.").arg(QDir::toNativeSeparators(path)));
+    else
+        m_window.showPresetFault(tr("Not exported: %1").arg(QString::fromStdString(written.error().detail)));
+}
+
+}  // namespace app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "app/SchoolDesk.h"
+#include "core/settings/FeelPreset.h"
+#include "database/Session.h"
+#include "lessons/PresetShelf.h"
+#include "ui/shell/MainWindow.h"
+
+namespace app {
+
+/// Hardness presets: what there is, which of them teeth feel like, and keeping another. A school's are in its database,
+/// where admins keep them and say which is in use; who practises without a login keeps his own in a folder. Ui thread.
+class PresetDesk final : public QObject
+{
+    Q_OBJECT
+
+public:
+    PresetDesk(ui::shell::MainWindow& window, std::function<database::Session()> who);
+
+    /// The school's data can be asked from now on; null: not any more.
+    void setSchool(SchoolDesk* school);
+    /// Somebody else works here now, or what is kept may have changed.
+    void refresh();
+
+    /// What teeth feel like, unless a lesson says otherwise.
+    [[nodiscard]] const core::settings::FeelPreset& inUse() const { return m_inUse; }
+
+signals:
+    /// Teeth that are begun from now on feel otherwise.
+    void inUseChanged();
+
+private:
+    void connectPage();
+    void take(std::vector<lessons::ReadPreset> all, const QString& inUse);
+    void use(const core::settings::FeelPreset& preset);
+    void keep(const core::settings::FeelPreset& preset);
+    void tellKept(const core::Result<core::settings::FeelPreset>& kept);
+    void import(const QString& path);
+    void exportTo(const core::settings::FeelPreset& preset, const QString& path);
+
+    ui::shell::MainWindow& m_window;
+    std::function<database::Session()> m_who;
+    SchoolDesk* m_school = nullptr;
+    lessons::PresetFolder m_folder;
+    std::vector<lessons::ReadPreset> m_all;  ///< as shelved()
+    core::settings::FeelPreset m_inUse;
+};
+
+}  // namespace app
