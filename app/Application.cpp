@@ -176,6 +176,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         if (m_opened)
             playOpened({});
     });
+    m_cards = std::make_unique<CardDesk>(*m_window, [this] { return shownCard(); });
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
@@ -902,6 +903,17 @@ void Application::tellHistory()
             }
             tellKeeping();
         });
+}
+
+/// What the score card is about: an old attempt that was opened, or the work graded last.
+std::optional<CardDesk::Subject> Application::shownCard() const
+{
+    if (m_opened && m_people && m_people->talkedAbout())
+        return CardDesk::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_who, m_desk.get()};
+    if (!m_graded)
+        return {};
+    return CardDesk::Subject{m_graded->record, QString::fromStdString(m_who.fullName()), m_who,
+                             m_graded->keeping == Keeping::Kept ? m_desk.get() : nullptr};
 }
 
 /// One that was kept: marked again from its recording, which comes to the same, and shows where and when.

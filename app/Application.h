@@ -8,6 +8,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/CardDesk.h"
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
 #include "app/PeopleDesk.h"
@@ -96,6 +97,7 @@ private:
     void keepGrade();
     void tellKeeping();
     void tellHistory();
+    [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
     void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
     void openBeside(const QString& path);
     void openExpert();
@@ -143,8 +145,9 @@ private:
     std::unique_ptr<ui::shell::MainWindow> m_window;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<PeopleDesk> m_people;  ///< null where m_desk is
-    QString m_stationFolder;               ///< of this computer's own files: journals, outbox, key
-    database::Session m_who;               ///< who works here
+    std::unique_ptr<CardDesk> m_cards;
+    QString m_stationFolder;  ///< of this computer's own files: journals, outbox, key
+    database::Session m_who;  ///< who works here
     core::Error m_whyNoDesk;
     QString m_where;     ///< the database, to read
     QString m_backup;    ///< that can be put in the place of the database; empty: none

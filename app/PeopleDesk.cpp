@@ -206,6 +206,7 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
+    m_talkedName = attempt->person == m_who().person() ? QString::fromStdString(m_who().fullName()) : m_personName;
     const bool teaches = m_who().role() == database::Role::Instructor && attempt->person != m_who().person();
     page.setMayTalk(teaches);
     page.talk().setTalk({});
@@ -295,6 +296,7 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
                              const std::optional<std::string>& lesson)
 {
     m_person = person;
+    m_personName = fullName;
     const auto show = [this, person, fullName,
                        lesson](const core::Result<std::vector<database::AttemptRecord>>& found) {
         if (!found) {

@@ -32,6 +32,9 @@ public:
     /// on the page.
     void talkAbout(const std::optional<database::AttemptRecord>& attempt);
 
+    /// With the name of who made it; nothing: none is open.
+    [[nodiscard]] const std::optional<database::AttemptRecord>& talkedAbout() const { return m_talkedAbout; }
+    [[nodiscard]] const QString& nameOfTalkedAbout() const { return m_talkedName; }
     /// The attempt that is talked about is played now, so that comments can be pinned to its moments; or another one.
     void followReplay(bool follows) { m_follows = follows; }
 
@@ -66,10 +69,12 @@ private:
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
     database::PersonId m_person;  ///< whose attempts are shown
+    QString m_personName;         ///< empty: one's own
     database::ClassOverview m_overview;
     QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
+    QString m_talkedName;                          ///< of who made it
     bool m_follows = false;                        ///< it is played
     std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;

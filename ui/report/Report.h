@@ -29,8 +29,9 @@ namespace ui::report {
 /// What stands at the foot of each page, so that paper and database can be compared.
 struct Proof
 {
-    QString auditCode;  ///< head of the audit chain, with its signature, as the database gives it
-    QString program;    ///< version
+    QString
+        auditCode;    ///< head of the audit chain, with its signature, as the database gives it; empty: not kept in one
+    QString program;  ///< version
     QDateTime printed;
 };
 

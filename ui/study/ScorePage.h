@@ -31,6 +31,10 @@ namespace ui::people {
 class TalkPanel;
 }
 
+namespace ui::report {
+struct ScoreCard;
+}
+
 namespace ui::study {
 
 class ConductNotes;
@@ -69,6 +73,10 @@ public:
     void setKeeping(Keeping keeping);
     /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
     [[nodiscard]] people::TalkPanel& talk() { return *m_talk; }
+    /// What is shown, for paper; attempt, person, talk and proof are for who knows them.
+    [[nodiscard]] report::ScoreCard card() const;
+    /// What became of the card that was to be saved or printed.
+    void say(const QString& words);
     void setTalkVisible(bool visible);
     /// Who reads may write as well: comments, which can be pinned to places of the picture, and another score.
     void setMayTalk(bool may);
@@ -83,6 +91,9 @@ public:
     void setMoments(const std::vector<std::vector<::lessons::Moment>>& moments);
 
 signals:
+    /// The card is wanted as a PDF, or on paper.
+    void pdfWanted();
+    void printWanted();
     /// The attempt is to be seen from this moment on.
     void momentWanted(double seconds);
     /// The attempt is to be seen from its beginning.
@@ -99,6 +110,8 @@ private:
     QWidget* makeCriteria();
     QWidget* makePlace();
     QWidget* makeHistory();
+    QWidget* makeTalk();
+    QWidget* makeReport();
     /// The criteria beside the pictures; where there is no room for that, above.
     void arrange();
     void speak();
@@ -128,7 +141,9 @@ private:
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
     people::TalkPanel* m_talk = nullptr;
+    QWidget* m_talkCard = nullptr;
     shell::ScrollPane* m_scroll = nullptr;
+    QLabel* m_said = nullptr;
     QPushButton* m_replay = nullptr;
     bool m_talks = false;
     shell::TabularLabel* m_total = nullptr;
