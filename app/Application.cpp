@@ -9,13 +9,13 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
-#include <QPointer>
 #include <QRandomGenerator>
 #include <QStandardPaths>
 #include <QThread>
 #include <QThreadPool>
 #include <QUrl>
 
+#include "app/Background.h"
 #include "app/Demonstration.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
@@ -92,23 +92,6 @@ bool isGradedExam(const core::recording::Recording& recording)
                  (event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote);
     });
     return graded;
-}
-
-/// Runs `work` on a pool thread and gives its result to `done` on this one, unless `owner` has gone meanwhile.
-template <class Work, class Done>
-void inBackground(QObject* owner, Work work, Done done)
-{
-    const QPointer<QObject> guard(owner);
-    QThreadPool::globalInstance()->start([guard, work = std::move(work), done = std::move(done)]() mutable {
-        auto result = std::make_shared<decltype(work())>(work());
-        QMetaObject::invokeMethod(
-            qApp,
-            [guard, result, done = std::move(done)]() mutable {
-                if (guard)
-                    done(*result);
-            },
-            Qt::QueuedConnection);
-    });
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
@@ -197,6 +180,11 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         page.setMomentsProgress({});
         m_window->showError(error, Failed::Marking);
     });
+    connect(&page, &ui::study::ScorePage::replayWanted, this, [this] {
+        if (m_opened)
+            playOpened({});
+    });
+    m_cards = std::make_unique<CardDesk>(*m_window, [this] { return shownCard(); });
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
@@ -992,6 +980,17 @@ void Application::tellHistory()
         });
 }
 
+/// What the score card is about: an old attempt that was opened, or the work graded last.
+std::optional<CardDesk::Subject> Application::shownCard() const
+{
+    if (m_opened && m_people && m_people->talkedAbout())
+        return CardDesk::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_who, m_desk.get()};
+    if (!m_graded)
+        return {};
+    return CardDesk::Subject{m_graded->record, QString::fromStdString(m_who.fullName()), m_who,
+                             m_graded->keeping == Keeping::Kept ? m_desk.get() : nullptr};
+}
+
 /// One that was kept: marked again from its recording, which comes to the same, and shows where and when.
 void Application::showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording)
 {
@@ -1343,10 +1342,18 @@ void Application::play(const core::recording::Recording& recording, std::optiona
 /// Of the attempt that was graded, a little before that moment, held.
 void Application::showMoment(double seconds)
 {
-    if (m_opened && !m_replay)
-        play(*m_opened, std::max(0.0, seconds - ui::replay::kLeadUpS));
+    if (m_opened)
+        playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
     else if (m_graded && !m_replay)
         play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
+}
+
+/// The attempt whose score card is open; the way back leads there.
+void Application::playOpened(std::optional<double> heldAtS)
+{
+    play(*m_opened, heldAtS);
+    m_playsOpened = m_replay != nullptr;
+    m_people->followReplay(m_playsOpened);
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -1373,6 +1380,9 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
+    m_playsOpened = false;
+    if (m_people)
+        m_people->followReplay(false);
     m_replay.reset();
 }
 
@@ -1381,11 +1391,14 @@ void Application::stopReplay()
 {
     if (!m_replay)
         return;
+    const bool returns = m_playsOpened && m_opened;
     if (!m_assignment.anatomy) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             begin(*practice, {}, false);
             m_window->showMessage(tr("The tooth is whole, and yours to drill."));
         }
+        if (returns)
+            m_window->backToScore();
         return;
     }
     putReplayAway();
@@ -1400,7 +1413,10 @@ void Application::stopReplay()
     if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
         m_window->view().setHeights(own->top);
     startLoops();
-    m_window->showMessage(tr("This is your own work again, as you left it."));
+    if (returns)
+        m_window->backToScore();
+    else
+        m_window->showMessage(tr("This is your own work again, as you left it."));
 }
 
 }  // namespace app

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/CardDesk.h"
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
 #include "app/PeopleDesk.h"
@@ -97,6 +98,7 @@ private:
     void keepGrade();
     void tellKeeping();
     void tellHistory();
+    [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
     void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
     void openBeside(const QString& path);
     void openExpert();
@@ -122,6 +124,7 @@ private:
     void discardUnfinished();
     /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
     void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {});
+    void playOpened(std::optional<double> heldAtS);
     void putReplayAway();
     void stopReplay();
     void drawPicture();
@@ -143,8 +146,9 @@ private:
     std::unique_ptr<ui::shell::MainWindow> m_window;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<PeopleDesk> m_people;  ///< null where m_desk is
-    QString m_stationFolder;               ///< of this computer's own files: journals, outbox, key
-    database::Session m_who;               ///< who works here
+    std::unique_ptr<CardDesk> m_cards;
+    QString m_stationFolder;  ///< of this computer's own files: journals, outbox, key
+    database::Session m_who;  ///< who works here
     core::Error m_whyNoDesk;
     QString m_where;     ///< the database, to read
     QString m_backup;    ///< that can be put in the place of the database; empty: none
@@ -181,6 +185,7 @@ private:
     };
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
+    bool m_playsOpened = false;                          ///< that one is played, from its score card
     Explainer m_explainer;                               ///< of m_graded
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept

@@ -1,52 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/PeopleDesk.h"
 
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
 #include <QDir>
 #include <QFileDialog>
+#include <QPointer>
 #include <QStandardPaths>
 
+#include "app/Background.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Overview.h"
-#include "lessons/LessonCatalog.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/report/Printing.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace app {
 namespace {
 
+namespace text = ui::text;
 using database::sql::School;
+using ui::people::AssignPage;
 using ui::people::ClassPage;
 using ui::people::HistoryPage;
 using ui::shell::MainWindow;
+
+std::map<std::string, QString> criteriaOf(const lessons::Lesson& lesson)
+{
+    std::map<std::string, QString> names;
+    for (const lessons::CriterionRule& rule : lesson.rubric.criteria) {
+        lessons::Criterion criterion;
+        criterion.id = rule.id;
+        criterion.title = rule.title;
+        criterion.measure = rule.measure;
+        names[rule.id] = text::criterionName(criterion);
+    }
+    return names;
+}
+
+/// What a class is to do, and how far it is.
+struct ClassNow
+{
+    database::ClassOverview overview;
+    std::vector<database::ClassAssignment> given;
+};
+
+core::Result<ClassNow> readClass(const School& school, const database::Session& who, database::ClassId ofClass)
+{
+    auto overview = database::sql::classOverview(school, who, ofClass);
+    auto given = database::sql::listAssignments(school, who);
+    if (!overview || !given)
+        return tl::unexpected(overview ? given.error() : overview.error());
+    return ClassNow{std::move(*overview), std::move(*given)};
+}
 
 }  // namespace
 
 PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<database::Session()> who)
     : m_window(window), m_desk(desk), m_who(std::move(who))
 {
-    for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder())) {
-        if (!entry.read.lesson)
-            continue;
-        const lessons::Lesson& lesson = *entry.read.lesson;
-        m_titles[QString::fromStdString(lesson.id)] = ui::study::said(lesson.title);
-        Known known{lesson.rubric.passMarkTenths, {}};
-        for (const lessons::CriterionRule& rule : lesson.rubric.criteria) {
-            lessons::Criterion criterion;
-            criterion.id = rule.id;
-            criterion.title = rule.title;
-            criterion.measure = rule.measure;
-            known.criteria[rule.id] = ui::text::criterionName(criterion);
-        }
-        m_lessons[lesson.id] = std::move(known);
-    }
     HistoryPage& history = m_window.historyPage();
-    history.setLessonTitles(m_titles);
+    text::inEveryLanguage(&history, [desk = QPointer<PeopleDesk>(this)] {
+        if (desk)
+            desk->tellLessons();
+    });
     connect(&m_window, &MainWindow::attemptsWanted, this, [this] { openHistory(m_who().person(), {}, {}); });
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
@@ -58,10 +83,11 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connectTalk();
     connectReport();
     ClassPage& classes = m_window.classPage();
-    classes.setLessonTitles(m_titles);
     connect(&m_window, &MainWindow::classesWanted, this, &PeopleDesk::openClasses);
     connect(&classes, &ClassPage::classChosen, this, [this](qint64 id) { tellOverview({id}); });
     connect(&classes, &ClassPage::lessonChosen, this, &PeopleDesk::tellResults);
+    connect(&classes, &ClassPage::assignWanted, this, &PeopleDesk::openAssign);
+    connect(&m_window.assignPage(), &AssignPage::changeWanted, this, &PeopleDesk::changeAssignments);
     const auto nameOf = [this](qint64 person) {
         for (const database::MatrixStudent& student : m_overview.students)
             if (student.id.value == person)
@@ -73,6 +99,55 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&classes, &ClassPage::attemptsWanted, this, [this, nameOf](qint64 person, const QString& lesson) {
         openHistory({person}, nameOf(person), lesson.toStdString());
     });
+}
+
+/// A teacher's folder may have changed since it was read last.
+void PeopleDesk::readLessons(const std::function<void()>& then)
+{
+    inBackground(
+        this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
+        [this, then, who = m_who()](std::vector<lessons::CatalogEntry>& entries) {
+            if (m_who() != who)  // somebody else works here by now
+                return;
+            m_catalog = std::move(entries);
+            std::stable_sort(m_catalog.begin(), m_catalog.end(), [](const auto& a, const auto& b) {
+                const auto place = [](const lessons::CatalogEntry& entry) {
+                    return entry.isFaulty() ? INT_MAX : ui::study::groupPlace(entry.read.lesson->task);
+                };
+                return place(a) < place(b);
+            });
+            tellLessons();
+            then();
+        });
+}
+
+/// What lessons are called, in the language of today.
+void PeopleDesk::tellLessons()
+{
+    std::vector<ui::people::LessonOffer> offers;
+    m_titles.clear();
+    for (const lessons::CatalogEntry& entry : m_catalog) {
+        if (entry.isFaulty())
+            continue;
+        const lessons::Lesson& one = *entry.read.lesson;
+        const QString title = ui::study::said(one.title);
+        m_titles[QString::fromStdString(one.id)] = title;
+        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task)});
+    }
+    m_window.historyPage().setLessonTitles(m_titles);
+    m_window.classPage().setLessonTitles(m_titles);
+    m_window.assignPage().setLessons(offers);
+    if (const lessons::Lesson* shown = lesson(m_results.lessonId))
+        m_window.classPage().setResults(m_results, shown->rubric.passMarkTenths, criteriaOf(*shown));
+}
+
+/// Null: there is none any more.
+const lessons::Lesson* PeopleDesk::lesson(const std::string& id) const
+{
+    for (const lessons::CatalogEntry& entry : m_catalog)
+        if (!entry.isFaulty() && entry.read.lesson->id == id)
+            return &*entry.read.lesson;
+    return nullptr;
 }
 
 void PeopleDesk::connectTalk()
@@ -94,6 +169,10 @@ void PeopleDesk::connectTalk()
                 });
             });
     connect(&talk, &ui::people::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
+    connect(&m_window, &MainWindow::replayShown, this, [this, &talk](double seconds) {
+        if (m_follows && m_talkedAbout)
+            talk.setMoment(std::llround(1000.0 * seconds));
+    });
 }
 
 /// Does it to the attempt that is talked about, and shows the talk anew; what is refused is said where it was typed.
@@ -114,20 +193,22 @@ void PeopleDesk::sayInTalk(Work work)
             if (done)
                 tellTalk();
             else
-                m_window.scorePage().talk().refuse(ui::text::errorText(done.error(), ui::text::Failed::ReadingSchool));
+                m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ReadingSchool));
         });
 }
 
 void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt)
 {
     m_talkedAbout = attempt;
+    m_follows = false;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
+    m_talkedName = attempt->person == m_who().person() ? QString::fromStdString(m_who().fullName()) : m_personName;
     const bool teaches = m_who().role() == database::Role::Instructor && attempt->person != m_who().person();
-    page.talk().setMay(teaches, teaches);
+    page.setMayTalk(teaches);
     page.talk().setTalk({});
     tellTalk();
 }
@@ -193,11 +274,13 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
             report.className = QString::fromStdString(m_overview.name);
             report.teacher = QString::fromStdString(m_who().fullName());
             report.overview = m_overview;
+            report.given = m_given;
             report.titles = m_titles;
             report.results = m_results;
-            const Known& known = m_lessons[m_results.lessonId];
-            report.passMarkTenths = known.passMarkTenths;
-            report.criteria = known.criteria;
+            if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
+                report.passMarkTenths = known->rubric.passMarkTenths;
+                report.criteria = criteriaOf(*known);
+            }
             report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
                             QDateTime::currentDateTime()};
             use(report);
@@ -206,30 +289,36 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
 
 void PeopleDesk::refuse(const core::Error& error)
 {
-    m_window.showError(error, ui::text::Failed::ReadingSchool);
+    m_window.showError(error, text::Failed::ReadingSchool);
 }
 
 void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
                              const std::optional<std::string>& lesson)
 {
     m_person = person;
-    m_desk.ask(
-        this, [who = m_who(), person](const School& school) { return database::sql::history(school, who, person, {}); },
-        [this, person, fullName, lesson](const core::Result<std::vector<database::AttemptRecord>>& found) {
-            if (!found) {
-                refuse(found.error());
-                return;
-            }
-            if (person != m_person)
-                return;
-            HistoryPage& page = m_window.historyPage();
-            page.setPerson(fullName);
-            page.setHistory(QList<database::AttemptRecord>(found->begin(), found->end()));
-            page.setLesson(lesson);
-            if (lesson)
-                tellClassAt(QString::fromStdString(*lesson));
-            m_window.openHistory();
-        });
+    m_personName = fullName;
+    const auto show = [this, person, fullName,
+                       lesson](const core::Result<std::vector<database::AttemptRecord>>& found) {
+        if (!found) {
+            refuse(found.error());
+            return;
+        }
+        if (person != m_person)
+            return;
+        HistoryPage& page = m_window.historyPage();
+        page.setPerson(fullName);
+        page.setHistory(QList<database::AttemptRecord>(found->begin(), found->end()));
+        page.setLesson(lesson);
+        if (lesson)
+            tellClassAt(QString::fromStdString(*lesson));
+        m_window.openHistory();
+    };
+    readLessons([this, person, show] {
+        m_desk.ask(
+            this,
+            [who = m_who(), person](const School& school) { return database::sql::history(school, who, person, {}); },
+            show);
+    });
 }
 
 /// How the class of the person whose attempts are shown did at a lesson.
@@ -263,36 +352,87 @@ void PeopleDesk::tellClassAt(const QString& lesson)
 
 void PeopleDesk::openClasses()
 {
+    const auto show = [this](const core::Result<std::vector<database::SchoolClass>>& classes) {
+        if (!classes) {
+            refuse(classes.error());
+            return;
+        }
+        ClassPage& page = m_window.classPage();
+        page.setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
+        if (page.chosenClass().value != 0)
+            tellOverview(page.chosenClass());
+        m_window.openClasses();
+    };
+    readLessons([this, show] {
+        m_desk.ask(
+            this, [who = m_who()](const School& school) { return database::sql::listClasses(school, who); }, show);
+    });
+}
+
+void PeopleDesk::openAssign()
+{
+    readLessons([this] {
+        m_desk.ask(
+            this,
+            [who = m_who(), ofClass = m_window.classPage().chosenClass()](const School& school) {
+                return readClass(school, who, ofClass);
+            },
+            [this](const core::Result<ClassNow>& now) {
+                if (!now) {
+                    refuse(now.error());
+                    return;
+                }
+                m_window.assignPage().setAssignments(
+                    now->overview, QList<database::ClassAssignment>(now->given.begin(), now->given.end()));
+                m_window.openAssign();
+            });
+    });
+}
+
+/// Those before one that is refused have been done.
+void PeopleDesk::changeAssignments(const QList<ui::people::AssignmentChange>& changes)
+{
     m_desk.ask(
-        this, [who = m_who()](const School& school) { return database::sql::listClasses(school, who); },
-        [this](const core::Result<std::vector<database::SchoolClass>>& classes) {
-            if (!classes) {
-                refuse(classes.error());
-                return;
+        this,
+        [who = m_who(), changes](const School& school) -> core::Result<bool> {
+            for (const ui::people::AssignmentChange& change : changes) {
+                const core::Status done = change.after ? database::sql::assign(school, who, *change.after)
+                                                       : database::sql::unassign(school, who, change.before->classId,
+                                                                                 change.before->lessonId);
+                if (!done)
+                    return tl::unexpected(done.error());
             }
-            ClassPage& page = m_window.classPage();
-            page.setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
-            if (page.chosenClass().value != 0)
-                tellOverview(page.chosenClass());
-            m_window.openClasses();
+            return true;
+        },
+        [this, changes](const core::Result<bool>& done) {
+            AssignPage& page = m_window.assignPage();
+            if (done)
+                page.confirm(changes);
+            else
+                page.refuse(text::errorText(done.error(), text::Failed::ReadingSchool));
+            tellOverview(page.ofClass());
         });
 }
 
 void PeopleDesk::tellOverview(database::ClassId ofClass)
 {
     m_desk.ask(
-        this,
-        [who = m_who(), ofClass](const School& school) { return database::sql::classOverview(school, who, ofClass); },
-        [this, ofClass](const core::Result<database::ClassOverview>& overview) {
+        this, [who = m_who(), ofClass](const School& school) { return readClass(school, who, ofClass); },
+        [this, ofClass](const core::Result<ClassNow>& now) {
             ClassPage& page = m_window.classPage();
-            if (!overview) {
-                refuse(overview.error());
+            if (!now) {
+                refuse(now.error());
                 return;
             }
+            const QList<database::ClassAssignment> given(now->given.begin(), now->given.end());
+            if (m_window.assignPage().ofClass() == ofClass)
+                m_window.assignPage().setAssignments(now->overview, given);
             if (page.chosenClass() != ofClass)
                 return;
-            m_overview = *overview;
-            page.setOverview(*overview);
+            m_overview = now->overview;
+            m_given = given;
+            page.setOverview(m_overview);
+            page.setAssignments(m_given);
             if (!page.chosenLesson().isEmpty())
                 tellResults(page.chosenLesson());
         });
@@ -310,9 +450,10 @@ void PeopleDesk::tellResults(const QString& lesson)
             ClassPage& page = m_window.classPage();
             if (!results || page.chosenClass() != ofClass || page.chosenLesson() != lesson)
                 return;
-            const Known& known = m_lessons[lesson.toStdString()];
             m_results = *results;
-            page.setResults(*results, known.passMarkTenths, known.criteria);
+            const lessons::Lesson* known = this->lesson(m_results.lessonId);
+            page.setResults(*results, known != nullptr ? known->rubric.passMarkTenths : 0,
+                            known != nullptr ? criteriaOf(*known) : std::map<std::string, QString>());
         });
 }
 

@@ -9,7 +9,10 @@
 #include "app/SchoolDesk.h"
 #include "core/recording/Recording.h"
 #include "database/overview.h"
+#include "database/people.h"
 #include "database/records.h"
+#include "lessons/LessonCatalog.h"
+#include "ui/people/AssignPage.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/report/Report.h"
 #include "ui/shell/MainWindow.h"
@@ -29,6 +32,12 @@ public:
     /// on the page.
     void talkAbout(const std::optional<database::AttemptRecord>& attempt);
 
+    /// With the name of who made it; nothing: none is open.
+    [[nodiscard]] const std::optional<database::AttemptRecord>& talkedAbout() const { return m_talkedAbout; }
+    [[nodiscard]] const QString& nameOfTalkedAbout() const { return m_talkedName; }
+    /// The attempt that is talked about is played now, so that comments can be pinned to its moments; or another one.
+    void followReplay(bool follows) { m_follows = follows; }
+
 signals:
     /// This recording is to be played.
     void replayWanted(const core::recording::Recording& recording);
@@ -36,10 +45,15 @@ signals:
     void scoreWanted(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
 
 private:
+    void readLessons(const std::function<void()>& then);
+    void tellLessons();
+    [[nodiscard]] const lessons::Lesson* lesson(const std::string& id) const;
     void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson);
     void tellClassAt(const QString& lesson);
     void openClasses();
+    void openAssign();
     void tellOverview(database::ClassId ofClass);
+    void changeAssignments(const QList<ui::people::AssignmentChange>& changes);
     void tellResults(const QString& lesson);
     void fetch(qint64 attempt,
                const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
@@ -55,15 +69,14 @@ private:
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
     database::PersonId m_person;  ///< whose attempts are shown
+    QString m_personName;         ///< empty: one's own
     database::ClassOverview m_overview;
+    QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
-    struct Known
-    {
-        int passMarkTenths = 0;
-        std::map<std::string, QString> criteria;
-    };
-    std::map<std::string, Known> m_lessons;  ///< by id
+    QString m_talkedName;                          ///< of who made it
+    bool m_follows = false;                        ///< it is played
+    std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
 };
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program and the school's database: people come and go, and the database is damaged, gone, locked or full.
 #include <QAction>
+#include <QCheckBox>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileDialog>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
 #include <QSqlQuery>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -23,12 +28,16 @@
 #include "database/sql/Statement.h"
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
+#include "ui/people/AssignPage.h"
+#include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/people/TalkPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/study/Forecast.h"
+#include "ui/study/HeatMap.h"
 #include "ui/study/LessonCards.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
@@ -57,6 +66,10 @@ private slots:
     void nobodyIsOfferedAnothersWork();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
+    void aTeacherAssignsLessonsAndTakesThemBack();
+    void commentsArePinnedToMomentsAndPlaces();
+    void aScoreCardIsSavedWithItsAuditCode();
+    void withoutADatabaseTheCardSaysSo();
 
 private:
     template <class T>
@@ -85,7 +98,13 @@ private:
         return label->isVisible() ? label->text() : QString();
     }
     /// What the database holds, asked beside the program.
-    [[nodiscard]] int attemptsKept() const;
+    [[nodiscard]] int attemptsKept() const { return count("attempts"); }
+    [[nodiscard]] int count(const char* rows) const;
+    /// Opens the newest attempt of the history page.
+    void openNewest() const;
+    [[nodiscard]] QList<QPushButton*> pins() const;
+    /// Saves the card that is shown as a PDF, and waits until that is said.
+    void saveCard(const QString& path) const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<app::Application> m_application;
@@ -104,6 +123,13 @@ void TestSchool::init()
     for (const char* name : {"sam", "sue"}) {
         const auto entered = sql::addPerson(school, admin, {name, name, "Student", Role::Student}).value();
         QVERIFY(sql::Logins::redeem(school, name, entered.code, kPassword));
+    }
+    const auto teacher = sql::addPerson(school, admin, {"ines", "Ines", "Teach", Role::Instructor}).value();
+    QVERIFY(sql::Logins::redeem(school, "ines", teacher.code, kPassword));
+    const ClassId ofClass = sql::addClass(school, admin, "DEN101-A").value();
+    for (const char* name : {"sam", "ines"}) {
+        const auto id = sql::ask(school.db, "SELECT id FROM people WHERE username = ?", "read", {QLatin1String(name)});
+        QVERIFY(sql::enrol(school, admin, ofClass, {id.value().toLongLong()}, true));
     }
 }
 
@@ -162,10 +188,45 @@ void TestSchool::grade(const QString& said) const
     QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains(said), qPrintable(keeping()), kPatienceMs);
 }
 
-int TestSchool::attemptsKept() const
+int TestSchool::count(const char* rows) const
 {
     const auto database = sql::Database::open(file());
-    return database ? sql::ask((*database)->handle(), "SELECT count(*) FROM attempts", "count").value().toInt() : -1;
+    return database ? sql::ask((*database)->handle(),
+                               QStringLiteral("SELECT count(*) FROM %1").arg(QLatin1String(rows)), "count")
+                          .value()
+                          .toInt()
+                    : -1;
+}
+
+void TestSchool::openNewest() const
+{
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
+    child<QTableView>("attempts")->selectRow(0);
+    click("openAttempt");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("counts")->isVisible(), kPatienceMs);
+}
+
+QList<QPushButton*> TestSchool::pins() const
+{
+    QList<QPushButton*> found;
+    for (QPushButton* button : child<ui::people::TalkPanel>()->findChildren<QPushButton*>())
+        if (button->property("kind") == "chip")
+            found << button;
+    return found;
+}
+
+void TestSchool::saveCard(const QString& path) const
+{
+    emit child<ui::study::ScorePage>()->pdfWanted();
+    auto* dialog = child<QFileDialog>("QFileDialog");
+    QVERIFY(dialog != nullptr);
+    emit dialog->fileSelected(path);
+    dialog->reject();
+    QTRY_VERIFY2_WITH_TIMEOUT(child<QLabel>("scoreSaid")->text().contains(QFileInfo(path).fileName()),
+                              qPrintable(child<QLabel>("scoreSaid")->text()), kPatienceMs);
+    QFile pdf(path);
+    QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
 }
 
 void TestSchool::aDatabaseIsRestoredFromTheDoor_data()
@@ -348,8 +409,7 @@ void TestSchool::whatIsGivenIsDueAndLimited()
         const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
         const sql::School school{database->handle(), key};
         const auto admin = sql::Logins::login(school, "admin", kPassword).value();
-        const auto ofClass = sql::addClass(school, admin, "DEN101-A").value();
-        QVERIFY(sql::enrol(school, admin, ofClass, sql::findPerson(school, admin, "sam").value().id, true));
+        const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
         const std::string due = QDateTime::currentDateTimeUtc().addDays(-1).toString(Qt::ISODate).toStdString();
         QVERIFY(sql::assign(school, admin, {0, ofClass, "decay-36-small", due, 1}));
         QVERIFY(sql::assign(school, admin, {0, ofClass, "somebodys-own", "", 0}));
@@ -388,6 +448,114 @@ void TestSchool::whatIsGivenIsDueAndLimited()
     leaveFor("sue");
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->index(0, 0).data().toString() != "Given to you", kPatienceMs);
+}
+
+void TestSchool::aTeacherAssignsLessonsAndTakesThemBack()
+{
+    start();
+    logIn("ines");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
+    click("assignLessons");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::AssignPage>()->isVisible(), kPatienceMs);
+    auto* offers = child<QListView>("offers")->model();
+    QVERIFY(offers->rowCount() > 10);
+    for (const int row : {1, 2})
+        QVERIFY(offers->setData(offers->index(row, 0), Qt::Checked, Qt::CheckStateRole));
+    click("assignTicked");
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("given")->model()->rowCount(), 2, kPatienceMs);
+    QCOMPARE(count("assignments"), 2);
+    // The titles of the catalogue, and when it is due, stand over the matrix.
+    actions().back->trigger();
+    QVERIFY(child<ui::people::ClassPage>()->isVisible());
+    const auto* matrix = child<QTableView>("matrix")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->columnCount(), 3, kPatienceMs);
+    const QString head = matrix->headerData(1, Qt::Horizontal).toString();
+    QVERIFY2(head.contains("due") && !head.contains('-'), qPrintable(head));
+    click("assignLessons");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::AssignPage>()->isVisible(), kPatienceMs);
+    click("undoAssign");
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("given")->model()->rowCount(), 0, kPatienceMs);
+    QCOMPARE(count("assignments"), 0);
+    QCOMPARE(child<QLabel>("assignSaid")->text(), QString("That was undone."));
+}
+
+/// By the teacher; the student finds them at his own attempt.
+void TestSchool::commentsArePinnedToMomentsAndPlaces()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    auto* heat = child<ui::study::HeatMap>();
+    QTRY_VERIFY_WITH_TIMEOUT(heat->height() > 100, kPatienceMs);
+    QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
+    QVERIFY(heat->pin());
+    QVERIFY(!child<QCheckBox>("atMoment")->isVisible());
+    // The replay is played from the card, and Esc leads back there.
+    click("replayScored");
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().view().isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QCheckBox>("atMoment")->text().contains("0:0"), kPatienceMs);
+    QTest::qWait(300);
+    actions().back->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    QVERIFY(child<QCheckBox>("atMoment")->isVisible());
+    child<QCheckBox>("atMoment")->setChecked(true);
+    QVERIFY(child<QCheckBox>("atPlace")->isChecked());
+    child<QPlainTextEdit>("commentWords")->setPlainText("Here you pressed too hard.");
+    click("addComment");
+    QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 2, kPatienceMs);
+    QCOMPARE(count("comments WHERE moment_ms IS NOT NULL AND x_um IS NOT NULL"), 1);
+    const auto place = heat->pin();
+
+    leaveFor("sam");
+    actions().attempts->trigger();
+    openNewest();
+    QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 2, kPatienceMs);
+    QVERIFY(!child<QPlainTextEdit>("commentWords")->isVisible());
+    QVERIFY(!heat->pin());
+    pins().back()->click();
+    QVERIFY(heat->pin());
+    for (std::size_t k = 0; k < 3; ++k)
+        QVERIFY(std::abs((*heat->pin())[k] - (*place)[k]) < 0.001);
+    pins().front()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().view().isVisible(), kPatienceMs);
+    actions().back->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+}
+
+/// Of the work that was just graded, and of an old attempt.
+void TestSchool::aScoreCardIsSavedWithItsAuditCode()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    saveCard(m_folder->filePath("new.pdf"));
+    actions().attempts->trigger();
+    openNewest();
+    saveCard(m_folder->filePath("old.pdf"));
+}
+
+void TestSchool::withoutADatabaseTheCardSaysSo()
+{
+    app::WindowOptions options;
+    options.source = {36};
+    options.database = m_folder->filePath("no folder/no school.sqlite");
+    m_application = app::Application::make(options).value();
+    m_application->show();
+    toTheTooth();
+    drill(-2.0);
+    grade("");
+    saveCard(m_folder->filePath("guest.pdf"));
 }
 
 int main(int argc, char** argv)

@@ -85,6 +85,8 @@ private slots:
     void itSaysWhoNeedsTheTeacher();
     void theListsLieBehindTheNumbers();
     void nobodyNeedsYou();
+    void whoIsLateNeedsTheTeacher();
+    void headsSayWhenALessonIsDue();
     void theMatrixSortsByValueAndEmptyCellsComeLast();
     void theThirdClickIsByNameAgain();
     void aCellOpensTheAttempts();
@@ -167,6 +169,41 @@ void TestClassPage::nobodyNeedsYou()
     fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
     m_page->setOverview(fine, kNow);
     QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
+}
+
+/// Overdue, and not passed: but who is stuck or never came is so in the first place.
+void TestClassPage::whoIsLateNeedsTheTeacher()
+{
+    ClassOverview shown = overview(5, 2);
+    shown.cells[3][0] = {1, 800, true, "2026-11-18T08:00:00Z"};
+    shown.cells[4][0] = {1, 600, false, "2026-11-18T08:00:00Z"};
+    m_page->setOverview(shown, kNow);
+    m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 0},
+                            {2, {7}, "lesson-11", "2026-11-27T23:59:59Z", 0},
+                            {3, {8}, "lesson-11", "2026-11-01T23:59:59Z", 0}});
+    QVERIFY(name(0).contains("stuck"));
+    QVERIFY(name(1).contains("no login"));
+    QVERIFY(name(2).contains("late"));  // has logged in, and has not begun
+    QCOMPARE(name(3), QString("Student 1004"));
+    QVERIFY(name(4).contains("late"));
+    QVERIFY(button("2 late") != nullptr && button("2 late")->isVisible());
+    QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("4 need(s) you:"));
+    button("2 late")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 2);
+    const QModelIndex late = matrix()->model()->index(1, 1);
+    QVERIFY2(late.data(Qt::ToolTipRole).toString().contains("overdue"),
+             qPrintable(late.data(Qt::ToolTipRole).toString()));
+}
+
+void TestClassPage::headsSayWhenALessonIsDue()
+{
+    const auto head = [this](int column, int role = Qt::DisplayRole) {
+        return matrix()->model()->headerData(column, Qt::Horizontal, role).toString();
+    };
+    m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-27T12:00:00Z", 3}});
+    QCOMPARE(head(1), QString("Class I on 36\ndue 27 Nov"));
+    QVERIFY(head(1, Qt::ToolTipRole).contains("3 attempt(s) at most"));
+    QCOMPARE(head(2), QString("Decay on 26"));
 }
 
 void TestClassPage::theMatrixSortsByValueAndEmptyCellsComeLast()

@@ -19,6 +19,7 @@
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/PseudoLanguage.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/AssignPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/Actions.h"
@@ -284,6 +285,14 @@ void TestLanguages::pages_data()
     });
     page("attempts", [this] { m_window->openHistory(); });
     page("classes", [this] { m_window->openClasses(); });
+    page("assign", [this] {
+        m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]"}, {"1", "[····]", "[··]", "[·]"}});
+        // Of today: names of months are Qt's.
+        const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+        m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});
+        m_window->assignPage().confirm({{{}, database::ClassAssignment{1, {7}, "1", "", 0}}});
+        m_window->openAssign();
+    });
     page("settings", [this] { actions().settings->trigger(); });
     page("console", [this] { actions().console->trigger(); });
     page("lesson", [this] { practise(lessons::Task::RemoveDecay); });

@@ -193,6 +193,8 @@ private slots:
     void initTestCase();
     void aScoreCardSaysEverything();
     void anInstructorsScoreIsSignedAndTheMachinesStays();
+    void whatIsNotKeptSaysSo();
+    void whoIsLateIsNamed();
     void pagesAreFilledAndNotOverfull_data();
     void pagesAreFilledAndNotOverfull();
     void paperIsWhiteInTheDarkThemeToo();
@@ -245,6 +247,25 @@ void TestReport::anInstructorsScoreIsSignedAndTheMachinesStays()
     for (const char* part :
          {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand."})
         QVERIFY2(words.contains(part), part);
+}
+
+void TestReport::whatIsNotKeptSaysSo()
+{
+    ScoreCard card = m_card;
+    card.proof.auditCode.clear();
+    card.attempt.recordingHash.clear();
+    const QString words = wordsOf(card, kA4);
+    QVERIFY2(words.contains("there is no audit code") && !words.contains("Audit code:"), qPrintable(words));
+    QVERIFY2(words.contains("recording –"), qPrintable(words));
+}
+
+void TestReport::whoIsLateIsNamed()
+{
+    ClassReport report = classReport(5, 3);
+    report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+    const QString words = wordsOf(report, kA4);
+    QVERIFY2(words.contains("Late: a lesson is overdue"), qPrintable(words));
+    QVERIFY2(words.contains("due yesterday") || words.contains("due 19 Nov"), qPrintable(words));
 }
 
 void TestReport::pagesAreFilledAndNotOverfull_data()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <set>
 
 #include "lessons/LessonCatalog.h"
+#include "ui/people/TalkPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
 #include "ui/shell/ScrollPane.h"
@@ -125,6 +127,8 @@ private slots:
     void theFirstViewNeedsNoScrolling();
     void keysReachRowsAndMoments();
     void aNarrowWindowScrolls();
+    void aPlaceIsPinnedAndFoundAgain();
+    void aPinMovesWithTheKeys();
 
 private:
     void show(const Faulty& made);
@@ -472,6 +476,65 @@ void TestScorePage::aNarrowWindowScrolls()
                                     .arg(row->heightForWidth(row->width()))));
     if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
         pane->widget()->grab().save(folder + "/score-narrow-whole.png");
+}
+
+void TestScorePage::aPlaceIsPinnedAndFoundAgain()
+{
+    const Faulty made = faulty("class1-36");
+    show(made);
+    auto* heat = m_page->findChild<HeatMap*>();
+    auto* atPlace = m_page->findChild<QCheckBox*>("atPlace");
+    // Who only reads pins nothing.
+    m_page->setTalkVisible(true);
+    QTest::qWait(20);
+    QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
+    QVERIFY(!heat->pin());
+    m_page->setMayTalk(true);
+    QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
+    QVERIFY(heat->pin() && atPlace->isChecked());
+    const core::terrain::Grid& grid = made.work.tooth->grid();
+    const auto place = *heat->pin();
+    const glm::dvec2 node = grid.latticeOf(glm::dvec2(place[0], place[1]));
+    const auto k = grid.index(static_cast<int>(std::lround(node.x)), static_cast<int>(std::lround(node.y)));
+    QCOMPARE(place[2], static_cast<double>(made.work.tooth->top[k]));  // on the surface as it ended
+    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
+        m_page->grab().save(folder + "/score-pinned.png");
+    // Beside the tooth is no place.
+    QTest::mouseClick(heat, Qt::LeftButton, {}, {4, 4});
+    QVERIFY(!heat->pin() && !atPlace->isChecked());
+    // A comment's place is shown where it was, and brought into sight.
+    database::AttemptTalk talk;
+    talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", place, {}});
+    m_page->talk().setTalk(talk);
+    for (QPushButton* button : m_page->talk().findChildren<QPushButton*>())
+        if (button->property("kind") == "chip")
+            button->click();
+    QCOMPARE(heat->pin(), std::optional(place));
+    QVERIFY(!heat->visibleRegion().isEmpty());
+    // Another score card begins without.
+    show(made);
+    QVERIFY(!heat->pin());
+}
+
+void TestScorePage::aPinMovesWithTheKeys()
+{
+    const Faulty made = faulty("class1-36");
+    show(made);
+    m_page->setTalkVisible(true);
+    m_page->setMayTalk(true);
+    auto* heat = m_page->findChild<HeatMap*>();
+    heat->setFocus();
+    QTest::keyClick(heat, Qt::Key_Right);
+    QVERIFY(heat->pin());  // it begins at the ring
+    const auto before = *heat->pin();
+    QTest::keyClick(heat, Qt::Key_Right, Qt::ShiftModifier);
+    const double cell = made.work.tooth->grid().cellMm;
+    QVERIFY(std::abs((*heat->pin())[0] - before[0] - cell) < 1.0e-9);
+    QTest::keyClick(heat, Qt::Key_Up);
+    QVERIFY((*heat->pin())[1] > before[1]);
+    QTest::keyClick(heat, Qt::Key_Delete);
+    QVERIFY(!heat->pin());
+    QVERIFY(!m_page->findChild<QCheckBox*>("atPlace")->isChecked());
 }
 
 QTEST_MAIN(TestScorePage)

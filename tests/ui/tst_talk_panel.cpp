@@ -42,6 +42,7 @@ private slots:
     void everythingIsSignedAndInOrder();
     void whoMayNotWriteReads();
     void aCommentIsPinned();
+    void whatIsMarkedForACommentIsPinned();
     void pinsLeadThere();
     void aScoreNeedsAReason();
     void whatWasRefusedStaysTyped();
@@ -150,6 +151,31 @@ void TestTalkPanel::aCommentIsPinned()
     kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
     m_panel->setTalk(kept);
     QVERIFY(get<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
+}
+
+/// Marked by who writes; but not where he only looks at the place of another comment.
+void TestTalkPanel::whatIsMarkedForACommentIsPinned()
+{
+    auto* how = get<QLabel>("howToPin");
+    QVERIFY(how->text().contains("click a place"));
+    m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
+    QVERIFY(get<QCheckBox>("atPlace")->isChecked());
+    QVERIFY(how->isVisible() && how->text().contains("play the attempt"));
+    m_panel->setPlace(Place{4.0, 5.0, 6.0});
+    QVERIFY(!get<QCheckBox>("atPlace")->isChecked());
+    m_panel->setPlace({}, true);
+    QVERIFY(!get<QCheckBox>("atPlace")->isChecked() && !get<QCheckBox>("atPlace")->isVisible());
+    m_panel->setMoment(1000);
+    m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
+    QVERIFY(!how->isVisible());
+    get<QCheckBox>("atMoment")->setChecked(true);
+    // What was kept has its pins; the next comment begins without.
+    get<QPlainTextEdit>("commentWords")->setPlainText("The bur slipped.");
+    AttemptTalk kept;
+    kept.comments.push_back(
+        {3, "Grace Hopper", "2026-11-20T14:00:00Z", "The bur slipped.", Place{1.0, 2.0, 3.0}, 1000});
+    m_panel->setTalk(kept);
+    QVERIFY(!get<QCheckBox>("atPlace")->isChecked() && !get<QCheckBox>("atMoment")->isChecked());
 }
 
 void TestTalkPanel::pinsLeadThere()

@@ -25,7 +25,7 @@ constexpr double kFullest = 0.42;  ///< more, and the words on it would be hard 
 
 }  // namespace
 
-Need needOf(const MatrixStudent& student)
+Need needOf(const MatrixStudent& student, bool isLate)
 {
     std::vector<::lessons::Try> tries;
     for (std::size_t k = 0; k < std::min(student.recentTenths.size(), student.recentPassed.size()); ++k)
@@ -34,6 +34,8 @@ Need needOf(const MatrixStudent& student)
         return Need::Stuck;
     if (student.lastLoginUtc.empty() && student.lastAttemptUtc.empty())
         return Need::NeverLoggedIn;
+    if (isLate)
+        return Need::Late;
     return student.lastAttemptUtc.empty() ? Need::NotBegun : Need::Nothing;
 }
 
@@ -45,6 +47,9 @@ QString needWord(Need need)
         return ClassModel::tr("stuck");
     case Need::NeverLoggedIn:
         return ClassModel::tr("no login");
+    case Need::Late:
+        //: Of a student who has not passed a lesson that is overdue
+        return ClassModel::tr("late");
     case Need::NotBegun:
         //: Of a student who has no attempt yet
         return ClassModel::tr("new");
@@ -64,13 +69,51 @@ void ClassModel::setOverview(const database::ClassOverview& overview, const QDat
     beginResetModel();
     m_overview = overview;
     m_now = now;
-    m_needs.clear();
-    for (const MatrixStudent& student : m_overview.students)
-        m_needs << needOf(student);
     m_overview.cells.resize(m_overview.students.size());
     for (std::vector<MatrixCell>& row : m_overview.cells)
         row.resize(m_overview.lessons.size());
+    m_given.clear();
+    findNeeds();
     endResetModel();
+}
+
+void ClassModel::setAssignments(const QList<database::ClassAssignment>& given)
+{
+    m_given.clear();
+    for (const database::ClassAssignment& one : given)
+        if (one.classId == m_overview.id)
+            m_given[one.lessonId] = one;
+    findNeeds();
+    retell();
+}
+
+void ClassModel::findNeeds()
+{
+    m_needs.clear();
+    for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
+        bool late = false;
+        for (std::size_t lesson = 0; lesson < m_overview.lessons.size(); ++lesson)
+            late = late || isLate(k, lesson);
+        m_needs << needOf(m_overview.students[k], late);
+    }
+}
+
+bool ClassModel::isLate(std::size_t student, std::size_t lesson) const
+{
+    const auto given = m_given.find(m_overview.lessons[lesson]);
+    return given != m_given.end() && !given->second.dueUtc.empty() && momentOf(given->second.dueUtc) < m_now &&
+           !m_overview.cells[student][lesson].passed;
+}
+
+bool ClassModel::isLate(const QModelIndex& index) const
+{
+    const auto lesson = lessonOf(index.column());
+    return index.isValid() && lesson && isLate(static_cast<std::size_t>(index.row()), *lesson);
+}
+
+bool ClassModel::hasDueDates() const
+{
+    return std::any_of(m_given.begin(), m_given.end(), [](const auto& one) { return !one.second.dueUtc.empty(); });
 }
 
 void ClassModel::setTitles(const LessonTitles& titles)
@@ -128,11 +171,13 @@ QString ClassModel::cellWords(const QModelIndex& index) const
     const QString who = QStringLiteral("%1, %2").arg(
         nameOf(student), lessonTitle(m_titles, m_overview.lessons[*lessonOf(index.column())]));
     if (one->attempts == 0)
-        return tr("%1: not tried").arg(who);
+        return isLate(index) ? tr("%1: not tried, and overdue").arg(who) : tr("%1: not tried").arg(who);
     const QString count = tr("%n attempt(s)", nullptr, one->attempts);
     const QString best = text::points(one->bestTenths);
     //: %1: student and lesson; %2: points; %3: "4 attempts"; %4: a date
-    return (one->passed ? tr("%1: best %2, passed, %3, last %4") : tr("%1: best %2, not passed, %3, last %4"))
+    return (one->passed     ? tr("%1: best %2, passed, %3, last %4")
+            : isLate(index) ? tr("%1: best %2, not passed and overdue, %3, last %4")
+                            : tr("%1: best %2, not passed, %3, last %4"))
         .arg(who, best, count, when(one->lastUtc));
 }
 
@@ -158,12 +203,26 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
     }
 }
 
+/// The title, and beneath it when the lesson is due; for who points at it, how often it may be tried as well.
+QString ClassModel::headWords(std::size_t lesson, bool isTip) const
+{
+    const std::string& id = m_overview.lessons[lesson];
+    QStringList words{lessonTitle(m_titles, id)};
+    const auto given = m_given.find(id);
+    if (given != m_given.end() && !given->second.dueUtc.empty())
+        //: %1: a date
+        words << tr("due %1").arg(isTip ? when(given->second.dueUtc) : whenShort(given->second.dueUtc, m_now));
+    if (isTip && given != m_given.end() && given->second.attemptLimit > 0)
+        words << tr("%n attempt(s) at most", nullptr, given->second.attemptLimit);
+    return words.join(u'\n');
+}
+
 QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Horizontal) {
         const auto lesson = lessonOf(section);
         if (role == Qt::DisplayRole || role == Qt::ToolTipRole)
-            return lesson ? lessonTitle(m_titles, m_overview.lessons[*lesson])
+            return lesson ? headWords(*lesson, role == Qt::ToolTipRole)
                           //: Column: when the student's last attempt was
                           : tr("Last");
         if (role == Qt::TextAlignmentRole)
@@ -276,6 +335,14 @@ void ScoreCell::paint(QPainter* painter, const QStyleOptionViewItem& option, con
         painter->setPen(QPen(p.color(QPalette::Link), 2.0));
         painter->setBrush(Qt::NoBrush);
         painter->drawRoundedRect(box, 4.0, 4.0);
+    }
+    if (m_model->isLate(m_filter->mapToSource(index))) {
+        // The sign that stands behind the names of those who need their teacher.
+        const double x = box.left() + 7.0;
+        const double y = box.center().y();
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(tones(p).attention);
+        painter->drawPolygon(QPolygonF{{x, y + 4.0}, {x + 4.5, y - 4.0}, {x + 9.0, y + 4.0}});
     }
     painter->setFont(typeface(kBody, one->passed ? QFont::DemiBold : QFont::Normal));
     painter->setPen(p.color(one->attempts == 0 ? QPalette::PlaceholderText : QPalette::Text));

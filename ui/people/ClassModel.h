@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include <QAbstractTableModel>
 #include <QDateTime>
@@ -9,6 +11,7 @@
 #include <QStyledItemDelegate>
 
 #include "database/overview.h"
+#include "database/people.h"
 #include "ui/charts/Table.h"
 #include "ui/people/PeopleWords.h"
 
@@ -19,11 +22,13 @@ enum class Need {
     Nothing,
     Stuck,          ///< lessons::isStuck() at the lesson he tried last
     NeverLoggedIn,  ///< perhaps he cannot
+    Late,           ///< a lesson that he was given is overdue, and he has not passed it
     NotBegun        ///< he has logged in, and not had an attempt graded yet
 };
 
-[[nodiscard]] Need needOf(const database::MatrixStudent& student);
-/// "stuck", "no login", "new"; empty for nothing.
+/// @param isLate  with any lesson
+[[nodiscard]] Need needOf(const database::MatrixStudent& student, bool isLate);
+/// "stuck", "no login", "late", "new"; empty for nothing.
 [[nodiscard]] QString needWord(Need need);
 /// The full name, or the user name where there is none.
 [[nodiscard]] QString nameOf(const database::MatrixStudent& student);
@@ -41,6 +46,8 @@ public:
 
     /// @param now  days are counted from here
     void setOverview(const database::ClassOverview& overview, const QDateTime& now);
+    /// What the class is to do; others' assignments are left out. After setOverview().
+    void setAssignments(const QList<database::ClassAssignment>& given);
     void setTitles(const LessonTitles& titles);
     void retell();
 
@@ -50,6 +57,10 @@ public:
     [[nodiscard]] int count(Need need) const;
     /// Nothing for the column of the last attempt.
     [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
+    /// The lesson is overdue, and has not been passed by this student.
+    [[nodiscard]] bool isLate(const QModelIndex& index) const;
+    /// Some lesson has a day when it is due.
+    [[nodiscard]] bool hasDueDates() const;
     /// Index into the overview's lessons.
     [[nodiscard]] static std::optional<std::size_t> lessonOf(int column);
     /// The whole matrix: names, what they need, last attempt, and of each lesson the best score and how often.
@@ -62,8 +73,12 @@ public:
 
 private:
     [[nodiscard]] QString cellWords(const QModelIndex& index) const;
+    [[nodiscard]] QString headWords(std::size_t lesson, bool isTip) const;
+    [[nodiscard]] bool isLate(std::size_t student, std::size_t lesson) const;
+    void findNeeds();
 
     database::ClassOverview m_overview;
+    std::map<std::string, database::ClassAssignment> m_given;  ///< by lesson
     QList<Need> m_needs;
     LessonTitles m_titles;
     QDateTime m_now;

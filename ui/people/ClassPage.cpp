@@ -34,8 +34,9 @@ using namespace ui::shell;
 
 constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
+constexpr int kDuePx = 18;   ///< and one for when it is due
 constexpr int kNamesPx = 230;
-constexpr std::array kNeeds{Need::Stuck, Need::NeverLoggedIn, Need::NotBegun};
+constexpr std::array kNeeds{Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
 }  // namespace
 
@@ -261,6 +262,14 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
         takeLesson();
 }
 
+void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
+{
+    m_model->setAssignments(given);
+    m_table->horizontalHeader()->setFixedHeight(kHeadPx + (m_model->hasDueDates() ? kDuePx : 0));
+    m_filter->invalidate();
+    tellNeeds();
+}
+
 void ClassPage::setLessonTitles(const LessonTitles& titles)
 {
     m_titles = titles;
@@ -348,6 +357,7 @@ void ClassPage::tellNeeds()
     explain(Need::Stuck, tr("Show who made three attempts in a row at a lesson without passing, and without getting "
                             "better by five points"));
     explain(Need::NeverLoggedIn, tr("Show who has never logged in"));
+    explain(Need::Late, tr("Show who has not passed a lesson that is overdue"));
     explain(Need::NotBegun, tr("Show who has logged in and has no graded attempt yet"));
     const bool hasStudents = m_model->rowCount() > 0;
     m_needs->setText(!hasStudents ? QString()
@@ -431,7 +441,7 @@ void ClassPage::retell()
     m_print->setText(tr("Print …"));
     m_saveCsv->setText(tr("Save the matrix as a table (CSV) …"));
     m_legend->setText(
-        tr("Best score of each student; a tick: passed. A heading sorts, once more the other way, then by "
+        tr("Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by "
            "name. A cell opens the attempts."));
     m_legend->setToolTip(shell::brokenIntoLines(m_legend->text()));
     m_model->retell();

@@ -39,6 +39,8 @@ public:
     void setClasses(const QList<database::SchoolClass>& classes);
     /// @param now  days are counted from here
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
+    /// What the class is to do: when it is due, and who is late. After setOverview().
+    void setAssignments(const QList<database::ClassAssignment>& given);
     void setLessonTitles(const LessonTitles& titles);
     /// Of the lesson that is chosen.
     /// @param passMarkTenths  of its rubric; 0: not known

@@ -37,6 +37,16 @@ QDateTime momentOf(const std::string& utc)
     return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
 }
 
+std::string endOfDay(QDate day)
+{
+    return day.endOfDay().toUTC().toString(Qt::ISODate).toStdString();
+}
+
+QDate dueDay(const std::string& dueUtc)
+{
+    return momentOf(dueUtc).toLocalTime().date();
+}
+
 QString when(const std::string& utc)
 {
     const QDateTime at = momentOf(utc);

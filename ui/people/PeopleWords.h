@@ -25,6 +25,10 @@ using LessonTitles = QHash<QString, QString>;
 /// The same in few letters: "today", "yesterday", "Tue", "12 Nov", "Nov 2024".
 [[nodiscard]] QString whenShort(const std::string& utc, const QDateTime& now);
 [[nodiscard]] QDateTime momentOf(const std::string& utc);
+/// The last second of a day of this computer's calendar, as what is due is kept: "2026-11-27T22:59:59Z".
+[[nodiscard]] std::string endOfDay(QDate day);
+/// The day here at whose end something is due; none for none.
+[[nodiscard]] QDate dueDay(const std::string& dueUtc);
 /// "12:07"; hours where there are: "1:12:07".
 [[nodiscard]] QString clock(std::int64_t ms);
 

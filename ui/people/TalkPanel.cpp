@@ -85,6 +85,9 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     row->addStretch(1);
     row->addWidget(m_add);
     inside->addLayout(row);
+    m_howToPin = label(kSmall, QFont::Normal, QPalette::PlaceholderText, m_composer);
+    m_howToPin->setObjectName(QStringLiteral("howToPin"));
+    inside->addWidget(m_howToPin);
     column.addWidget(m_composer);
     const auto ready = [this] { m_add->setEnabled(!m_words->toPlainText().trimmed().isEmpty()); };
     connect(m_words, &QPlainTextEdit::textChanged, this, ready);
@@ -157,8 +160,10 @@ void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMac
 void TalkPanel::setTalk(const database::AttemptTalk& talk)
 {
     if (!talk.comments.empty() && talk.comments.size() > m_talk.comments.size() &&
-        QString::fromStdString(talk.comments.back().words) == m_words->toPlainText().trimmed())
+        QString::fromStdString(talk.comments.back().words) == m_words->toPlainText().trimmed()) {
         m_words->clear();
+        unpin();
+    }
     if (!talk.overrides.empty() && talk.overrides.size() > m_talk.overrides.size() &&
         QString::fromStdString(talk.overrides.back().reason) == m_reason->text().trimmed())
         m_reason->clear();
@@ -179,13 +184,22 @@ void TalkPanel::setMay(bool comment, bool override)
 void TalkPanel::setMoment(std::optional<std::int64_t> ms)
 {
     m_moment = ms;
+    if (!ms)
+        m_atMoment->setChecked(false);
     tellPins();
 }
 
-void TalkPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm)
+void TalkPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment)
 {
     m_place = placeMm;
+    m_atPlace->setChecked(placeMm && forComment);
     tellPins();
+}
+
+void TalkPanel::unpin()
+{
+    m_atMoment->setChecked(false);
+    m_atPlace->setChecked(false);
 }
 
 void TalkPanel::refuse(const QString& sentence)
@@ -218,6 +232,12 @@ void TalkPanel::tellPins()
     m_atPlace->setVisible(m_place.has_value());
     m_atPlace->setText(tr("at the marked place"));
     m_atPlace->setAccessibleName(tr("Pin the comment to this place"));
+    m_howToPin->setVisible(!m_moment || !m_place);
+    m_howToPin->setText(!m_moment && !m_place
+                            ? tr("To pin it, click a place on the tooth above, or play the attempt to "
+                                 "a moment and come back.")
+                        : !m_moment ? tr("To pin it to a moment, play the attempt to there and come back.")
+                                    : tr("To pin it to a place, click on the tooth above."));
 }
 
 /// Comments and given scores, as they followed each other.

@@ -34,10 +34,11 @@ public:
     /// What was being written is cleared when it is among these.
     void setTalk(const database::AttemptTalk& talk);
     void setMay(bool comment, bool override);
-    /// Where the replay is; nothing: none is open.
+    /// Where the replay was seen last; nothing: it has not been.
     void setMoment(std::optional<std::int64_t> ms);
-    /// The place that is probed on the tooth, in its frame, mm.
-    void setPlace(const std::optional<std::array<double, 3>>& placeMm);
+    /// The place that is marked on the tooth, in its frame, mm.
+    /// @param forComment  it was marked by who writes, so that what he writes is about it
+    void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
     /// Says why what was written could not be kept. It stays where it was typed.
     void refuse(const QString& sentence);
 
@@ -60,6 +61,7 @@ private:
     void fill();
     void tellScore();
     void tellPins();
+    void unpin();
 
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
@@ -78,6 +80,7 @@ private:
     QCheckBox* m_atMoment = nullptr;
     QCheckBox* m_atPlace = nullptr;
     QPushButton* m_add = nullptr;
+    QLabel* m_howToPin = nullptr;
     QWidget* m_override = nullptr;
     QLabel* m_overrideTitle = nullptr;
     QDoubleSpinBox* m_points = nullptr;

@@ -25,7 +25,7 @@ constexpr double kNamePt = 130.0;
 constexpr double kLastPt = 48.0;
 constexpr double kCellPt = 44.0;
 constexpr double kRowPt = 14.0;
-constexpr double kHeadsPt = 38.0;  ///< four lines of a lesson's title
+constexpr double kHeadsPt = 47.0;  ///< four lines of a lesson's title, and when it is due
 constexpr double kChartPt = 150.0;
 
 /// Who needs the teacher, by name.
@@ -42,6 +42,7 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
     };
     list(Need::Stuck, Words::tr("Stuck (three attempts in a row, not passed, not better by five points)"));
     list(Need::NeverLoggedIn, Words::tr("Never logged in"));
+    list(Need::Late, Words::tr("Late: a lesson is overdue and not passed"));
     list(Need::NotBegun, Words::tr("Logged in, no graded attempt yet"));
 }
 
@@ -110,6 +111,7 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
 {
     people::ClassModel model(nullptr);
     model.setOverview(report.overview, report.proof.printed);
+    model.setAssignments(report.given);
     model.setTitles(report.titles);
     Sheet sheet(painter, pagePt, next, report.className, report.proof);
     sheet.say(Words::tr("Class %1").arg(report.className), kTitlePt, QFont::DemiBold);

@@ -13,6 +13,7 @@
 #include <QString>
 
 #include "database/overview.h"
+#include "database/people.h"
 #include "database/records.h"
 #include "lessons/Moments.h"
 #include "lessons/ScoreSheet.h"
@@ -28,8 +29,9 @@ namespace ui::report {
 /// What stands at the foot of each page, so that paper and database can be compared.
 struct Proof
 {
-    QString auditCode;  ///< head of the audit chain, with its signature, as the database gives it
-    QString program;    ///< version
+    QString
+        auditCode;    ///< head of the audit chain, with its signature, as the database gives it; empty: not kept in one
+    QString program;  ///< version
     QDateTime printed;
 };
 
@@ -52,6 +54,7 @@ struct ClassReport
     QString className;
     QString teacher;
     database::ClassOverview overview;
+    QList<database::ClassAssignment> given;  ///< what the class is to do
     people::LessonTitles titles;
     database::LessonResults results;  ///< of the lesson whose charts are shown; none where its id is empty
     int passMarkTenths = 0;

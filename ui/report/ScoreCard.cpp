@@ -173,10 +173,10 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
 void paintCircumstances(Sheet& sheet, const ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
-    const auto shown = [](const std::string& hash) { return QString::fromStdString(hash.substr(0, kShownHash)); };
     const auto or_ = [](const std::string& words) {
         return words.empty() ? QStringLiteral("–") : QString::fromStdString(words);
     };
+    const auto shown = [&](const std::string& hash) { return or_(hash.substr(0, kShownHash)); };
     sheet.head(Words::tr("How it was marked and made"), 40.0);
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));

@@ -48,9 +48,10 @@ void Sheet::foot()
         kSmallPt, QFont::Normal, Qt::AlignLeft | Qt::AlignTop);
     put(lines, Words::tr("%1, page %2").arg(m_title).arg(m_pages), kSmallPt, QFont::Normal,
         Qt::AlignRight | Qt::AlignTop);
-    if (!m_proof.auditCode.isEmpty())
-        put(lines.adjusted(0.0, kSmallPt + 3.0, 0.0, 0.0), Words::tr("Audit code: %1").arg(m_proof.auditCode), kSmallPt,
-            QFont::Medium, Qt::AlignLeft | Qt::AlignTop);
+    put(lines.adjusted(0.0, kSmallPt + 3.0, 0.0, 0.0),
+        m_proof.auditCode.isEmpty() ? Words::tr("Not kept in a school's database: there is no audit code")
+                                    : Words::tr("Audit code: %1").arg(m_proof.auditCode),
+        kSmallPt, QFont::Medium, Qt::AlignLeft | Qt::AlignTop);
 }
 
 void Sheet::need(double height)

@@ -36,6 +36,7 @@
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
@@ -136,9 +137,9 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
       m_history(new people::HistoryPage(*m_actions, m_pages)), m_classes(new people::ClassPage(*m_actions, m_pages)),
-      m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
-      m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
-      m_watch(new console::WatchPanel(m_parameters, m_room)),
+      m_assign(new people::AssignPage(*m_actions, m_pages)), m_editor(new study::LessonEditor(*m_actions, m_pages)),
+      m_forecast(new study::Forecast(*m_actions, m_pages)), m_presets(new presets::PresetsPage(*m_actions, m_pages)),
+      m_trialCard(new presets::TrialCard(m_room)), m_watch(new console::WatchPanel(m_parameters, m_room)),
       m_console(new console::Console(m_parameters, *m_watch, m_room)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
@@ -154,7 +155,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
           static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_history),
-          static_cast<QWidget*>(m_classes), static_cast<QWidget*>(m_presets)})
+          static_cast<QWidget*>(m_classes), static_cast<QWidget*>(m_assign), static_cast<QWidget*>(m_presets)})
         m_pages->addWidget(page);
     registerParameters();
     m_settingsPage = new settings::SettingsPage(*m_actions, m_parameters, m_pages);
@@ -458,6 +459,11 @@ void MainWindow::openClasses()
     goTo(m_classes);
 }
 
+void MainWindow::openAssign()
+{
+    goTo(m_assign);
+}
+
 void MainWindow::showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
                               const QList<database::AttemptRecord>& history,
                               const std::optional<study::Expectation>& expected,
@@ -465,6 +471,11 @@ void MainWindow::showOldScore(const QString& work, const lessons::ScoreSheet& sh
 {
     m_busy->done();
     m_scorePage->setScore(work, sheet, history, expected, scored);
+    goTo(m_scorePage);
+}
+
+void MainWindow::backToScore()
+{
     goTo(m_scorePage);
 }
 
@@ -1136,6 +1147,8 @@ void MainWindow::takeSession()
     m_session = now;
     if (m_replaying) {
         m_room->replay().setPosition(m_session.recordedS);
+        if (m_pages->currentWidget() == m_room)
+            emit replayShown(m_session.recordedS);
         if (replayedPoints() != marked)
             markExercise();
     } else if (m_session.toothGeneration == m_ownGeneration) {
@@ -1284,6 +1297,8 @@ void MainWindow::goBack()
         m_actions->console->trigger();
     } else if (m_pages->currentWidget() == m_editor) {
         goTo(m_lessonsPage);
+    } else if (m_pages->currentWidget() == m_assign) {
+        goTo(m_classes);
     } else if (m_pages->currentWidget() != m_room) {
         goTo(m_room);
     } else if (m_infractionCard->isVisible()) {

@@ -40,6 +40,7 @@
 class QStackedWidget;
 
 namespace ui::people {
+class AssignPage;
 class ClassPage;
 class HistoryPage;
 class LoginPage;
@@ -109,6 +110,7 @@ public:
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
+    [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
 
 public slots:
     /// The tooth that is now on the table.
@@ -199,11 +201,15 @@ public slots:
     /// Opens the page of attempts, or that of classes.
     void openHistory();
     void openClasses();
+    /// The page where lessons are given to a class.
+    void openAssign();
     /// Another attempt than the one on the table, with its score card.
     /// @param work  its lesson, or its tooth
     void showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
                       const QList<database::AttemptRecord>& history, const std::optional<study::Expectation>& expected,
                       const std::optional<study::ScoredWork>& scored);
+    /// The score card again that was left for its replay.
+    void backToScore();
     /// Who works here now.
     void setWho(const database::Session& who);
     /// Who is logged in and touches nothing for so long finds the place locked; the drill at work counts as a touch.
@@ -286,6 +292,8 @@ signals:
     void resumeRequested();
     void discardRequested();
     void replayStopRequested();
+    /// This moment of what is played is seen in the practice room, s since its beginning.
+    void replayShown(double seconds);
     /// Whether a force shall hold the hand within what is to be cut. Off with every new tooth.
     void fixtureWanted(bool wanted);
     void replayPauseRequested(bool paused);
@@ -407,6 +415,7 @@ private:
     people::LoginPage* m_login;
     people::HistoryPage* m_history;
     people::ClassPage* m_classes;
+    people::AssignPage* m_assign;
     database::Session m_who;
     std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
     QString m_where;                           ///< the database

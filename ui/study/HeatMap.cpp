@@ -7,8 +7,10 @@
 
 #include <glm/geometric.hpp>
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 
 #include "core/grading/Columns.h"
 #include "ui/shell/Theme.h"
@@ -38,6 +40,9 @@ constexpr double kLegendPx = 44.0;
 constexpr double kSidePx = 18.0;
 constexpr int kPatternPx = 7;
 constexpr double kRingPx = 9.0;
+constexpr double kPinPx = 8.0;       ///< radius of a pin's head
+constexpr QRgb kPin = 0xFF101214;    ///< neither too deep nor too high
+constexpr double kKeyStepMm = 0.25;  ///< that an arrow moves it
 
 QRgb between(QRgb a, QRgb b, double share)
 {
@@ -86,9 +91,15 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMouseTracking(true);
-    text::inEveryLanguage(this, [this] {
-        setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to go"));
-    });
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void HeatMap::speak()
+{
+    setAccessibleName(tr("The tooth from above, coloured by what is too deep and what is still to go"));
+    setToolTip(m_isPinnable ? brokenIntoLines(tr("Click on the tooth, or use the arrow keys, to mark the place that a "
+                                                 "comment is about; Delete takes the mark away."))
+                            : QString());
 }
 
 void HeatMap::setWork(const ScoredWork& work)
@@ -115,6 +126,36 @@ void HeatMap::setMark(std::optional<std::size_t> node, const core::imaging::Sect
     m_mark = node;
     m_plane = plane;
     update();
+}
+
+void HeatMap::setPin(const std::optional<std::array<double, 3>>& placeMm)
+{
+    m_pin = placeMm;
+    update();
+}
+
+void HeatMap::setPinnable(bool pinnable)
+{
+    m_isPinnable = pinnable;
+    setFocusPolicy(pinnable ? Qt::StrongFocus : Qt::NoFocus);
+    setCursor(pinnable ? Qt::CrossCursor : Qt::ArrowCursor);
+    speak();
+}
+
+void HeatMap::choosePin(const std::optional<std::array<double, 3>>& placeMm)
+{
+    if (placeMm == m_pin)
+        return;
+    setPin(placeMm);
+    emit pinned(placeMm);
+}
+
+std::array<double, 3> HeatMap::placeOf(std::size_t node) const
+{
+    const core::terrain::Grid& grid = m_work.tooth->grid();
+    const auto side = static_cast<std::size_t>(grid.side);
+    const glm::dvec2 at = grid.nodeMm(static_cast<int>(node % side), static_cast<int>(node / side));
+    return {at.x, at.y, static_cast<double>(core::grading::endOf(*m_work.tooth, node))};
 }
 
 void HeatMap::setColours(render::Palette colours)
@@ -222,6 +263,81 @@ void HeatMap::leaveEvent(QEvent*)
     update();
 }
 
+void HeatMap::mousePressEvent(QMouseEvent* event)
+{
+    if (!m_isPinnable || event->button() != Qt::LeftButton) {
+        QWidget::mousePressEvent(event);
+        return;
+    }
+    const auto node = nodeAt(frame(), event->position());
+    choosePin(node ? std::optional(placeOf(*node)) : std::nullopt);
+}
+
+/// The arrows are keys of the replay as well, and of the page that scrolls.
+bool HeatMap::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && m_isPinnable) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if ((key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Delete) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+/// From where the pin is, or from the ring, or from the middle; with Shift column by column.
+void HeatMap::keyPressEvent(QKeyEvent* event)
+{
+    const auto way = [event]() -> glm::dvec2 {
+        switch (event->key()) {
+        case Qt::Key_Left:
+            return {-1.0, 0.0};
+        case Qt::Key_Right:
+            return {1.0, 0.0};
+        case Qt::Key_Up:
+            return {0.0, 1.0};
+        case Qt::Key_Down:
+            return {0.0, -1.0};
+        default:
+            return {0.0, 0.0};
+        }
+    }();
+    if (!m_isPinnable || !m_work.tooth || (way == glm::dvec2(0.0) && event->key() != Qt::Key_Delete)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (event->key() == Qt::Key_Delete) {
+        choosePin({});
+        return;
+    }
+    const core::terrain::Grid& grid = m_work.tooth->grid();
+    glm::dvec2 at = grid.middleMm();
+    if (m_pin)
+        at = glm::dvec2((*m_pin)[0], (*m_pin)[1]) +
+             way * (event->modifiers().testFlag(Qt::ShiftModifier) ? grid.cellMm : kKeyStepMm);
+    else if (m_mark)
+        at = grid.nodeMm(static_cast<int>(*m_mark % static_cast<std::size_t>(grid.side)),
+                         static_cast<int>(*m_mark / static_cast<std::size_t>(grid.side)));
+    const glm::dvec2 lattice = grid.latticeOf(at);
+    const auto i = static_cast<int>(std::lround(lattice.x));
+    const auto j = static_cast<int>(std::lround(lattice.y));
+    if (grid.contains(i, j) && core::grading::wasSolid(*m_work.tooth->anatomy, grid.index(i, j)))
+        choosePin(placeOf(grid.index(i, j)));
+}
+
+void HeatMap::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void HeatMap::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    update();
+}
+
 void HeatMap::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -235,6 +351,12 @@ void HeatMap::paintEvent(QPaintEvent*)
     painter.drawImage(here.plot.topLeft(), m_picture);
     paintEnds(painter, here);
     paintMark(painter, here);
+    paintPin(painter, here);
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), kRadius, kRadius);
+    }
     paintLegend(painter, QRectF(12.0, height() - kLegendPx, width() - 24.0, kLegendPx));
 }
 
@@ -287,6 +409,26 @@ void HeatMap::paintMark(QPainter& painter, const Frame& frame) const
         painter.drawEllipse(middle, kRingPx, kRingPx);
     }
     painter.restore();
+}
+
+/// A pin that stands on the place with its point: another shape than the ring.
+void HeatMap::paintPin(QPainter& painter, const Frame& frame) const
+{
+    if (!m_pin)
+        return;
+    const glm::dvec2 lattice = m_work.tooth->grid().latticeOf(glm::dvec2((*m_pin)[0], (*m_pin)[1]));
+    const QPointF tip = frame.at(lattice.x, lattice.y);
+    const QPointF head = tip - QPointF(0.0, 2.2 * kPinPx);
+    QPainterPath pin(tip);
+    pin.quadTo(head + QPointF(-kPinPx, 0.9 * kPinPx), head - QPointF(kPinPx, 0.0));
+    pin.arcTo(QRectF(head.x() - kPinPx, head.y() - kPinPx, 2.0 * kPinPx, 2.0 * kPinPx), 180.0, -180.0);
+    pin.quadTo(head + QPointF(kPinPx, 0.9 * kPinPx), tip);
+    painter.setPen(QPen(QColor(kBright), 1.6));
+    painter.setBrush(QColor(kPin));
+    painter.drawPath(pin);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(kBright));
+    painter.drawEllipse(head, 0.36 * kPinPx, 0.36 * kPinPx);
 }
 
 void HeatMap::paintLegend(QPainter& painter, const QRectF& area) const

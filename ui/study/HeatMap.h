@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <QImage>
@@ -25,15 +26,29 @@ public:
     /// Rings a column, and draws the line of the section through it; nothing: neither.
     void setMark(std::optional<std::size_t> node, const core::imaging::SectionPlane& plane);
     void setColours(render::Palette colours);
+    /// A place of the tooth that somebody speaks of, in its frame, mm; nothing: none.
+    void setPin(const std::optional<std::array<double, 3>>& placeMm);
+    /// The pin can be set, by a click, or with the keys: the arrows move it, Delete takes it away.
+    void setPinnable(bool pinnable);
     /// Dark words on white.
     void setOnPaper(bool onPaper);
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
+    [[nodiscard]] const std::optional<std::array<double, 3>>& pin() const { return m_pin; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
+signals:
+    /// Somebody has set the pin on the surface as it ended, or taken it away.
+    void pinned(const std::optional<std::array<double, 3>>& placeMm);
+
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -53,6 +68,10 @@ private:
     void draw();
     void paintEnds(QPainter& painter, const Frame& frame) const;
     void paintMark(QPainter& painter, const Frame& frame) const;
+    void paintPin(QPainter& painter, const Frame& frame) const;
+    [[nodiscard]] std::array<double, 3> placeOf(std::size_t node) const;
+    void choosePin(const std::optional<std::array<double, 3>>& placeMm);
+    void speak();
     void paintLegend(QPainter& painter, const QRectF& area) const;
     [[nodiscard]] QColor wordColour() const;
 
@@ -63,6 +82,8 @@ private:
     int m_j1 = 0;
     std::optional<std::size_t> m_mark;
     core::imaging::SectionPlane m_plane;
+    std::optional<std::array<double, 3>> m_pin;
+    bool m_isPinnable = false;
     render::Palette m_colours = render::Palette::Natural;
     bool m_onPaper = false;
     QImage m_picture;  ///< of the plot, in the pixels of the screen

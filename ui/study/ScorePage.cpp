@@ -12,13 +12,17 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetWords.h"
+#include "ui/report/Report.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/Announce.h"
 #include "ui/shell/HistoryChart.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScoreBar.h"
@@ -41,12 +45,13 @@ using namespace ui::shell;
 constexpr int kWidestPx = 1720;
 constexpr int kNarrowestBesidePx = 1180;
 constexpr int kPictureBelowPx = 320;     ///< height of a picture that shares its rows with nothing
+constexpr int kPictureBesidePx = 260;    ///< of one on a page that is scrolled in any case
 constexpr std::size_t kFewCriteria = 5;  ///< that leave room for the history below them
 constexpr qsizetype kListed = 4;
 constexpr std::size_t kShownHash = 12;
 constexpr qsizetype kCharted = 12;
 
-QFrame* card(QWidget* parent)
+QFrame* cardIn(QWidget* parent)
 {
     auto* frame = new QFrame(parent);
     frame->setProperty("kind", "card");
@@ -185,8 +190,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_resultCard = makeResult();
     m_criteriaCard = makeCriteria();
     m_placeCard = makePlace();
-    m_talk = new people::TalkPanel(m_resultCard->parentWidget());
-    m_talk->hide();
+    m_talkCard = makeTalk();
     m_historyCard = makeHistory();
     const auto colour = [this](bool distinct) {
         m_heat->setColours(distinct ? render::Palette::Distinct : render::Palette::Natural);
@@ -202,11 +206,30 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     row->addStretch(1);
     row->addWidget(block, 1000);
     row->addStretch(1);
-    body()->addWidget(new ScrollPane(content, QPalette::Window, this), 1);
+    m_scroll = new ScrollPane(content, QPalette::Window, this);
+    body()->addWidget(m_scroll, 1);
+    connect(m_heat, &HeatMap::pinned, this,
+            [this](const std::optional<std::array<double, 3>>& place) { m_talk->setPlace(place, true); });
+    connect(m_talk, &people::TalkPanel::placeWanted, this, &ScorePage::showPin);
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
-    buttons->addStretch(1);
+    m_said = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
+    m_said->setObjectName(QStringLiteral("scoreSaid"));
+    fold(m_said);
+    m_said->setContentsMargins(kSpace4, 0, 0, 0);
+    buttons->addWidget(m_said, 1);
+    buttons->addWidget(makeReport());
+    m_replay = new QPushButton(this);
+    m_replay->setObjectName(QStringLiteral("replayScored"));
+    m_replay->setAutoDefault(true);
+    text::inEveryLanguage(m_replay, [this] {
+        m_replay->setText(tr("Replay"));
+        m_replay->setAccessibleName(tr("Replay this attempt"));
+    });
+    m_replay->hide();
+    connect(m_replay, &QPushButton::clicked, this, &ScorePage::replayWanted);
+    buttons->addWidget(m_replay);
     buttons->addWidget(pageButton(actions.saveRecording, "", this));
     buttons->addWidget(pageButton(actions.reload, "", this));
     m_back = pageButton(actions.back, "filled", this);
@@ -218,7 +241,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
 void ScorePage::arrange()
 {
     const bool beside = width() >= kNarrowestBesidePx && m_scored;
-    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard, static_cast<QWidget*>(m_talk)})
+    for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard, m_talkCard})
         m_cards->removeWidget(card);
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside) {
@@ -232,11 +255,11 @@ void ScorePage::arrange()
         m_cards->addWidget(m_placeCard, 2, 0, 1, 2);
         m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
     }
-    m_cards->addWidget(m_talk, 4, 0, 1, 2);
-    m_talk->setVisible(m_talks);
+    m_cards->addWidget(m_talkCard, 4, 0, 1, 2);
+    m_talkCard->setVisible(m_talks);
     m_placeCard->setVisible(m_scored.has_value());
     for (QWidget* picture : {static_cast<QWidget*>(m_heat), static_cast<QWidget*>(m_section)})
-        picture->setMinimumHeight(beside ? 0 : kPictureBelowPx);
+        picture->setMinimumHeight(!beside ? kPictureBelowPx : m_talks ? kPictureBesidePx : 0);
     m_cards->setColumnStretch(0, beside ? 4 : 1);
     m_cards->setColumnStretch(1, beside ? 5 : 0);
     m_cards->setRowStretch(1, beside ? 1 : 0);
@@ -257,7 +280,7 @@ void ScorePage::showEvent(QShowEvent* event)
 /// What it came to, in one line: points, verdict, how near the pass mark, what was expected.
 QWidget* ScorePage::makeResult()
 {
-    QFrame* frame = card(this);
+    QFrame* frame = cardIn(this);
     auto* row = new QHBoxLayout(frame);
     row->setContentsMargins(kSpace6, kSpace2, kSpace6, kSpace2);
     row->setSpacing(2 * kSpace6);
@@ -306,7 +329,7 @@ QWidget* ScorePage::makeResult()
 
 QWidget* ScorePage::makeCriteria()
 {
-    QFrame* frame = card(this);
+    QFrame* frame = cardIn(this);
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
@@ -352,7 +375,7 @@ QWidget* ScorePage::makeCriteria()
 
 QWidget* ScorePage::makePlace()
 {
-    QFrame* frame = card(this);
+    QFrame* frame = cardIn(this);
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
@@ -375,7 +398,7 @@ QWidget* ScorePage::makePlace()
 
 QWidget* ScorePage::makeHistory()
 {
-    QFrame* frame = card(this);
+    QFrame* frame = cardIn(this);
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
@@ -410,6 +433,58 @@ QWidget* ScorePage::makeHistory()
     return frame;
 }
 
+QWidget* ScorePage::makeTalk()
+{
+    QFrame* frame = cardIn(this);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace4);
+    m_talk = new people::TalkPanel(frame);
+    column->addWidget(m_talk);
+    frame->hide();
+    return frame;
+}
+
+QWidget* ScorePage::makeReport()
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(QStringLiteral("scoreReport"));
+    button->setProperty("kind", "chooser");
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setMinimumHeight(36);
+    auto* menu = new QMenu(button);
+    QAction* pdf = menu->addAction(QString(), this, &ScorePage::pdfWanted);
+    QAction* print = menu->addAction(QString(), this, &ScorePage::printWanted);
+    button->setMenu(menu);
+    text::inEveryLanguage(button, [button, menu, pdf, print] {
+        button->setText(tr("Report"));
+        button->setAccessibleName(tr("Score card on paper"));
+        menu->setAccessibleName(button->accessibleName());
+        pdf->setText(tr("Save as PDF …"));
+        print->setText(tr("Print …"));
+    });
+    return button;
+}
+
+report::ScoreCard ScorePage::card() const
+{
+    report::ScoreCard made;
+    made.lesson = m_work;
+    made.sheet = m_sheet;
+    made.work = m_scored;
+    made.moments = m_moments;
+    made.history = m_history;
+    return made;
+}
+
+void ScorePage::say(const QString& words)
+{
+    m_said->setText(words);
+    m_said->setToolTip(words);
+    if (!words.isEmpty())
+        announce(*m_said);
+}
+
 void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
                          const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                          const std::optional<ScoredWork>& scored)
@@ -418,11 +493,13 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     m_sheet = sheet;
     m_expectation = expected;
     m_isShown = true;
+    say({});
     m_noiseNow.reset();
     m_standing.reset();
     m_moments.clear();
     m_criterionCount = sheet.criteria.size();
     m_scored = scored;
+    m_heat->setPin({});
     if (m_scored) {
         m_heat->setWork(*m_scored);
         m_section->setWork(*m_scored);
@@ -676,7 +753,27 @@ void ScorePage::tellHistory()
 void ScorePage::setTalkVisible(bool visible)
 {
     m_talks = visible;
+    m_replay->setVisible(visible);
+    if (!visible)
+        setMayTalk(false);
     arrange();
+}
+
+void ScorePage::setMayTalk(bool may)
+{
+    m_talk->setMay(may, may);
+    m_heat->setPinnable(may);
+    m_talk->setMoment({});
+    m_talk->setPlace({});
+    m_heat->setPin({});
+}
+
+/// The place that a comment is about; the next one may be about it, too.
+void ScorePage::showPin(const std::optional<std::array<double, 3>>& placeMm)
+{
+    m_heat->setPin(placeMm);
+    m_talk->setPlace(placeMm);
+    m_scroll->ensureWidgetVisible(m_heat);
 }
 
 void ScorePage::setKeeping(Keeping keeping)

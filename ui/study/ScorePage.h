@@ -23,11 +23,16 @@ class QPushButton;
 namespace ui::shell {
 class HistoryChart;
 class ScoreBar;
+class ScrollPane;
 class TabularLabel;
 }  // namespace ui::shell
 
 namespace ui::people {
 class TalkPanel;
+}
+
+namespace ui::report {
+struct ScoreCard;
 }
 
 namespace ui::study {
@@ -68,7 +73,13 @@ public:
     void setKeeping(Keeping keeping);
     /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
     [[nodiscard]] people::TalkPanel& talk() { return *m_talk; }
+    /// What is shown, for paper; attempt, person, talk and proof are for who knows them.
+    [[nodiscard]] report::ScoreCard card() const;
+    /// What became of the card that was to be saved or printed.
+    void say(const QString& words);
     void setTalkVisible(bool visible);
+    /// Who reads may write as well: comments, which can be pinned to places of the picture, and another score.
+    void setMayTalk(bool may);
     /// Where the score stands among those of a class.
     void setClass(const ::lessons::ClassStanding& standing);
     /// What the score comes to on other grids.
@@ -80,8 +91,13 @@ public:
     void setMoments(const std::vector<std::vector<::lessons::Moment>>& moments);
 
 signals:
+    /// The card is wanted as a PDF, or on paper.
+    void pdfWanted();
+    void printWanted();
     /// The attempt is to be seen from this moment on.
     void momentWanted(double seconds);
+    /// The attempt is to be seen from its beginning.
+    void replayWanted();
     /// A guest wants to log in, so that the grade is kept as his.
     void keepWanted();
 
@@ -94,11 +110,14 @@ private:
     QWidget* makeCriteria();
     QWidget* makePlace();
     QWidget* makeHistory();
+    QWidget* makeTalk();
+    QWidget* makeReport();
     /// The criteria beside the pictures; where there is no room for that, above.
     void arrange();
     void speak();
     void fillCriteria();
     void showPlace(const CriterionRow& row);
+    void showPin(const std::optional<std::array<double, 3>>& placeMm);
     void tellKeeping();
     void tellNoise();
     void tellMoments();
@@ -122,6 +141,10 @@ private:
     QWidget* m_placeCard = nullptr;
     QWidget* m_historyCard = nullptr;
     people::TalkPanel* m_talk = nullptr;
+    QWidget* m_talkCard = nullptr;
+    shell::ScrollPane* m_scroll = nullptr;
+    QLabel* m_said = nullptr;
+    QPushButton* m_replay = nullptr;
     bool m_talks = false;
     shell::TabularLabel* m_total = nullptr;
     QLabel* m_verdictIcon = nullptr;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/CardDesk.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Overview.h"
+#include "ui/report/Printing.h"
+#include "ui/study/ScorePage.h"
+#include "ui/text/Texts.h"
+
+namespace app {
+namespace {
+
+using database::AttemptRecord;
+using database::sql::School;
+using ui::report::ScoreCard;
+using ui::study::ScorePage;
+
+constexpr int kChartedAttempts = 30;
+
+/// What a database knows of an attempt that it has.
+struct Known
+{
+    AttemptRecord attempt;
+    database::AttemptTalk talk;
+    std::vector<AttemptRecord> history;
+    std::vector<database::BandPoint> band;
+    database::sql::AuditHead head;
+};
+
+core::Result<Known> readCard(const School& school, const database::Session& who, const AttemptRecord& attempt)
+{
+    Known known;
+    const database::PersonId person = attempt.id != 0 ? attempt.person : who.person();
+    auto history = database::sql::history(
+        school, who, person, {attempt.lessonId, attempt.lessonId.empty() ? attempt.tooth : "", kChartedAttempts});
+    if (!history)
+        return tl::unexpected(history.error());
+    known.history = std::move(*history);
+    // One that was graded just now does not know yet what the database calls it.
+    database::AttemptId id{attempt.id};
+    for (const AttemptRecord& one : known.history)
+        if (one.uid == attempt.uid)
+            id.value = one.id;
+    auto record = database::sql::openAttempt(school, who, id);
+    if (!record)
+        return tl::unexpected(record.error());
+    known.attempt = std::move(*record);
+    auto talk = database::sql::readTalk(school, who, id);
+    if (!talk)
+        return tl::unexpected(talk.error());
+    known.talk = std::move(*talk);
+    if (!attempt.lessonId.empty()) {
+        auto band = database::sql::classBand(school, who, person, attempt.lessonId);
+        if (!band)
+            return tl::unexpected(band.error());
+        known.band = std::move(*band);
+    }
+    const auto head = database::sql::auditHead(school);
+    if (!head)
+        return tl::unexpected(head.error());
+    known.head = *head;
+    return known;
+}
+
+}  // namespace
+
+CardDesk::CardDesk(ui::shell::MainWindow& window, std::function<std::optional<Subject>()> subject)
+    : m_window(window), m_subject(std::move(subject))
+{
+    connect(&m_window.scorePage(), &ScorePage::pdfWanted, this, &CardDesk::save);
+    connect(&m_window.scorePage(), &ScorePage::printWanted, this, &CardDesk::print);
+}
+
+QString CardDesk::titleOf(const ScoreCard& card) const
+{
+    return tr("Score card: %1").arg(card.lesson);
+}
+
+void CardDesk::save()
+{
+    auto* dialog =
+        new QFileDialog(&m_window, tr("Save the score card"),
+                        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("PDF (*.pdf)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        withCard([this, path](const ScoreCard& card) {
+            m_window.scorePage().say(
+                ui::report::savePdf(path, titleOf(card), card)
+                    ? tr("The score card was saved as %1.").arg(QDir::toNativeSeparators(path))
+                    : tr("The score card could not be written. Choose another folder, or make room on the disk."));
+        });
+    });
+    connect(dialog, &QDialog::finished, &m_window, &QWidget::activateWindow);
+    dialog->open();
+}
+
+void CardDesk::print()
+{
+    withCard([this](const ScoreCard& card) {
+        m_window.scorePage().say({});
+        ui::report::print(&m_window, titleOf(card), card, [this](bool done) {
+            m_window.scorePage().say(done ? tr("The score card was printed.")
+                                          : tr("The printer did not take the score card."));
+        });
+    });
+}
+
+/// As it is shown now, with the head of the audit as it is now, so that paper and database can be compared.
+void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
+{
+    const std::optional<Subject> about = m_subject();
+    if (!about)
+        return;
+    ScorePage& page = m_window.scorePage();
+    page.say(tr("The score card is being made …"));
+    ScoreCard card = page.card();
+    card.attempt = about->attempt;
+    card.person = about->person.isEmpty() ? tr("Not logged in") : about->person;
+    card.proof = {{}, QStringLiteral(CUSP_VERSION), QDateTime::currentDateTime()};
+    if (about->desk == nullptr) {
+        QTimer::singleShot(0, this, [card, use] { use(card); });
+        return;
+    }
+    about->desk->ask(
+        this,
+        [who = about->by, attempt = about->attempt](const School& school) { return readCard(school, who, attempt); },
+        [&page, card, use](const core::Result<Known>& known) mutable {
+            if (!known) {
+                page.say(ui::text::errorText(known.error(), ui::text::Failed::ReadingSchool));
+                return;
+            }
+            card.attempt = known->attempt;
+            card.talk = known->talk;
+            card.history = QList<AttemptRecord>(known->history.begin(), known->history.end());
+            card.band = known->band;
+            card.proof.auditCode = QString::fromStdString(known->head.code());
+            use(card);
+        });
+}
+
+}  // namespace app

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCheckBox>
+#include <QDateEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableView>
+#include <QTest>
+
+#include <memory>
+
+#include "ui/people/AssignPage.h"
+#include "ui/people/PeopleWords.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/Theme.h"
+
+using database::ClassAssignment;
+using ui::people::AssignmentChange;
+using ui::people::AssignPage;
+
+Q_DECLARE_METATYPE(QList<ui::people::AssignmentChange>)
+
+namespace {
+
+const QDateTime kNow(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
+constexpr database::ClassId kClass{7};
+
+/// Four students. Lesson "a" was passed by two of them and tried by three.
+database::ClassOverview overview()
+{
+    database::ClassOverview made{kClass, "DEN101-A", {}, {"a", "b"}, {}};
+    for (int k = 0; k < 4; ++k) {
+        database::MatrixStudent one;
+        one.id = {k + 1};
+        made.students.push_back(one);
+        made.cells.push_back({{k < 3 ? 1 : 0, 800, k < 2, ""}, {}});
+    }
+    return made;
+}
+
+}  // namespace
+
+class TestAssignPage : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void severalLessonsAreGivenAtOnce();
+    void aLessonIsTickedByKeyAndByAClickAnywhere();
+    void whatIsGivenCannotBeGivenAgain();
+    void theSearchLooksAtTitlesTeethAndGroups();
+    void theTableTellsWhenAndHowFar();
+    void theEndOfTheDayHereIsMeant();
+    void chosenOnesAreChangedAndOnlyThoseThatDiffer();
+    void takenBackIsUndone();
+    void whatIsRefusedIsSaid();
+    void anotherClassBeginsAfresh();
+    void everyControlHasAName();
+
+private:
+    template <class T>
+    T* get(const char* name)
+    {
+        return m_page->findChild<T*>(QString::fromLatin1(name));
+    }
+    template <class T>
+    T* last(const char* name)
+    {
+        return m_page->findChildren<T*>(QString::fromLatin1(name)).back();
+    }
+    template <class T>
+    T* first(const char* name)
+    {
+        return m_page->findChildren<T*>(QString::fromLatin1(name)).front();
+    }
+    QModelIndex offer(const QString& title)
+    {
+        const auto* model = get<QListView>("offers")->model();
+        for (int row = 0; row < model->rowCount(); ++row)
+            if (model->index(row, 0).data().toString() == title)
+                return model->index(row, 0);
+        return {};
+    }
+    QStringList offered()
+    {
+        const auto* list = get<QListView>("offers");
+        QStringList shown;
+        for (int row = 0; row < list->model()->rowCount(); ++row)
+            if (!list->isRowHidden(row))
+                shown << list->model()->index(row, 0).data().toString();
+        return shown;
+    }
+    void click(const QString& title)
+    {
+        auto* list = get<QListView>("offers");
+        const QRect row = list->visualRect(offer(title));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, QPoint(row.right() - 20, row.center().y()));
+    }
+    QStringList row(int k)
+    {
+        QStringList cells;
+        const auto* model = get<QTableView>("given")->model();
+        for (int column = 0; column < model->columnCount(); ++column)
+            cells << model->index(k, column).data().toString();
+        return cells;
+    }
+    QList<AssignmentChange> wanted(const QSignalSpy& spy)
+    {
+        return spy.isEmpty() ? QList<AssignmentChange>() : spy.back().front().value<QList<AssignmentChange>>();
+    }
+
+    std::unique_ptr<QWidget> m_window;
+    ui::shell::Actions* m_actions = nullptr;
+    AssignPage* m_page = nullptr;
+};
+
+void TestAssignPage::initTestCase()
+{
+    QLocale::setDefault(QLocale("en_GB"));
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+}
+
+void TestAssignPage::init()
+{
+    m_window = std::make_unique<QWidget>();
+    m_actions = new ui::shell::Actions(m_window.get());
+    m_page = new AssignPage(*m_actions, m_window.get());
+    m_window->resize(1280, 800);
+    m_page->resize(1280, 800);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay"},
+                        {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay"},
+                        {"c", "Class I", "Lower left first molar (36)", "Cavities"},
+                        {"d", "Cross", "Practice block", "Blocks"}});
+    m_page->setAssignments(
+        overview(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}}, kNow);
+}
+
+void TestAssignPage::severalLessonsAreGivenAtOnce()
+{
+    QSignalSpy spy(m_page, &AssignPage::changeWanted);
+    auto* assign = get<QPushButton>("assignTicked");
+    QVERIFY(!assign->isEnabled());
+    click("Class I");
+    click("Cross");
+    QCOMPARE(assign->text(), QString("Assign 2 lesson(s)"));
+    const QDate day(2026, 12, 4);
+    first<QDateEdit>("dueDay")->setDate(day);
+    first<QSpinBox>("attemptLimit")->setValue(5);
+    assign->click();
+    const std::string due = ui::people::endOfDay(day);
+    const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
+                                           {{}, ClassAssignment{0, kClass, "d", due, 5}}};
+    QCOMPARE(wanted(spy), expected);
+    QVERIFY(!assign->isEnabled());  // until it has been done
+    m_page->confirm(expected);
+    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("2 lesson(s) assigned."));
+    QVERIFY(get<QPushButton>("undoAssign")->isVisible());
+}
+
+void TestAssignPage::aLessonIsTickedByKeyAndByAClickAnywhere()
+{
+    auto* list = get<QListView>("offers");
+    list->setFocus();
+    list->setCurrentIndex(offer("Class I"));
+    QTest::keyClick(list, Qt::Key_Space);
+    QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+    click("Class I");
+    QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+}
+
+void TestAssignPage::whatIsGivenCannotBeGivenAgain()
+{
+    click("Decay, small");
+    QVERIFY(!get<QPushButton>("assignTicked")->isEnabled());
+    // What is ticked stays when the class is told again, unless it has been given meanwhile.
+    click("Class I");
+    click("Cross");
+    m_page->setAssignments(overview(), {{4, kClass, "c", "", 0}}, kNow);
+    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+    QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+}
+
+void TestAssignPage::theSearchLooksAtTitlesTeethAndGroups()
+{
+    auto* search = get<QLineEdit>("offerSearch");
+    search->setText("36");
+    QCOMPARE(offered(), QStringList({"Removing decay", "Decay, deep", "Cavities", "Class I"}));
+    search->setText("decay 26");
+    QCOMPARE(offered(), QStringList({"Removing decay", "Decay, small"}));
+    search->setText("nothing of that");
+    QCOMPARE(offered(), QStringList());
+    search->clear();
+    QCOMPARE(offered().size(), 7);
+    // What is ticked and not found is given all the same: the button says how many.
+    click("Cross");
+    search->setText("36");
+    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+}
+
+void TestAssignPage::theTableTellsWhenAndHowFar()
+{
+    QCOMPARE(get<QTableView>("given")->model()->rowCount(), 2);
+    QVERIFY2(row(0)[1].endsWith("over"), qPrintable(row(0)[1]));
+    QCOMPARE(row(0)[0], QString("Decay, small"));
+    QCOMPARE(row(0)[2], QString("3"));
+    QCOMPARE(row(0)[3], QString("2 of 4"));
+    QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
+}
+
+void TestAssignPage::theEndOfTheDayHereIsMeant()
+{
+    const QByteArray before = qgetenv("TZ");
+    qputenv("TZ", "America/New_York");
+    const QDate day(2026, 7, 1);
+    QCOMPARE(ui::people::endOfDay(day), std::string("2026-07-02T03:59:59Z"));
+    QCOMPARE(ui::people::dueDay("2026-07-02T03:59:59Z"), day);
+    if (before.isEmpty())
+        qunsetenv("TZ");
+    else
+        qputenv("TZ", before);
+    QVERIFY(!ui::people::dueDay("").isValid());
+}
+
+void TestAssignPage::chosenOnesAreChangedAndOnlyThoseThatDiffer()
+{
+    QSignalSpy spy(m_page, &AssignPage::changeWanted);
+    auto* table = get<QTableView>("given");
+    QVERIFY(!get<QPushButton>("changeGiven")->isEnabled());
+    table->selectAll();
+    QCOMPARE(last<QSpinBox>("attemptLimit")->value(), 3);  // of the first of them
+    last<QCheckBox>("isDue")->setChecked(false);
+    last<QSpinBox>("attemptLimit")->setValue(0);
+    get<QPushButton>("changeGiven")->click();
+    const QList<AssignmentChange> expected{
+        {ClassAssignment{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, ClassAssignment{1, kClass, "a", "", 0}}};
+    QCOMPARE(wanted(spy), expected);
+    m_page->confirm(expected);
+    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) changed."));
+}
+
+void TestAssignPage::takenBackIsUndone()
+{
+    QSignalSpy spy(m_page, &AssignPage::changeWanted);
+    get<QTableView>("given")->selectRow(1);
+    get<QPushButton>("takeBack")->click();
+    const ClassAssignment given{3, kClass, "b", "", 0};
+    QCOMPARE(wanted(spy), (QList<AssignmentChange>{{given, {}}}));
+    m_page->confirm(wanted(spy));
+    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) taken back; attempts stay."));
+    get<QPushButton>("undoAssign")->click();
+    QCOMPARE(wanted(spy), (QList<AssignmentChange>{{{}, given}}));
+    m_page->confirm(wanted(spy));
+    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("That was undone."));
+    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+}
+
+void TestAssignPage::whatIsRefusedIsSaid()
+{
+    click("Cross");
+    get<QPushButton>("assignTicked")->click();
+    m_page->refuse("The database is locked.");
+    QVERIFY(get<QLabel>("assignSaid")->text().contains("locked"));
+    QVERIFY(get<QPushButton>("assignTicked")->isEnabled());  // to be tried again
+    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+}
+
+void TestAssignPage::anotherClassBeginsAfresh()
+{
+    click("Cross");
+    m_page->confirm({{{}, ClassAssignment{0, kClass, "d", "", 0}}});
+    database::ClassOverview other = overview();
+    other.id = {8};
+    other.name = "DEN101-B";
+    m_page->setAssignments(other, {{2, {8}, "c", "", 0}}, kNow);
+    QVERIFY(get<QLabel>("givenTitle")->text().contains("DEN101-B"));
+    QVERIFY(get<QLabel>("assignSaid")->text().isEmpty());
+    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign"));
+    m_page->setAssignments(other, {}, kNow);
+    QVERIFY(get<QLabel>("nothingGiven")->isVisible());
+}
+
+void TestAssignPage::everyControlHasAName()
+{
+    for (QWidget* widget : m_page->findChildren<QWidget*>())
+        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && !widget->inherits("QAbstractScrollArea") &&
+            widget->parentWidget() != nullptr && !widget->parentWidget()->inherits("QAbstractItemView") &&
+            !widget->inherits("QLineEdit"))
+            QVERIFY2(!widget->accessibleName().isEmpty(),
+                     qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+}
+
+QTEST_MAIN(TestAssignPage)
+#include "tst_assign_page.moc"

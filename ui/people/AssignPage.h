@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QDateTime>
+#include <QList>
+#include <QString>
+
+#include "database/overview.h"
+#include "database/people.h"
+#include "ui/people/AssignTerms.h"
+#include "ui/shell/Page.h"
+
+class QLabel;
+class QLineEdit;
+class QListView;
+class QPushButton;
+class QStackedWidget;
+class QStandardItemModel;
+
+namespace ui::people {
+
+class ListTable;
+
+/// A lesson that can be given.
+struct LessonOffer
+{
+    std::string id;
+    QString title;
+    QString tooth;  ///< "Lower left first molar (36)"
+    QString group;  ///< that it stands under
+};
+
+/// One lesson of a class, as it was given and as it shall be; nothing: not given.
+struct AssignmentChange
+{
+    std::optional<database::ClassAssignment> before;
+    std::optional<database::ClassAssignment> after;
+    bool operator==(const AssignmentChange&) const = default;
+};
+
+/// What a class is to do: beside all lessons, which are searched and given, several at once, those that are given, with
+/// due date, attempts and how many have passed. What was done can be undone.
+class AssignPage final : public shell::Page
+{
+    Q_OBJECT
+public:
+    AssignPage(const shell::Actions& actions, QWidget* parent);
+
+    /// In the order in which they are to be listed.
+    void setLessons(const std::vector<LessonOffer>& lessons);
+    /// What a class is to do, and how far it is. Another class than before is begun with afresh.
+    /// @param now  days are counted from here
+    void setAssignments(const database::ClassOverview& overview, const QList<database::ClassAssignment>& given,
+                        const QDateTime& now = QDateTime::currentDateTimeUtc());
+    /// changeWanted() has been done: said, with a button that undoes it.
+    void confirm(const QList<AssignmentChange>& changes);
+    /// It has not, or not all of it, and why.
+    void refuse(const QString& sentence);
+
+    [[nodiscard]] database::ClassId ofClass() const { return m_overview.id; }
+
+signals:
+    void changeWanted(const QList<ui::people::AssignmentChange>& changes);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* makeOffers();
+    QWidget* makeGiven();
+    QWidget* makeFeet();
+    void retell();
+    void fillOffers();
+    void search();
+    void fillGiven();
+    void tellChosen();
+    void take(const QList<AssignmentChange>& changes);
+    [[nodiscard]] std::vector<std::string> ticked() const;
+    [[nodiscard]] QList<database::ClassAssignment> chosen() const;
+    [[nodiscard]] QString titleOf(const std::string& lessonId) const;
+
+    std::vector<LessonOffer> m_lessons;
+    database::ClassOverview m_overview;
+    QList<database::ClassAssignment> m_given;
+    QDateTime m_now;
+    QList<AssignmentChange> m_last;  ///< can be undone
+    bool m_isUndoing = false;
+    bool m_isAsking = false;  ///< the answer is still to come
+
+    QLabel* m_offersTitle = nullptr;
+    QLineEdit* m_search = nullptr;
+    QStandardItemModel* m_offers = nullptr;
+    QListView* m_list = nullptr;
+    AssignTerms* m_newTerms = nullptr;
+    QPushButton* m_assign = nullptr;
+    QLabel* m_givenTitle = nullptr;
+    QStackedWidget* m_stack = nullptr;
+    QStandardItemModel* m_rows = nullptr;
+    ListTable* m_table = nullptr;
+    QLabel* m_empty = nullptr;
+    AssignTerms* m_terms = nullptr;
+    QPushButton* m_change = nullptr;
+    QPushButton* m_takeBack = nullptr;
+    QLabel* m_said = nullptr;
+    std::function<QString()> m_saying;  ///< what stands there, in the language of today; empty: nothing of ours
+    QPushButton* m_undo = nullptr;
+};
+
+}  // namespace ui::people

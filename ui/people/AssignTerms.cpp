@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/AssignTerms.h"
+
+#include <QAbstractItemView>
+#include <QCalendarWidget>
+#include <QCheckBox>
+#include <QDateEdit>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "ui/people/PeopleWords.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::people {
+namespace {
+
+constexpr int kDaysGiven = 7;  ///< to begin with
+constexpr int kMostAttempts = 99;
+constexpr int kInputHighPx = 30;
+
+}  // namespace
+
+AssignTerms::AssignTerms(QWidget* parent)
+    : QWidget(parent), m_isDue(new QCheckBox(this)), m_day(new QDateEdit(this)), m_limitWord(new QLabel(this)),
+      m_limit(new QSpinBox(this))
+{
+    m_isDue->setObjectName(QStringLiteral("isDue"));
+    m_isDue->setChecked(true);
+    m_day->setObjectName(QStringLiteral("dueDay"));
+    m_day->setCalendarPopup(true);
+    m_day->installEventFilter(this);
+    m_day->setDate(QDate::currentDate().addDays(kDaysGiven));
+    m_limit->setObjectName(QStringLiteral("attemptLimit"));
+    m_limit->setRange(0, kMostAttempts);
+    m_limitWord->setBuddy(m_limit);
+    for (QWidget* input : {static_cast<QWidget*>(m_day), static_cast<QWidget*>(m_limit)}) {
+        input->setMinimumHeight(kInputHighPx);
+        input->setFocusPolicy(Qt::StrongFocus);
+        study::bindToForm(input);
+    }
+    connect(m_isDue, &QCheckBox::toggled, m_day, &QWidget::setEnabled);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(shell::kSpace2);
+    grid->setVerticalSpacing(shell::kSpace1);
+    grid->addWidget(m_isDue, 0, 0);
+    grid->addWidget(m_day, 0, 1);
+    grid->addWidget(m_limitWord, 1, 0);
+    grid->addWidget(m_limit, 1, 1);
+    grid->setColumnStretch(1, 1);
+    text::inEveryLanguage(this, [this] { retell(); });
+}
+
+void AssignTerms::setTerms(const Terms& terms)
+{
+    const QDate day = dueDay(terms.dueUtc);
+    m_isDue->setChecked(day.isValid());
+    if (day.isValid())
+        m_day->setDate(day);
+    m_limit->setValue(terms.attemptLimit);
+}
+
+AssignTerms::Terms AssignTerms::terms() const
+{
+    return {m_isDue->isChecked() ? endOfDay(m_day->date()) : std::string(), m_limit->value()};
+}
+
+void AssignTerms::retell()
+{
+    //: A date follows
+    m_isDue->setText(tr("Due on"));
+    m_isDue->setAccessibleName(tr("There is a day when it is due"));
+    m_day->setAccessibleName(tr("Day when it is due"));
+    m_day->setToolTip(tr("Until the end of this day"));
+    m_day->setLocale(QLocale());
+    m_day->setDisplayFormat(QLocale().dateFormat(QLocale::ShortFormat));
+    //: How often a lesson may be tried; a number follows
+    m_limitWord->setText(tr("Attempts"));
+    m_limit->setAccessibleName(tr("Attempts at most"));
+    m_limit->setSpecialValueText(tr("no limit"));
+}
+
+/// Its months and days, as they are called today.
+void AssignTerms::sayCalendar()
+{
+    QCalendarWidget* calendar = m_day->calendarWidget();
+    calendar->setLocale(QLocale());
+    calendar->setFirstDayOfWeek(QLocale().firstDayOfWeek());
+    calendar->setVerticalHeaderFormat(QCalendarWidget::NoVerticalHeader);
+    calendar->setAccessibleName(m_day->accessibleName());
+    for (auto* days : calendar->findChildren<QAbstractItemView*>())
+        days->setAccessibleName(m_day->accessibleName());
+    for (auto* button : calendar->findChildren<QToolButton*>())
+        if (button->objectName() == u"qt_calendar_prevmonth")
+            button->setAccessibleName(tr("The month before"));
+        else if (button->objectName() == u"qt_calendar_nextmonth")
+            button->setAccessibleName(tr("The next month"));
+}
+
+/// The calendar is made when it is opened first.
+bool AssignTerms::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress)
+        sayCalendar();
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ui::people

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <QWidget>
+
+class QCheckBox;
+class QDateEdit;
+class QLabel;
+class QSpinBox;
+
+namespace ui::people {
+
+/// When a lesson is due, a day of this computer's calendar or none, and how often it may be tried.
+class AssignTerms final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit AssignTerms(QWidget* parent);
+
+    struct Terms
+    {
+        std::string dueUtc;    ///< the end of the day here; empty: none
+        int attemptLimit = 0;  ///< 0: as many as one likes
+        bool operator==(const Terms&) const = default;
+    };
+    void setTerms(const Terms& terms);
+    [[nodiscard]] Terms terms() const;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void retell();
+    void sayCalendar();
+
+    QCheckBox* m_isDue;
+    QDateEdit* m_day;
+    QLabel* m_limitWord;
+    QSpinBox* m_limit;
+};
+
+}  // namespace ui::people
