@@ -34,6 +34,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
+#include "ui/shell/Tour.h"
 #include "ui/study/HeatMap.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
@@ -64,6 +65,7 @@ private slots:
     void commentsArePinnedToMomentsAndPlaces();
     void aScoreCardIsSavedWithItsAuditCode();
     void withoutADatabaseTheCardSaysSo();
+    void everybodyIsShownRoundOnce();
 
 private:
     template <class T>
@@ -77,7 +79,7 @@ private:
     [[nodiscard]] Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     /// The program as a student starts it: at the door.
-    void start();
+    void start(bool showsRound = false);
     void click(const char* button) const { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
     void logIn(const QString& name) const;
     /// From wherever he is.
@@ -127,12 +129,13 @@ void TestSchool::init()
     }
 }
 
-void TestSchool::start()
+void TestSchool::start(bool showsRound)
 {
     app::WindowOptions options;
     options.source = {36};
     options.database = file();
     options.asksWho = true;
+    options.showsRound = showsRound;
     m_application = app::Application::make(options).value();
     m_application->show();
 }
@@ -499,6 +502,50 @@ void TestSchool::withoutADatabaseTheCardSaysSo()
     drill(-2.0);
     grade("");
     saveCard(m_folder->filePath("guest.pdf"));
+}
+
+/// Kept with the person, not with the computer; a guest's on the computer.
+void TestSchool::everybodyIsShownRoundOnce()
+{
+    start(true);
+    auto* tour = child<ui::shell::Tour>("tour");
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(tour->isVisible(), kPatienceMs);
+    QVERIFY(tour->steps() >= 4);
+    // The place is locked in the middle of it: it was not seen.
+    actions().account->trigger();
+    QVERIFY(!tour->isVisible());
+    QCOMPARE(count("settings WHERE name = 'tour.seen'"), 0);
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    logIn("sue");
+    QTRY_VERIFY_WITH_TIMEOUT(tour->isVisible(), kPatienceMs);
+    actions().back->trigger();
+    QVERIFY(!tour->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'tour.seen' AND value = 'yes'"), 1, kPatienceMs);
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(tour->isVisible(), kPatienceMs);
+    while (tour->isVisible())
+        tour->next();
+    QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'tour.seen'"), 2, kPatienceMs);
+    leaveFor("sue");
+    QTest::qWait(500);
+    QVERIFY(!tour->isVisible());
+    // It can be had again.
+    actions().tour->trigger();
+    QVERIFY(tour->isVisible());
+    tour->end();
+
+    for (const bool isFirst : {true, false}) {
+        m_application.reset();
+        start(true);
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("username")->isEnabled(), kPatienceMs);
+        click("practiseAsGuest");
+        QTest::qWait(300);
+        QCOMPARE(child<ui::shell::Tour>("tour")->isVisible(), isFirst);
+        if (isFirst)
+            child<ui::shell::Tour>("tour")->end();
+    }
 }
 
 int main(int argc, char** argv)

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -103,6 +104,7 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     connect(this, &HelpOverlay::leftByClick, actions.back, &QAction::trigger);
     auto* head = new QHBoxLayout;
     head->addWidget(title, 1);
+    head->addWidget(pageButton(actions.tour, "", m_card));
     head->addWidget(m_close);
 
     auto* inside = new QVBoxLayout(m_card);

@@ -85,6 +85,7 @@ class MessageBar;
 class PracticeRoom;
 class StereoCard;
 class ToothChooser;
+class Tour;
 class ViewMenu;
 
 /// The window: the practice room, and over it the choice of a tooth, the grade, the keys, messages and progress.
@@ -215,6 +216,8 @@ public slots:
     void leaveAll();
     /// Beside what is typed there; the next thing said there takes its place.
     void sayAtDoor(const QString& sentence);
+    /// Shows who works here round; tourEnded() follows.
+    void beginTour();
     /// Is somebody asked to log in?
     [[nodiscard]] bool isAtDoor() const;
     /// What was typed at the door is wrong.
@@ -231,6 +234,8 @@ public slots:
     void setAids(const lessons::Aids& aids);
 
 signals:
+    /// The tour was seen, or skipped.
+    void tourEnded();
     void loginWanted(const QString& username, const QString& password);
     void codeWanted(const QString& username, const QString& code, const QString& newPassword);
     void schoolWanted(const database::NewPerson& admin, const QString& password);
@@ -346,6 +351,7 @@ private:
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
+    void connectTour();
     void changeAccount();
     void tellUnreachable();
     void lockIfIdle();
@@ -430,6 +436,8 @@ private:
     MessageBar* m_messages;
     BusyCard* m_busy;
     HelpOverlay* m_help;
+    Tour* m_tour;
+    QWidget* m_beforeTour = nullptr;  ///< the page where it began
     StereoCard* m_stereoCard;
     study::InfractionCard* m_infractionCard;
     study::ExerciseCard* m_exerciseCard;
