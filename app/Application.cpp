@@ -26,6 +26,7 @@
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
+#include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -61,6 +62,7 @@ constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
 constexpr int kOpenWatchMs = 10'000;
+constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
 constexpr int kPictureFrames = 5;     ///< looks until all that was cut has been drawn
@@ -159,8 +161,14 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     m_window->setHistorySource({[this] { return m_session.historySoFar(); },
                                 [this](core::session::MomentId id) { return m_session.momentHeights(id); }});
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
-    connect(m_window.get(), &MainWindow::attemptAgainWanted, this,
-            [this] { begin(lessons::Assignment(m_assignment), {}, false); });
+    connect(m_window.get(), &MainWindow::attemptAgainWanted, this, [this] {
+        ++m_loading;
+        const auto again = [this] { begin(lessons::Assignment(m_assignment), {}, false); };
+        if (m_assignment.lesson)
+            whereAllowed(m_assignment.lesson->id, again);
+        else
+            again();
+    });
     connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
     connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
     ui::study::ScorePage& page = m_window->scorePage();
@@ -516,29 +524,35 @@ void Application::openLesson(const lessons::Lesson& lesson)
 {
     const int load = ++m_loading;
     m_window->showBusy(tr("Preparing the lesson …"));
-    inBackground(
-        this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
-        [this, load, id = lesson.id](const core::Result<lessons::Assigned>& assigned) {
-            if (load != m_loading)
-                return;
-            if (!assigned) {
-                refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
-                return;
-            }
-            m_tried.reset();
-            begin(assigned->assignment, ui::text::scanNotes(assigned->report), false);
-        });
+    whereAllowed(lesson.id, [this, load, lesson] {
+        inBackground(
+            this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
+            [this, load, id = lesson.id](const core::Result<lessons::Assigned>& assigned) {
+                if (load != m_loading)
+                    return;
+                if (!assigned) {
+                    refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
+                    return;
+                }
+                m_tried.reset();
+                begin(assigned->assignment, ui::text::scanNotes(assigned->report), false);
+            });
+    });
 }
 
 /// A teacher's folder may have changed since it was read last.
 void Application::showLessons()
 {
-    using Standings = std::map<std::string, ui::study::Standing>;
-    const auto show = [this](const Standings& standings) {
+    struct Found
+    {
+        std::map<std::string, ui::study::Standing> standings;
+        std::map<std::string, ui::study::Given> given;
+    };
+    const auto show = [this](const Found& found) {
         inBackground(
             this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
-            [this, standings](std::vector<lessons::CatalogEntry>& entries) {
-                m_window->setLessons(std::move(entries), standings);
+            [this, found](std::vector<lessons::CatalogEntry>& entries) {
+                m_window->setLessons(std::move(entries), found.standings, found.given);
                 tellUnfinished();  // who put the offer away finds it here again
             });
     };
@@ -547,15 +561,73 @@ void Application::showLessons()
         return;
     }
     m_desk->ask(
-        this, [who = m_who](const School& school) { return database::sql::standingsOf(school, who, who.person()); },
-        [this, show](const core::Result<std::vector<database::LessonStanding>>& found) {
-            Standings standings;
+        this,
+        [who = m_who](const School& school) -> core::Result<Found> {
+            const auto standings = database::sql::standingsOf(school, who, who.person());
+            if (!standings)
+                return tl::unexpected(standings.error());
+            Found found;
+            for (const database::LessonStanding& one : *standings)
+                found.standings[one.lessonId] = {one.attempts, one.bestTenths, one.passed,
+                                                 QString::fromStdString(one.lastUtc)};
+            if (who.role() != database::Role::Student)
+                return found;
+            const auto classes = database::sql::listClasses(school, who);
+            const auto given = database::sql::listAssignments(school, who);
+            if (!classes || !given)
+                return tl::unexpected(classes ? given.error() : classes.error());
+            for (const database::ClassAssignment& one : *given) {
+                const auto ofClass = std::find_if(classes->begin(), classes->end(),
+                                                  [&](const auto& other) { return other.id == one.classId; });
+                ui::study::Given& here = found.given[one.lessonId];
+                if (ofClass != classes->end())
+                    here.className += (here.className.isEmpty() ? QString() : QStringLiteral(", ")) +
+                                      QString::fromStdString(ofClass->name);
+                const QDateTime due = QDateTime::fromString(QString::fromStdString(one.dueUtc), Qt::ISODate);
+                if (due.isValid() && (!here.due.isValid() || due < here.due))
+                    here.due = due;
+                const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
+                if (!left)
+                    return tl::unexpected(left.error());
+                here.attemptsLeft = *left;
+            }
+            return found;
+        },
+        [this, show](const core::Result<Found>& found) {
             if (!found)
-                m_window->showError(found.error(), Failed::KeepingGrades);
-            for (const database::LessonStanding& standing : found.value_or(std::vector<database::LessonStanding>{}))
-                standings[standing.lessonId] = {standing.attempts, standing.bestTenths, standing.passed};
-            show(standings);
+                m_window->showError(found.error(), Failed::ReadingSchool);
+            show(found.value_or(Found{}));
         });
+}
+
+/// Goes on where the student may still try this lesson; else says so. Nobody waits for a server that does not answer:
+/// then he may.
+void Application::whereAllowed(const std::string& lessonId, const std::function<void()>& go)
+{
+    if (!m_desk || m_who.role() != database::Role::Student) {
+        go();
+        return;
+    }
+    const auto isDecided = std::make_shared<bool>(false);
+    const auto decide = [this, isDecided, go, load = m_loading](bool may) {
+        if (std::exchange(*isDecided, true) || load != m_loading)
+            return;
+        if (may) {
+            go();
+            return;
+        }
+        m_window->stopBusy();
+        m_window->showMessage(
+            tr("You have used up the attempts at this lesson that were given to you. Ask your teacher "
+               "for more, or choose another lesson."));
+    };
+    m_desk->ask(
+        this,
+        [who = m_who, lessonId](const School& school) { return database::sql::attemptsLeft(school, who, lessonId); },
+        [decide](const core::Result<std::optional<int>>& left) {
+            decide(!left || !left->has_value() || left->value() > 0);
+        });
+    QTimer::singleShot(kLongestLookMs, this, [decide] { decide(true); });
 }
 
 /// Into the teacher's folder, where a lesson can be changed.
@@ -876,6 +948,9 @@ void Application::tellKeeping()
     ui::study::ScorePage& page = m_window->scorePage();
     page.setHistory(m_graded->history);
     page.setKeeping(m_graded->keeping);
+    if (m_graded->generation == m_ownGeneration &&
+        (m_graded->keeping == Keeping::Waiting || m_graded->keeping == Keeping::Kept))
+        m_window->showWorkKept();
     if (m_graded->keeping == Keeping::Kept)
         page.setClass(m_graded->standing);
 }

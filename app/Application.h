@@ -75,6 +75,7 @@ private:
     void becomeGuest();
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
+    void whereAllowed(const std::string& lessonId, const std::function<void()>& go);
     void tellKnownAttempts(const lessons::Lesson& lesson);
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
                    const std::optional<core::settings::FeelPreset>& tried = {});

@@ -186,7 +186,8 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
     actions().back->trigger();
     QVERIFY(!message().contains("an attempt of"));
     actions().lessons->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped: Tooth 36"),
+                             30000);
     actions().back->trigger();
     // Never opened silently.
     QVERIFY(enamelRemoved() != own);

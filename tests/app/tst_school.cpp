@@ -12,6 +12,8 @@
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRadioButton>
+#include <QSlider>
 #include <QSqlQuery>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -35,7 +37,10 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Tour.h"
+#include "ui/study/Forecast.h"
 #include "ui/study/HeatMap.h"
+#include "ui/study/LessonCards.h"
+#include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
@@ -61,6 +66,7 @@ private slots:
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void nobodyIsOfferedAnothersWork();
     void theSchoolsPresetIsTheAdmins();
+    void whatIsGivenIsDueAndLimited();
     void aTeacherAssignsLessonsAndTakesThemBack();
     void commentsArePinnedToMomentsAndPlaces();
     void aScoreCardIsSavedWithItsAuditCode();
@@ -356,10 +362,12 @@ void TestSchool::nobodyIsOfferedAnothersWork()
     toTheTooth();
     QTRY_COMPARE_WITH_TIMEOUT(removed(), whole, kPatienceMs);
     QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY(!child<QFrame>("continueCard")->isVisibleTo(&m_application->window()));
     drill(2.0);
     leaveFor("sam");
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), kPatienceMs);
-    QTest::mouseClick(child<ui::shell::MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
+    QVERIFY(child<QPushButton>("continue")->isVisible());
+    click("continue");
     toTheTooth();
     QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
     grade("first grade");
@@ -394,6 +402,55 @@ void TestSchool::theSchoolsPresetIsTheAdmins()
     grade("first grade");
     const auto preset = sql::ask(sql::Database::open(file()).value()->handle(), "SELECT preset FROM attempts", "read");
     QCOMPARE(preset.value().toString(), QString("hard v1"));
+}
+
+/// A teacher gives a class a lesson, due yesterday, to be tried once.
+void TestSchool::whatIsGivenIsDueAndLimited()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+        const sql::School school{database->handle(), key};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
+        const std::string due = QDateTime::currentDateTimeUtc().addDays(-1).toString(Qt::ISODate).toStdString();
+        QVERIFY(sql::assign(school, admin, {0, ofClass, "decay-36-small", due, 1}));
+        QVERIFY(sql::assign(school, admin, {0, ofClass, "somebodys-own", "", 0}));
+    }
+    start();
+    logIn("sam");
+    auto* const list = child<QListView>("lessonList");
+    QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
+    QCOMPARE(list->model()->index(0, 0).data().toString(), QString("Given to you"));
+    const QModelIndex card = list->model()->index(1, 0);
+    QCOMPARE(card.data(ui::study::CardDue).toString(), QString("1 day(s) late · DEN101-A"));
+    QVERIFY(card.data(ui::study::CardIsLate).toBool());
+    const auto* const page = child<ui::study::LessonsPage>();
+    const auto words = page->findChildren<QLabel*>();
+    QVERIFY(std::any_of(words.begin(), words.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text().contains("not on this computer: somebodys-own");
+    }));
+    QVERIFY(!child<QFrame>("continueCard")->isVisible());
+    list->setCurrentIndex(card);
+    click("startLesson");
+    QTRY_VERIFY_WITH_TIMEOUT(!page->isVisible() && actions().grade->isEnabled(), kPatienceMs);
+    drill(-2.0);
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    click("showScore");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    // It was the only one: the lesson is there to be read, and is not begun again.
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QFrame>("continueCard")->isVisible(), kPatienceMs);
+    QVERIFY(child<QLabel>("continueWords")->text().contains("Decay on 36, small"));
+    click("continue");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    // Sue's class has not been given it.
+    leaveFor("sue");
+    QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(list->model()->index(0, 0).data().toString() != "Given to you", kPatienceMs);
 }
 
 void TestSchool::aTeacherAssignsLessonsAndTakesThemBack()

@@ -237,8 +237,18 @@ void TestLanguages::pages_data()
         QTRY_VERIFY(child<ui::inside::XrayPage>()->isReady());
     });
     page("lessons", [this] {
-        m_window->setLessons(catalog(), {{"decay-21-small", {3, 872, true}}});
+        const QDateTime now = QDateTime::currentDateTime();
+        m_window->setLessons(
+            catalog(),
+            {{"decay-21-small", {3, 872, true, "2026-05-04T10:20:30Z"}},
+             {"class1-36", {3, 572, false, "2026-05-05T10:20:30Z"}}},
+            {{"class1-36", {"[···]", now.addDays(-2), 2}}, {"decay-36-small", {"[···]", now.addDays(1), {}}}});
         actions().lessons->trigger();
+    });
+    page("unfinished", [this] {
+        m_window->setLessons(catalog(), {});
+        actions().lessons->trigger();
+        m_window->offerUnfinished("[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
     });
     page("no lesson", [this] {
         m_window->setLessons(catalog(), {});

@@ -2728,7 +2728,7 @@ void TestMainWindow::nothingIsClipped()
     a->radiograph->trigger();
     check("xray");
     a->back->trigger();
-    window.setLessons(lessons::readCatalog({}), {{"decay-21-small", {3, 872, true}}});
+    window.setLessons(lessons::readCatalog({}), {{"decay-21-small", {3, 872, true, {}}}});
     a->lessons->trigger();
     check("lessons");
     {

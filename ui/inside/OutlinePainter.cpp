@@ -26,6 +26,7 @@ constexpr QRgb kBandEdge = 0xFF0B4F51;
 constexpr QRgb kSpan = 0x48E0932A;
 constexpr QRgb kPlane = 0xFFECEEEE;
 constexpr double kMarginPx = 24.0;
+constexpr QMarginsF kMargins(kMarginPx, kMarginPx, kMarginPx, 2.0 * kMarginPx);
 constexpr double kAroundMm = 0.4;
 constexpr double kLightX = -0.5;
 constexpr double kLightY = 0.6;
@@ -45,7 +46,7 @@ struct Fit
 
 Fit fitOf(const QRectF& area, const FromAbove& above)
 {
-    const QRectF plot = area.adjusted(kMarginPx, kMarginPx, -kMarginPx, -2.0 * kMarginPx);
+    const QRectF plot = area.marginsRemoved(kMargins);
     const QRectF mm = above.shownMm;
     return {
         std::max(1.0, std::min(plot.width() / std::max(1.0, mm.width()), plot.height() / std::max(1.0, mm.height()))),
@@ -127,6 +128,11 @@ FromAbove fromAbove(const core::terrain::ToothAnatomy& anatomy, const std::vecto
         above.outlineMm.lineTo(segment.toMm.x, segment.toMm.y);
     }
     return above;
+}
+
+QRectF areaAround(const QRectF& picture)
+{
+    return picture.marginsAdded(kMargins);
 }
 
 QPointF placeOf(const QRectF& area, const FromAbove& above, QPointF mm)

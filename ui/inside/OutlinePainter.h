@@ -39,6 +39,9 @@ struct OutlineScene
 [[nodiscard]] QPointF placeOf(const QRectF& area, const FromAbove& above, QPointF mm);
 [[nodiscard]] QPointF mmAt(const QRectF& area, const FromAbove& above, QPointF place);
 
+/// The area to paint in for a picture that fills this one; its words lie outside, to be clipped.
+[[nodiscard]] QRectF areaAround(const QRectF& picture);
+
 /// Paints it, dark in either theme like the section, with which side is where. Needs no window.
 void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& scene);
 

@@ -180,6 +180,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         goTo(m_room);
         leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
+    connect(m_lessonsPage, &study::LessonsPage::resumeWanted, this, &MainWindow::resumeUnfinished);
+    connect(m_lessonsPage, &study::LessonsPage::discardWanted, this, &MainWindow::discardUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
     connect(m_editor, &study::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
@@ -508,6 +510,7 @@ void MainWindow::backToScore()
 void MainWindow::leaveAll()
 {
     m_behindDoor = m_room;
+    m_lessonsPage->setUnfinished({}, {});
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::General})
         m_messages->withdraw(topic);
 }
@@ -763,6 +766,7 @@ void MainWindow::editChosenLesson()
 void MainWindow::openLessons()
 {
     emit lessonsWanted();
+    m_staysAtLessons = true;
     goTo(m_lessonsPage);
 }
 
@@ -1463,7 +1467,8 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     layExercise();
     sayTooth();
     m_chooser->setPresent(m_tooth->fdi);
-    goTo(m_room);
+    if (m_pages->currentWidget() != m_lessonsPage || !m_staysAtLessons)
+        goTo(m_room);
     if (notes.isEmpty())
         return;
     MessageBar::Message message{MessageBar::Kind::Warning, notes.front(), {}, {}, {}, MessageBar::Topic::Tooth};
@@ -1495,6 +1500,7 @@ void MainWindow::sayTooth()
 
 void MainWindow::showBusy(const QString& what)
 {
+    m_staysAtLessons = false;
     m_busy->work(what);
     enableActions();
     placeOverlays();
@@ -1542,9 +1548,27 @@ void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
     //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
     offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth, when);
     offer.actionText = tr("Resume");
-    offer.action = [this] { leaveWork([this] { emit resumeRequested(); }); };
-    offer.declining = {tr("Discard"), [this] { emit discardRequested(); }};
-    m_messages->say(offer);
+    offer.action = [this] { resumeUnfinished(); };
+    offer.declining = {tr("Discard"), [this] { discardUnfinished(); }};
+    // The page of lessons has a card for it.
+    if (m_pages->currentWidget() != m_lessonsPage)
+        m_messages->say(offer);
+    m_lessonsPage->setUnfinished(tooth, when);
+}
+
+void MainWindow::resumeUnfinished()
+{
+    goTo(m_room);
+    leaveWork([this] {
+        m_lessonsPage->setUnfinished({}, {});
+        emit resumeRequested();
+    });
+}
+
+void MainWindow::discardUnfinished()
+{
+    m_lessonsPage->setUnfinished({}, {});
+    emit discardRequested();
 }
 
 void MainWindow::offerToBringBack(const std::function<void()>& bringBack)
@@ -1562,6 +1586,7 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
 {
     m_busy->done();
     m_isGraded = true;
+    m_workGraded = ownWork();
     endExam();
     if (m_exerciseCard->isVisibleTo(m_room)) {
         m_exerciseCard->conclude();
@@ -1569,6 +1594,11 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
     }
     m_scorePage->setScore(workTitle(), sheet, history, expected, scored);
     goTo(m_scorePage);
+}
+
+void MainWindow::showWorkKept()
+{
+    m_savedWork = m_workGraded;
 }
 
 void MainWindow::tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack)
@@ -1647,9 +1677,9 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
 }
 
 void MainWindow::setLessons(std::vector<lessons::CatalogEntry> entries,
-                            std::map<std::string, study::Standing> standings)
+                            std::map<std::string, study::Standing> standings, std::map<std::string, study::Given> given)
 {
-    m_lessonsPage->setLessons(std::move(entries), std::move(standings));
+    m_lessonsPage->setLessons(std::move(entries), std::move(standings), std::move(given));
 }
 
 void MainWindow::showSaved(const QString& path)

@@ -140,6 +140,8 @@ public slots:
     void showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
                    const std::optional<study::Expectation>& expected = {},
                    const std::optional<study::ScoredWork>& scored = {});
+    /// The attempt that showScore() was about is kept with its recording: as it was graded, nothing of it can be lost.
+    void showWorkKept();
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// How the exercise of the student's lesson has gone so far.
@@ -154,7 +156,8 @@ public slots:
     void takeInHand(std::optional<std::uint8_t> bur, std::optional<std::uint8_t> handpiece);
     /// The page where a lesson is chosen.
     void openLessons();
-    void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings);
+    void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings,
+                    std::map<std::string, study::Given> given = {});
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
     /// Who works here may keep presets and say which is in use; else he looks at them and tries them.
@@ -354,6 +357,8 @@ private:
     void connectTour();
     void changeAccount();
     void tellUnreachable();
+    void resumeUnfinished();
+    void discardUnfinished();
     void lockIfIdle();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     struct Question
@@ -446,6 +451,7 @@ private:
     std::uint64_t m_ownGeneration = 0;              ///< of the student's tooth
     core::terrain::PerMaterial m_workAtRest{};      ///< while a recording is played: what waits
     core::terrain::PerMaterial m_workBeingSaved{};  ///< what had been cut when saving was asked for
+    core::terrain::PerMaterial m_workGraded{};      ///< what had been cut when it was graded
     core::terrain::PerMaterial m_savedWork{};       ///< what had been cut when it was last saved
     std::function<void()> m_afterSaving;            ///< what waits for the work to be saved
     core::session::SessionState m_session;
@@ -473,6 +479,7 @@ private:
     bool m_isGraded = false;             ///< the student's work has been, as it stood
     bool m_examIsOver = false;           ///< nothing can be cut any more
     bool m_burRests = false;             ///< while another page is read
+    bool m_staysAtLessons = false;       ///< a tooth that nobody waits for there is laid on the table unseen
     bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "lessons/Lesson.h"
+#include "ui/study/LessonScene.h"
 
 namespace ui::study {
 
@@ -37,13 +38,11 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    struct Scene;
-    static std::shared_ptr<const Scene> sceneOf(const ::lessons::Lesson& lesson);
     void startIfWanted();
-    void take(const std::shared_ptr<const Scene>& scene);
+    void take(const std::shared_ptr<const LessonScene>& scene);
 
     std::optional<::lessons::Lesson> m_lesson;
-    std::shared_ptr<const Scene> m_scene;
+    std::shared_ptr<const LessonScene> m_scene;
     bool m_isAtWork = false;
     bool m_isChanged = false;  ///< another lesson was said meanwhile
     bool m_cannot = false;     ///< its tooth cannot be made; starting the lesson says why

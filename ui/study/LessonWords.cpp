@@ -209,6 +209,26 @@ QString freeWords(const ::lessons::Rubric& rubric)
     return words.join(QStringLiteral("; "));
 }
 
+QString dueWords(const QDateTime& due, const QDateTime& now)
+{
+    const QLocale locale;
+    const QDate day = due.toLocalTime().date();
+    const auto days = static_cast<int>(now.toLocalTime().date().daysTo(day));
+    if (due < now)
+        return days == 0 ? QCoreApplication::translate("Lesson", "due since %1")
+                               .arg(locale.toString(due.toLocalTime().time(), QLocale::ShortFormat))
+                         : QCoreApplication::translate("Lesson", "%n day(s) late", nullptr, -days);
+    if (days == 0)
+        return QCoreApplication::translate("Lesson", "due today %1")
+            .arg(locale.toString(due.toLocalTime().time(), QLocale::ShortFormat));
+    if (days == 1)
+        return QCoreApplication::translate("Lesson", "due tomorrow");
+    if (days < 7)
+        //: %1: a day of the week, or a date
+        return QCoreApplication::translate("Lesson", "due %1").arg(locale.dayName(day.dayOfWeek()));
+    return QCoreApplication::translate("Lesson", "due %1").arg(locale.toString(day, QLocale::ShortFormat));
+}
+
 QStringList criteriaWords(const ::lessons::Rubric& rubric)
 {
     QStringList lines;

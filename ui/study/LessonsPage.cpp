@@ -2,27 +2,34 @@
 #include "ui/study/LessonsPage.h"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <utility>
 
+#include <QButtonGroup>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QFrame>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QPainter>
 #include <QPushButton>
+#include <QScreen>
 #include <QStandardItemModel>
-#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
+#include "ui/shell/ArchView.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/LessonCards.h"
 #include "ui/study/LessonPicture.h"
+#include "ui/study/LessonThumbs.h"
 #include "ui/study/LessonWords.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -33,67 +40,10 @@ namespace {
 using namespace ui::shell;
 using ::lessons::CatalogEntry;
 
-constexpr int kListWidthPx = 420;
 constexpr int kDetailsWidthPx = 560;
+constexpr int kLeastDetailsPx = 330;
 constexpr int kFactWidthPx = 120;
-constexpr int kRowPx = 52;
-constexpr int kHeadPx = 40;
-
-enum Role { kEntry = Qt::UserRole + 1, kSecondLine, kStanding, kPassed, kMarked };
-
-/// A heading, or a lesson in two lines with the best score at its right.
-class Rows final : public QStyledItemDelegate
-{
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const override
-    {
-        return {200, index.data(kEntry).isValid() ? kRowPx : kHeadPx};
-    }
-
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
-    {
-        painter->save();
-        const QPalette& p = option.palette;
-        const QRect room = option.rect.adjusted(kSpace4, 0, -kSpace4, 0);
-        const QString words = index.data(Qt::DisplayRole).toString();
-        if (!index.data(kEntry).isValid()) {
-            painter->setFont(typeface(kSmall, QFont::DemiBold));
-            painter->setPen(p.color(QPalette::PlaceholderText));
-            painter->drawText(room.adjusted(0, 0, 0, -kSpace1), Qt::AlignLeft | Qt::AlignBottom, words);
-            painter->restore();
-            return;
-        }
-        const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-        const bool isOver = option.state.testFlag(QStyle::State_MouseOver);
-        if (isSelected || isOver) {
-            painter->setRenderHint(QPainter::Antialiasing);
-            painter->setPen(isSelected ? QPen(p.color(QPalette::Link), 1.5) : QPen(Qt::NoPen));
-            painter->setBrush(p.color(QPalette::Midlight));
-            painter->drawRoundedRect(QRectF(option.rect).adjusted(2, 2, -2, -2), 6, 6);
-        }
-        const QString standing = index.data(kStanding).toString();
-        const int scoreWidth = standing.isEmpty() ? 0 : 72;
-        const QRect left = room.adjusted(0, 7, -scoreWidth, -7);
-        painter->setFont(typeface(kBody, index.data(kMarked).toBool() ? QFont::DemiBold : QFont::Medium));
-        painter->setPen(p.color(QPalette::WindowText));
-        painter->drawText(left, Qt::AlignLeft | Qt::AlignTop,
-                          painter->fontMetrics().elidedText(words, Qt::ElideRight, left.width()));
-        painter->setFont(typeface(kSmall));
-        painter->setPen(p.color(QPalette::PlaceholderText));
-        painter->drawText(
-            left, Qt::AlignLeft | Qt::AlignBottom,
-            painter->fontMetrics().elidedText(index.data(kSecondLine).toString(), Qt::ElideRight, left.width()));
-        if (!standing.isEmpty()) {
-            const Tones tone = tones(p);
-            painter->setFont(typeface(kBody, QFont::DemiBold));
-            painter->setPen(index.data(kPassed).toBool() ? p.color(QPalette::Link) : tone.attentionText);
-            painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, standing);
-        }
-        painter->restore();
-    }
-};
+constexpr int kArchPx = 300;
 
 QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
@@ -107,26 +57,30 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
 
 }  // namespace
 
-LessonsPage::LessonsPage(const Actions& actions, QWidget* parent) : Page(actions, parent)
+LessonsPage::LessonsPage(const Actions& actions, QWidget* parent)
+    : Page(actions, parent), m_thumbs(new LessonThumbs(this))
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace6);
-    row->addWidget(makeList(), 2);
+    row->addWidget(makeList(), 4);
     row->addWidget(makeDetails(actions), 3);
     body()->addLayout(row, 1);
     text::inEveryLanguage(this, [this] {
         setTitle(tr("Lessons"));
         fillList();
+        tellContinue();
+        tellMissing();
     });
 }
 
 QWidget* LessonsPage::makeList()
 {
     auto* side = new QWidget(this);
-    side->setMaximumWidth(kListWidthPx);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(kSpace4, 0, 0, 0);
     column->setSpacing(kSpace2);
+    auto* find = new QHBoxLayout;
+    find->setSpacing(kSpace2);
     m_search = new QLineEdit(side);
     text::inEveryLanguage(m_search, [this] {
         m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
@@ -137,30 +91,167 @@ QWidget* LessonsPage::makeList()
         text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_search->setFont(typeface(kBody));
     m_search->installEventFilter(this);
-    column->addWidget(m_search);
+    m_tooth = new QPushButton(side);
+    m_tooth->setObjectName(QStringLiteral("pickTooth"));
+    m_tooth->setAutoDefault(false);
+    m_tooth->setIcon(lineIcon(QStringLiteral("tooth"), palette()));
+    text::inEveryLanguage(m_tooth, [this] {
+        m_tooth->setText(tr("Tooth …"));
+        m_tooth->setAccessibleName(tr("Lessons on one tooth"));
+        m_tooth->setToolTip(tr("Pick a tooth in the arch, to see the lessons on it"));
+    });
+    connect(m_tooth, &QPushButton::clicked, this, &LessonsPage::pickTooth);
+    find->addWidget(m_search, 1);
+    find->addWidget(m_tooth);
+    column->addLayout(find);
+    column->addWidget(makeFilters(side));
+    column->addWidget(makeContinue(side));
     m_model = new QStandardItemModel(side);
     m_list = new QListView(side);
     m_list->setModel(m_model);
-    m_list->setItemDelegate(new Rows(m_list));
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setMovement(QListView::Static);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setSpacing(kSpace1);
+    m_list->setItemDelegate(new LessonCards(
+        *m_thumbs,
+        [this](int entry) {
+            const auto& lesson = m_entries[static_cast<std::size_t>(entry)].read.lesson;
+            return lesson ? &*lesson : nullptr;
+        },
+        m_list));
+    connect(m_thumbs, &LessonThumbs::changed, m_list->viewport(), qOverload<>(&QWidget::update));
     text::inEveryLanguage(m_list, [this] { m_list->setAccessibleName(tr("Lessons")); });
     m_list->setMouseTracking(true);
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setProperty("kind", "plain");
     m_list->setObjectName(QStringLiteral("lessonList"));
     column->addWidget(m_list, 1);
+    m_missing = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
+    m_missing->hide();
+    auto* folder = new QPushButton(side);
+    text::inEveryLanguage(folder, [folder] {
+        folder->setText(tr("Your own lessons …"));
+        folder->setToolTip(tr("Open the folder that a teacher's lessons are read from"));
+        folder->setAccessibleName(tr("Open the folder of your own lessons"));
+    });
+    folder->setAutoDefault(false);
+    folder->setProperty("kind", "quiet");
+    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_missing, 1);
+    below->addWidget(folder, 0, Qt::AlignRight);
+    column->addLayout(below);
     connect(m_search, &QLineEdit::textChanged, this, &LessonsPage::search);
     m_list->installEventFilter(this);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &LessonsPage::describe);
     connect(m_list, &QListView::activated, this, &LessonsPage::start);
-    // A click beside the rows chooses nothing else.
+    // A click beside the cards chooses nothing else.
     connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         if (m_list->currentIndex().isValid() && !m_list->selectionModel()->hasSelection())
             m_list->selectionModel()->select(m_list->currentIndex(), QItemSelectionModel::Select);
     });
     return side;
+}
+
+QWidget* LessonsPage::makeFilters(QWidget* parent)
+{
+    auto* row = new QWidget(parent);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(kSpace1);
+    m_filter = new QButtonGroup(this);
+    const auto offer = [&](Filter filter, const auto& say) {
+        auto* button = new QPushButton(row);
+        button->setProperty("kind", "segment");
+        button->setCheckable(true);
+        button->setAutoDefault(false);
+        text::inEveryLanguage(button, [button, say] {
+            button->setText(say());
+            button->setAccessibleName(say());
+        });
+        m_filter->addButton(button, static_cast<int>(filter));
+        line->addWidget(button);
+    };
+    //: All lessons
+    offer(Filter::All, [] { return tr("All"); });
+    //: Lessons that are still to be done
+    offer(Filter::ToDo, [] { return tr("To do"); });
+    //: Lessons that were passed
+    offer(Filter::Passed, [] { return tr("Passed"); });
+    offer(Filter::Exams, [] { return tr("Exams"); });
+    line->addStretch(1);
+    m_filter->button(static_cast<int>(Filter::All))->setChecked(true);
+    connect(m_filter, &QButtonGroup::idClicked, this, &LessonsPage::fillList);
+    return row;
+}
+
+QWidget* LessonsPage::makeContinue(QWidget* parent)
+{
+    m_continue = new QFrame(parent);
+    m_continue->setProperty("kind", "card");
+    m_continue->setObjectName(QStringLiteral("continueCard"));
+    auto* row = new QHBoxLayout(m_continue);
+    row->setContentsMargins(kSpace4, kSpace2, kSpace2, kSpace2);
+    m_continueWords = label({}, kBody, QFont::Medium, QPalette::WindowText, m_continue);
+    m_continueWords->setObjectName(QStringLiteral("continueWords"));
+    m_goOn = new QPushButton(m_continue);
+    m_goOn->setObjectName(QStringLiteral("continue"));
+    m_goOn->setAutoDefault(false);
+    row->addWidget(m_continueWords, 1);
+    m_discard = new QPushButton(m_continue);
+    m_discard->setObjectName(QStringLiteral("discardUnfinished"));
+    m_discard->setProperty("kind", "quiet");
+    m_discard->setAutoDefault(false);
+    text::inEveryLanguage(m_discard, [this] {
+        m_discard->setText(tr("Discard"));
+        m_discard->setAccessibleName(tr("Discard the attempt that was not finished"));
+    });
+    row->addWidget(m_discard);
+    row->addWidget(m_goOn);
+    connect(m_discard, &QPushButton::clicked, this, &LessonsPage::discardWanted);
+    connect(m_goOn, &QPushButton::clicked, this, &LessonsPage::goOn);
+    m_continue->hide();
+    return m_continue;
+}
+
+/// The arch, beneath its button, until a tooth is picked: its number is then searched for.
+void LessonsPage::pickTooth()
+{
+    auto* popup = new QFrame(this, Qt::Popup);
+    popup->setAttribute(Qt::WA_DeleteOnClose);
+    popup->setObjectName(QStringLiteral("archPopup"));
+    popup->setFrameShape(QFrame::StyledPanel);
+    auto* column = new QVBoxLayout(popup);
+    auto* arch = new ArchView(popup);
+    arch->setFixedSize(kArchPx, arch->minimumSizeHint().height());
+    column->addWidget(arch);
+    const auto take = [this, popup](int fdi) {
+        m_search->setText(QString::number(fdi));
+        popup->close();
+        m_list->setFocus();
+    };
+    connect(arch, &ArchView::toothActivated, popup, take);
+    // A click takes it at once; with the arrow keys one goes on looking until Enter.
+    arch->installEventFilter(popup);
+    for (auto* button : arch->findChildren<ArchTooth*>())
+        connect(button, &ArchTooth::clicked, popup, [take, button] { take(button->fdi()); });
+    connect(arch, &ArchView::selectionChanged, popup, [take](int fdi) {
+        if (fdi != 0 && QGuiApplication::mouseButtons() != Qt::NoButton)
+            take(fdi);
+    });
+    popup->adjustSize();
+    const QRect screen = m_tooth->screen()->availableGeometry();
+    QPoint at = m_tooth->mapToGlobal(QPoint(m_tooth->width() - popup->width(), m_tooth->height() + kSpace1));
+    at.setX(std::clamp(at.x(), screen.left(), std::max(screen.left(), screen.right() - popup->width())));
+    at.setY(std::clamp(at.y(), screen.top(), std::max(screen.top(), screen.bottom() - popup->height())));
+    popup->move(at);
+    popup->show();
+    arch->takeFocus();
 }
 
 QWidget* LessonsPage::makeDetails(const Actions& actions)
@@ -183,6 +274,7 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     auto* scroll = new ScrollPane(side, QPalette::Window, this);
 
     auto* whole = new QWidget(this);
+    whole->setMinimumWidth(kLeastDetailsPx);
     auto* stack = new QVBoxLayout(whole);
     stack->setContentsMargins(0, 0, 0, 0);
     stack->addWidget(scroll, 1);
@@ -197,35 +289,114 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     m_start->setObjectName(QStringLiteral("startLesson"));
     m_start->setAutoDefault(true);
     connect(m_start, &QPushButton::clicked, this, &LessonsPage::start);
-    auto* folder = new QPushButton(whole);
-    text::inEveryLanguage(folder, [folder] {
-        folder->setText(tr("Your own lessons …"));
-        folder->setToolTip(tr("Open the folder that a teacher's lessons are read from"));
-        folder->setAccessibleName(tr("Open the folder of your own lessons"));
-    });
-    folder->setAutoDefault(false);
-    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
     buttons->addWidget(m_start);
     m_edit = pageButton(actions.editLesson, "", whole);
     buttons->addWidget(m_edit);
-    buttons->addWidget(folder);
     buttons->addStretch(1);
     stack->addLayout(buttons);
     return whole;
 }
 
-void LessonsPage::setLessons(std::vector<CatalogEntry> entries, std::map<std::string, Standing> standings)
+void LessonsPage::setLessons(std::vector<CatalogEntry> entries, std::map<std::string, Standing> standings,
+                             std::map<std::string, Given> given)
 {
     m_entries = std::move(entries);
     m_standings = std::move(standings);
-    // Faulty ones last; of one kind in the order of their files.
-    std::stable_sort(m_entries.begin(), m_entries.end(), [](const CatalogEntry& a, const CatalogEntry& b) {
-        const auto place = [](const CatalogEntry& entry) {
-            return entry.isFaulty() ? 100 : groupPlace(entry.read.lesson->task);
+    m_given = std::move(given);
+    // What is given and not passed yet comes first, by when it is due; faulty ones last; of one kind in the order of
+    // their files.
+    std::stable_sort(m_entries.begin(), m_entries.end(), [this](const CatalogEntry& a, const CatalogEntry& b) {
+        const auto place = [this](const CatalogEntry& entry) {
+            constexpr int kLast = 100;
+            if (entry.isFaulty())
+                return std::pair(kLast, qint64{0});
+            if (!isToDo(entry))
+                return std::pair(groupPlace(entry.read.lesson->task), qint64{0});
+            const QDateTime due = givenOf(entry)->due;
+            return std::pair(-1, due.isValid() ? due.toMSecsSinceEpoch() : std::numeric_limits<qint64>::max());
         };
         return place(a) < place(b);
     });
     fillList();
+    tellContinue();
+    tellMissing();
+}
+
+const Standing* LessonsPage::standingOf(const CatalogEntry& entry) const
+{
+    const auto found = entry.read.lesson ? m_standings.find(entry.read.lesson->id) : m_standings.end();
+    return found == m_standings.end() ? nullptr : &found->second;
+}
+
+const Given* LessonsPage::givenOf(const CatalogEntry& entry) const
+{
+    const auto found = entry.read.lesson ? m_given.find(entry.read.lesson->id) : m_given.end();
+    return found == m_given.end() ? nullptr : &found->second;
+}
+
+/// Given by a teacher, and not passed yet.
+bool LessonsPage::isToDo(const CatalogEntry& entry) const
+{
+    const Standing* const standing = standingOf(entry);
+    return givenOf(entry) != nullptr && (standing == nullptr || !standing->passed);
+}
+
+void LessonsPage::setUnfinished(const QString& title, const QString& begun)
+{
+    m_unfinished = title;
+    m_unfinishedBegun = begun;
+    tellContinue();
+}
+
+/// The lesson that was tried last, if it was not passed then or before.
+const CatalogEntry* LessonsPage::lastTried() const
+{
+    const CatalogEntry* last = nullptr;
+    for (const CatalogEntry& entry : m_entries)
+        if (const Standing* const standing = standingOf(entry);
+            standing != nullptr && (last == nullptr || standing->lastUtc > standingOf(*last)->lastUtc))
+            last = &entry;
+    return last != nullptr && !standingOf(*last)->passed ? last : nullptr;
+}
+
+void LessonsPage::tellContinue()
+{
+    const CatalogEntry* const last = lastTried();
+    m_continue->setVisible(!m_unfinished.isEmpty() || last != nullptr);
+    m_discard->setVisible(!m_unfinished.isEmpty());
+    if (!m_unfinished.isEmpty()) {
+        //: %1: a lesson or a tooth; %2: a time of today, or a day and a time
+        m_continueWords->setText(tr("Continue where I stopped: %1, begun %2").arg(m_unfinished, m_unfinishedBegun));
+        m_goOn->setText(tr("Continue"));
+    } else if (last != nullptr) {
+        //: %1: a lesson; %2: points
+        m_continueWords->setText(tr("Tried last: %1, best so far %2")
+                                     .arg(said(last->read.lesson->title), text::points(standingOf(*last)->bestTenths)));
+        m_goOn->setText(tr("Try again"));
+    }
+    m_goOn->setAccessibleName(m_goOn->text());
+}
+
+void LessonsPage::goOn()
+{
+    if (!m_unfinished.isEmpty())
+        emit resumeWanted();
+    else if (const CatalogEntry* const last = lastTried(); last != nullptr)
+        emit lessonChosen(*last->read.lesson);
+}
+
+/// A teacher's own lesson may lie on his computer only.
+void LessonsPage::tellMissing()
+{
+    QStringList missing;
+    for (const auto& [id, given] : m_given)
+        if (std::none_of(m_entries.begin(), m_entries.end(), [&id = id](const CatalogEntry& entry) {
+                return entry.read.lesson && entry.read.lesson->id == id;
+            }))
+            missing << QString::fromStdString(id);
+    m_missing->setText(tr("Given to you, but not on this computer: %1. Ask your teacher for the file.")
+                           .arg(missing.join(QStringLiteral(", "))));
+    m_missing->setVisible(!missing.isEmpty() && !m_entries.empty());
 }
 
 void LessonsPage::setPresent(const std::string& lessonId)
@@ -240,6 +411,60 @@ void LessonsPage::setUnsaved(const QSet<QString>& files)
         fillList();
 }
 
+bool LessonsPage::isWanted(const CatalogEntry& entry) const
+{
+    const Standing* const standing = standingOf(entry);
+    const bool isPassed = standing != nullptr && standing->passed;
+    switch (static_cast<Filter>(m_filter->checkedId())) {
+    case Filter::All:
+        return true;
+    case Filter::ToDo:
+        return entry.read.lesson && (m_given.empty() ? !isPassed : isToDo(entry));
+    case Filter::Passed:
+        return isPassed;
+    case Filter::Exams:
+        return entry.read.lesson && entry.read.lesson->exam;
+    }
+    return true;
+}
+
+void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
+{
+    const auto& lesson = entry.read.lesson;
+    QStringList notes{lesson ? toothWords(*lesson) : tr("Cannot be given")};
+    if (m_unsaved.contains(entry.read.file))
+        //: Of a lesson in a list: in the editor
+        notes << tr("changed, not saved");
+    item.setData(notes.join(QStringLiteral(" · ")), CardTooth);
+    if (!lesson) {
+        item.setData(item.data(CardTooth), Qt::AccessibleDescriptionRole);
+        return;
+    }
+    if (lesson->exam)
+        notes << tr("exam");
+    item.setData(lesson->exam, CardIsExam);
+    item.setData(lesson->id == m_present, CardMarked);
+    const Standing* const standing = standingOf(entry);
+    const bool isPassed = standing != nullptr && standing->passed;
+    if (const Given* const given = givenOf(entry)) {
+        const QDateTime now = QDateTime::currentDateTime();
+        QStringList due{given->className};
+        if (given->due.isValid() && !isPassed)
+            due.prepend(dueWords(given->due, now));
+        item.setData(due.join(QStringLiteral(" · ")), CardDue);
+        item.setData(given->due.isValid() && given->due < now && !isPassed, CardIsLate);
+        notes << due;
+    }
+    if (standing != nullptr) {
+        const QString points = text::points(standing->bestTenths);
+        item.setData(isPassed ? QStringLiteral("✓ ") + points : points, CardScore);
+        item.setData(isPassed, CardPassed);
+        //: For a screen reader: the best score of a lesson
+        notes << (isPassed ? tr("best %1, passed") : tr("best %1, not passed")).arg(points);
+    }
+    item.setData(notes.join(QStringLiteral(", ")), Qt::AccessibleDescriptionRole);
+}
+
 void LessonsPage::fillList()
 {
     const CatalogEntry* before = chosen();
@@ -251,45 +476,29 @@ void LessonsPage::fillList()
     for (std::size_t k = 0; k < m_entries.size(); ++k) {
         const CatalogEntry& entry = m_entries[k];
         const auto& lesson = entry.read.lesson;
-        const QString title = lesson ? said(lesson->title) : QFileInfo(entry.read.file).fileName();
-        QStringList notes{lesson ? toothWords(*lesson) : tr("Cannot be given")};
-        if (lesson && lesson->exam)
-            notes << tr("exam");
-        if (m_unsaved.contains(entry.read.file))
-            //: Of a lesson in a list: in the editor
-            notes << tr("changed, not saved");
-        const QString second = notes.join(QStringLiteral(" · "));
-        const QString all = title + u' ' + second + u' ' + (lesson ? QString::fromStdString(lesson->id) : QString());
-        if (!std::all_of(words.begin(), words.end(),
-                         [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); }))
+        auto item =
+            std::make_unique<QStandardItem>(lesson ? said(lesson->title) : QFileInfo(entry.read.file).fileName());
+        item->setData(static_cast<int>(k), CardEntry);
+        fillCard(*item, entry);
+        const QString all = item->text() + u' ' + item->data(Qt::AccessibleDescriptionRole).toString() + u' ' +
+                            (lesson ? QString::fromStdString(lesson->id) : QString());
+        if (!isWanted(entry) || !std::all_of(words.begin(), words.end(), [&](const QString& word) {
+                return all.contains(word, Qt::CaseInsensitive);
+            }))
             continue;
-        const QString heading = lesson ? groupName(lesson->task) : tr("Cannot be given");
+        const QString heading = isToDo(entry) ? tr("Given to you")
+                                : lesson      ? groupName(lesson->task)
+                                              : tr("Cannot be given");
         if (heading != group) {
             auto* head = new QStandardItem(heading);
             head->setFlags(Qt::NoItemFlags);
             m_model->appendRow(head);
             group = heading;
         }
-        auto* item = new QStandardItem(title);
-        item->setData(static_cast<int>(k), kEntry);
-        item->setData(second, kSecondLine);
-        item->setData(second, Qt::AccessibleDescriptionRole);
-        if (lesson) {
-            if (const auto standing = m_standings.find(lesson->id); standing != m_standings.end()) {
-                const QString points = text::points(standing->second.bestTenths);
-                const bool passed = standing->second.passed;
-                item->setData(passed ? QStringLiteral("✓ ") + points : points, kStanding);
-                item->setData(passed, kPassed);
-                //: For a screen reader: the best score of a lesson
-                item->setData(second + QStringLiteral(", ") +
-                                  (passed ? tr("best %1, passed") : tr("best %1, not passed")).arg(points),
-                              Qt::AccessibleDescriptionRole);
-            }
-            item->setData(lesson->id == m_present, kMarked);
-        }
-        m_model->appendRow(item);
+        m_model->appendRow(item.get());
+        const QModelIndex index = item.release()->index();
         if (!select.isValid() || (lesson && lesson->id == kept))
-            select = item->index();
+            select = index;
     }
     m_list->setCurrentIndex(select);
     m_list->scrollTo(select);
@@ -308,7 +517,7 @@ void LessonsPage::search()
 
 const CatalogEntry* LessonsPage::chosen() const
 {
-    const QVariant entry = m_list->currentIndex().data(kEntry);
+    const QVariant entry = m_list->currentIndex().data(CardEntry);
     return entry.isValid() ? &m_entries[static_cast<std::size_t>(entry.toInt())] : nullptr;
 }
 
@@ -321,28 +530,36 @@ void LessonsPage::describe()
     grid->setHorizontalSpacing(kSpace6);
     grid->setVerticalSpacing(kSpace2);
     grid->setColumnMinimumWidth(0, kFactWidthPx);
-    grid->setColumnStretch(2, 1);
+    grid->setColumnStretch(1, 1);
     m_factsSlot->addWidget(m_facts);
     const CatalogEntry* entry = chosen();
     const bool isSound = entry != nullptr && entry->read.lesson.has_value();
     m_start->setEnabled(isSound);
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound);
-    m_title->setText(entry == nullptr ? tr("No lesson fits the search")
+    m_title->setText(entry == nullptr ? tr("No lesson fits")
                      : isSound        ? said(entry->read.lesson->title)
                                       : QFileInfo(entry->read.file).fileName());
     m_goal->setText(isSound ? said(entry->read.lesson->goal)
                     : entry ? tr("This file cannot be given as a lesson. The others work.")
-                            : tr("Search for another word, or clear the field."));
+                            : tr("Search for another word, or show all lessons."));
     int row = 0;
     const auto fact = [&](const QString& name, const QString& value) {
         grid->addWidget(label(name, kBody, QFont::Normal, QPalette::PlaceholderText, m_facts), row, 0, Qt::AlignTop);
         auto* words = label(value, kBody, QFont::Normal, QPalette::WindowText, m_facts);
-        words->setFixedWidth(kDetailsWidthPx - kFactWidthPx);
+        words->setMaximumWidth(kDetailsWidthPx - kFactWidthPx);
         grid->addWidget(words, row++, 1);
     };
     if (isSound) {
         const ::lessons::Lesson& lesson = *entry->read.lesson;
+        if (const Given* const given = givenOf(*entry)) {
+            QStringList what{given->className};
+            if (given->due.isValid())
+                what << dueWords(given->due, QDateTime::currentDateTime());
+            if (given->attemptsLeft)
+                what << tr("%n attempt(s) left", nullptr, *given->attemptsLeft);
+            fact(tr("Given to"), what.join(QStringLiteral(", ")));
+        }
         fact(tr("Tooth"), toothWords(lesson));
         fact(tr("Kind"), lesson.exam
                              ? tr("Exam: faults are noted, nothing is said until the end, and no step is taken back")

@@ -2,23 +2,30 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
+#include <QDateTime>
 #include <QSet>
+#include <QStringList>
 
 #include "lessons/LessonCatalog.h"
 #include "ui/shell/Page.h"
 
+class QButtonGroup;
+class QFrame;
 class QLabel;
 class QLineEdit;
 class QListView;
 class QPushButton;
+class QStandardItem;
 class QStandardItemModel;
 class QVBoxLayout;
 
 namespace ui::study {
 
 class LessonPicture;
+class LessonThumbs;
 
 /// What a student has reached in a lesson.
 struct Standing
@@ -26,18 +33,32 @@ struct Standing
     int attempts = 0;
     int bestTenths = 0;
     bool passed = false;
+    QString lastUtc;  ///< of the newest attempt, ISO 8601
 };
 
-/// All lessons, in groups, with a search; beside them what the chosen one asks. Faulty ones are listed with what is
-/// wrong.
+/// A lesson that one's class is to do.
+struct Given
+{
+    QString className;
+    QDateTime due;  ///< invalid: none
+    std::optional<int> attemptsLeft;
+};
+
+/// A student's home: all lessons as cards, what is due first, with a search, filters and an arch to pick a tooth by;
+/// beside them what the chosen one asks; and what was being worked on last. Faulty ones are there with what is wrong.
 class LessonsPage final : public shell::Page
 {
     Q_OBJECT
 public:
     LessonsPage(const shell::Actions& actions, QWidget* parent);
 
-    /// @param standings  by lesson's id
-    void setLessons(std::vector<::lessons::CatalogEntry> entries, std::map<std::string, Standing> standings);
+    /// @param standings, given  by lesson's id
+    void setLessons(std::vector<::lessons::CatalogEntry> entries, std::map<std::string, Standing> standings,
+                    std::map<std::string, Given> given = {});
+    /// An attempt that was not finished can be gone on with. Empty: there is none.
+    /// @param title  of its lesson or tooth
+    /// @param begun  as one reads it
+    void setUnfinished(const QString& title, const QString& begun);
     /// The lesson on the table, marked in the list; empty for none.
     void setPresent(const std::string& lessonId);
     /// Lessons that began from these files have been changed in the editor and not saved: the list says so.
@@ -48,13 +69,30 @@ public:
 signals:
     void lessonChosen(const ::lessons::Lesson& lesson);
     void folderWanted();
+    /// The attempt that was not finished is to be gone on with.
+    void resumeWanted();
+    void discardWanted();
 
 protected:
     void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    enum class Filter { All, ToDo, Passed, Exams };
+
     QWidget* makeList();
+    QWidget* makeFilters(QWidget* parent);
+    QWidget* makeContinue(QWidget* parent);
+    void pickTooth();
+    [[nodiscard]] bool isToDo(const ::lessons::CatalogEntry& entry) const;
+    [[nodiscard]] bool isWanted(const ::lessons::CatalogEntry& entry) const;
+    [[nodiscard]] const Standing* standingOf(const ::lessons::CatalogEntry& entry) const;
+    [[nodiscard]] const Given* givenOf(const ::lessons::CatalogEntry& entry) const;
+    void fillCard(QStandardItem& item, const ::lessons::CatalogEntry& entry) const;
+    void tellContinue();
+    void tellMissing();
+    void goOn();
+    [[nodiscard]] const ::lessons::CatalogEntry* lastTried() const;
     QWidget* makeDetails(const shell::Actions& actions);
     void fillList();
     void search();
@@ -63,9 +101,20 @@ private:
 
     std::vector<::lessons::CatalogEntry> m_entries;
     std::map<std::string, Standing> m_standings;
+    std::map<std::string, Given> m_given;
+    QString m_unfinished;  ///< title
+    QString m_unfinishedBegun;
+    LessonThumbs* m_thumbs;
     std::string m_present;
     QSet<QString> m_unsaved;
     QLineEdit* m_search = nullptr;
+    QPushButton* m_tooth = nullptr;
+    QButtonGroup* m_filter = nullptr;
+    QFrame* m_continue = nullptr;
+    QLabel* m_continueWords = nullptr;
+    QPushButton* m_goOn = nullptr;
+    QPushButton* m_discard = nullptr;
+    QLabel* m_missing = nullptr;
     QStandardItemModel* m_model = nullptr;
     QListView* m_list = nullptr;
     QLabel* m_title = nullptr;

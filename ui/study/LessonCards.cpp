@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/LessonCards.h"
+
+#include <utility>
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <QTextLayout>
+
+#include "ui/shell/LineIcon.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/LessonScene.h"
+#include "ui/study/LessonThumbs.h"
+
+namespace ui::study {
+namespace {
+
+using namespace ui::shell;
+
+constexpr int kCardPx = 208;
+constexpr int kPicturePx = 104;
+constexpr int kCardHighPx = kPicturePx + 100;
+constexpr int kHeadPx = 36;
+constexpr int kPadPx = 10;
+constexpr int kIconPx = 40;
+constexpr int kTitleLines = 2;
+constexpr QRgb kOnPicture = 0xFFE8EDED;
+
+/// At most so many lines, the last cut off where there are more. Returns how high they are.
+double paintLines(QPainter& painter, const QRectF& room, const QString& words, int lines)
+{
+    QTextLayout layout(words, painter.font());
+    layout.beginLayout();
+    double y = room.top();
+    const double high = painter.fontMetrics().height();
+    for (int k = 0; k < lines; ++k) {
+        QTextLine line = layout.createLine();
+        if (!line.isValid())
+            break;
+        line.setLineWidth(room.width());
+        const QRectF place(room.left(), y, room.width(), high);
+        const bool isLast = k == lines - 1;
+        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                         isLast ? painter.fontMetrics().elidedText(words.mid(line.textStart()), Qt::ElideRight,
+                                                                   static_cast<int>(room.width()))
+                                : words.mid(line.textStart(), line.textLength()).trimmed());
+        y += high;
+    }
+    layout.endLayout();
+    return y - room.top();
+}
+
+}  // namespace
+
+LessonCards::LessonCards(LessonThumbs& thumbs, std::function<const ::lessons::Lesson*(int)> lessonOf, QListView* view)
+    : QStyledItemDelegate(view), m_thumbs(thumbs), m_lessonOf(std::move(lessonOf)), m_view(view)
+{}
+
+QSize LessonCards::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
+{
+    if (index.data(CardEntry).isValid())
+        return {kCardPx, kCardHighPx};
+    return {m_view->viewport()->width() - 2 * m_view->spacing() - 1, kHeadPx};
+}
+
+void LessonCards::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    if (index.data(CardEntry).isValid()) {
+        paintCard(*painter, option, index);
+    } else {
+        painter->setFont(typeface(kBody, QFont::DemiBold));
+        painter->setPen(option.palette.color(QPalette::PlaceholderText));
+        painter->drawText(option.rect.adjusted(2, 0, 0, -kSpace1), Qt::AlignLeft | Qt::AlignBottom,
+                          index.data(Qt::DisplayRole).toString());
+    }
+    painter->restore();
+}
+
+void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const QPalette palette = m_view->parentWidget()->palette();  // the view's own has no ground
+    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+    const bool isHovered = option.state.testFlag(QStyle::State_MouseOver);
+    const QRectF card = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
+    QPainterPath shape;
+    shape.addRoundedRect(card, kRadius, kRadius);
+    painter.fillPath(shape, palette.color(isHovered || isSelected ? QPalette::Midlight : QPalette::Base));
+    const ::lessons::Lesson* const lesson = m_lessonOf(index.data(CardEntry).toInt());
+
+    const QRectF picture(card.left(), card.top(), card.width(), kPicturePx);
+    painter.save();
+    painter.setClipPath(shape);
+    painter.fillRect(picture, QColor(kPictureGround));
+    const double ratio = painter.device()->devicePixelRatioF();
+    if (lesson != nullptr && isPictured(*lesson)) {
+        if (const QPixmap made = m_thumbs.picture(*lesson, picture.size().toSize(), ratio); !made.isNull())
+            painter.drawPixmap(picture.topLeft(), made);
+    } else {
+        const QPixmap icon = linePixmap(lesson == nullptr ? QStringLiteral("warning") : QStringLiteral("hand"),
+                                        QColor(kOnPicture), kIconPx, ratio);
+        painter.drawPixmap(QPointF(picture.center().x() - 0.5 * kIconPx, picture.center().y() - 0.5 * kIconPx), icon);
+    }
+    painter.restore();
+    painter.setFont(typeface(kSmall, QFont::DemiBold));
+    const auto pill = [&](const QString& words, bool left) {
+        const double wide = painter.fontMetrics().horizontalAdvance(words) + 12.0;
+        const QRectF place(left ? picture.left() + 6.0 : picture.right() - 6.0 - wide, picture.top() + 6.0, wide, 20.0);
+        QPainterPath path;
+        path.addRoundedRect(place, 10.0, 10.0);
+        painter.fillPath(path, QColor(0x15, 0x18, 0x1A, 0xD0));
+        painter.setPen(QColor(kOnPicture));
+        painter.drawText(place, Qt::AlignCenter, words);
+    };
+    if (index.data(CardIsExam).toBool())
+        //: On the card of a lesson
+        pill(QCoreApplication::translate("Lesson", "exam"), true);
+    if (index.data(CardMarked).toBool())
+        //: On the card of the lesson that is being worked on
+        pill(QCoreApplication::translate("Lesson", "on the table"), false);
+
+    const QRectF words = card.adjusted(kPadPx, kPicturePx + 6.0, -kPadPx, -8.0);
+    painter.setFont(typeface(kBody, QFont::Medium));
+    painter.setPen(palette.color(QPalette::WindowText));
+    const double high = paintLines(painter, words, index.data(Qt::DisplayRole).toString(), kTitleLines);
+    painter.setFont(typeface(kSmall));
+    painter.setPen(palette.color(QPalette::PlaceholderText));
+    painter.drawText(words.adjusted(0.0, high + 1.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+                     painter.fontMetrics().elidedText(index.data(CardTooth).toString(), Qt::ElideRight,
+                                                      static_cast<int>(words.width())));
+    const Tones tone = tones(palette);
+    const QString score = index.data(CardScore).toString();
+    painter.setFont(typeface(kBody, QFont::DemiBold));
+    const int scoreWidth = score.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(score) + kSpace2;
+    painter.setPen(index.data(CardPassed).toBool() ? palette.color(QPalette::Link) : tone.attentionText);
+    painter.drawText(words, Qt::AlignRight | Qt::AlignBottom, score);
+    painter.setFont(typeface(kSmall, QFont::Medium));
+    painter.setPen(index.data(CardIsLate).toBool() ? tone.harmText : palette.color(QPalette::WindowText));
+    painter.drawText(words.adjusted(0.0, 0.0, -scoreWidth, 0.0), Qt::AlignLeft | Qt::AlignBottom,
+                     painter.fontMetrics().elidedText(index.data(CardDue).toString(), Qt::ElideRight,
+                                                      static_cast<int>(words.width()) - scoreWidth));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(isSelected ? QPen(palette.color(QPalette::Link), 2.0) : QPen(palette.color(QPalette::Mid), 1.0));
+    painter.drawPath(shape);
+}
+
+}  // namespace ui::study

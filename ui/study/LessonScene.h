@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QPainter>
+#include <QRectF>
+
+#include "core/preparation/ToleranceBand.h"
+#include "lessons/Assignment.h"
+#include "ui/inside/OutlinePainter.h"
+
+namespace ui::study {
+
+/// The ground that lessons are pictured on: dark in either theme, like the room with the tooth.
+inline constexpr QRgb kPictureGround = 0xFF15181A;
+
+/// What can be pictured of a lesson before it is begun. Where the ideal is no aid of the lesson, and where decay is to
+/// be found, that is the tooth alone.
+struct LessonScene
+{
+    ::lessons::Assignment assignment;
+    core::terrain::Tooth whole;
+    inside::FromAbove above;
+    core::grading::IdealTop ideal;  ///< null: not told
+    double outlineMm = 0.0;         ///< tolerance
+    std::optional<core::preparation::ToleranceBand> band;
+    core::imaging::SectionPlane plane;
+};
+
+/// Not what is to be felt and not seen.
+[[nodiscard]] bool isPictured(const ::lessons::Lesson& lesson);
+/// Whether the ideal may be seen beforehand.
+[[nodiscard]] bool isIdealTold(const ::lessons::Lesson& lesson);
+
+/// Makes the tooth, which takes its time. Null: it cannot be made; starting the lesson says why. Any thread.
+[[nodiscard]] std::shared_ptr<const LessonScene> makeLessonScene(const ::lessons::Lesson& lesson);
+
+/// The tooth from above with the outline that is to be cut, or the points that are to be touched.
+/// @param showsPlane  where the section runs
+void paintFromAbove(QPainter& painter, const QRectF& room, const LessonScene& scene, bool showsPlane);
+
+}  // namespace ui::study

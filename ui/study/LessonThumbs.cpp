@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/LessonThumbs.h"
+
+#include <algorithm>
+
+#include <QImage>
+#include <QPainter>
+
+#include "ui/study/LessonScene.h"
+
+namespace ui::study {
+namespace {
+
+constexpr double kGapPx = 4.0;
+
+}  // namespace
+
+LessonThumbs::LessonThumbs(QObject* parent) : QObject(parent)
+{
+    m_pool.setMaxThreadCount(1);
+    m_pool.setThreadPriority(QThread::LowPriority);
+}
+
+LessonThumbs::~LessonThumbs()
+{
+    m_pool.waitForDone();
+}
+
+QPixmap LessonThumbs::picture(const ::lessons::Lesson& lesson, const QSize& size, double ratio)
+{
+    if (!isPictured(lesson))
+        return {};
+    const QString key = QStringLiteral("%1 %2x%3 %4")
+                            .arg(QString::fromStdString(lesson.hash))
+                            .arg(size.width())
+                            .arg(size.height())
+                            .arg(ratio);
+    if (const auto made = m_made.constFind(key); made != m_made.constEnd())
+        return *made;
+    const auto there =
+        std::find_if(m_wanted.begin(), m_wanted.end(), [&key](const Wanted& wanted) { return wanted.key == key; });
+    if (there != m_wanted.end())
+        m_wanted.move(there - m_wanted.begin(), m_wanted.size() - 1);
+    else
+        m_wanted.append({key, lesson, size, ratio});
+    makeNext();
+    return {};
+}
+
+void LessonThumbs::makeNext()
+{
+    if (m_isAtWork || m_wanted.isEmpty())
+        return;
+    m_isAtWork = true;
+    // The destructor waits for the pool, and takes with it what was still to come here.
+    m_pool.start([this, wanted = m_wanted.takeLast()] {
+        QImage image;
+        if (const auto scene = makeLessonScene(wanted.lesson)) {
+            image = QImage(wanted.size * wanted.ratio, QImage::Format_ARGB32_Premultiplied);
+            image.setDevicePixelRatio(wanted.ratio);
+            image.fill(kPictureGround);
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            const QRectF picture = QRectF({}, QSizeF(wanted.size)).marginsRemoved(QMarginsF(0.0, kGapPx, 0.0, kGapPx));
+            paintFromAbove(painter, inside::areaAround(picture), *scene, false);
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, key = wanted.key, image] {
+                m_isAtWork = false;
+                m_made.insert(key, QPixmap::fromImage(image));
+                emit changed();
+                makeNext();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+}  // namespace ui::study
