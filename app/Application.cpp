@@ -435,6 +435,8 @@ void Application::becomeGuest()
 void Application::clearTable()
 {
     m_graded.reset();
+    if (!m_assignment.anatomy)  // it is still being made
+        return;
     if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
         begin(*practice, {}, false);
 }

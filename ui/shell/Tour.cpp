@@ -134,8 +134,12 @@ void Tour::begin(database::Role role)
             QT_TR_NOOP("Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7)."));
     } else {
         addDrilling(QT_TR_NOOP("The tooth"));
-        add(Where::Room, m_actions.lessons, QT_TR_NOOP("Lessons"),
-            QT_TR_NOOP("Choose here what to practise. Each lesson says what it asks and how it is marked."));
+        if (role == Role::Student)
+            add(Where::Lessons, m_lessons.findChild<QListView*>(QStringLiteral("lessonList")), QT_TR_NOOP("Lessons"),
+                QT_TR_NOOP("Choose here what to practise. What your class is to do comes first."));
+        else
+            add(Where::Room, m_actions.lessons, QT_TR_NOOP("Lessons"),
+                QT_TR_NOOP("Choose here what to practise. Each lesson says what it asks and how it is marked."));
         add(Where::Room, m_room.findChild<SidePanel*>(), QT_TR_NOOP("Bur, force and depth"),
             QT_TR_NOOP("Take another bur, set how hard the mouse presses, and read force and depth while you drill."));
         add(Where::Room, m_actions.section, QT_TR_NOOP("Seeing inside"),
