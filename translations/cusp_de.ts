@@ -841,7 +841,7 @@
     <message>
         <source>due %1</source>
         <extracomment>%1: a day of the week, or a date</extracomment>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">fällig: %1</translation>
     </message>
 </context>
 <context>
@@ -2855,6 +2855,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>yesterday</source>
         <translation>gestern</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. German &quot;d. MMM&quot;, Japanese &quot;M月d日&quot;</extracomment>
+        <translation>d. MMM</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
+        <translation>MMM yyyy</translation>
     </message>
 </context>
 <context>

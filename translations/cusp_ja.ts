@@ -840,7 +840,7 @@
     <message>
         <source>due %1</source>
         <extracomment>%1: a day of the week, or a date</extracomment>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">期限：%1</translation>
     </message>
 </context>
 <context>
@@ -2836,6 +2836,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>yesterday</source>
         <translation>昨日</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. German &quot;d. MMM&quot;, Japanese &quot;M月d日&quot;</extracomment>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
+        <translation>yyyy年M月</translation>
     </message>
 </context>
 <context>
