@@ -108,8 +108,8 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     head->addWidget(m_close);
 
     auto* inside = new QVBoxLayout(m_card);
-    inside->setContentsMargins(kSpace6, kSpace4, kSpace4, kSpace6);
-    inside->setSpacing(kSpace4);
+    inside->setContentsMargins(kSpace6, kSpace2, kSpace4, kSpace4);
+    inside->setSpacing(kSpace2);
     inside->addLayout(head);
     m_scroll = new ScrollPane(m_content, QPalette::Base, m_card);
     inside->addWidget(m_scroll, 1);

@@ -407,7 +407,7 @@ void MainWindow::connectTour()
             openLessons();
     });
     connect(m_tour, &Tour::ended, this, [this] {
-        goTo(m_beforeTour);
+        goTo(m_beforeTour != nullptr ? m_beforeTour : m_room);
         emit tourEnded();
     });
 }
