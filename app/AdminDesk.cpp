@@ -59,9 +59,10 @@ QString why(const core::Error& error)
 {
     switch (error.code) {
     case core::ErrorCode::OutOfRange:
-        return AdminDesk::tr(
-            "That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or "
-            "nobody would be left who is an admin and can log in.");
+        return AdminDesk::tr("That cannot be: the name is empty or taken, or has other signs than letters, digits and "
+                             ". _ - @");
+    case core::ErrorCode::NotAllowed:
+        return AdminDesk::tr("This is the last admin who can log in. Make somebody else an admin first.");
     default:
         return errorText(error, Failed::ReadingSchool);
     }

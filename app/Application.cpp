@@ -186,6 +186,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
         if (m_opened)
             playOpened({});
     });
+    if (options.showsRound)
+        m_tour = std::make_unique<TourDesk>(*m_window);
     m_cards = std::make_unique<CardDesk>(*m_window, [this] { return shownCard(); });
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
@@ -216,6 +218,7 @@ Application::~Application()
     m_replay.reset();
     // The window has asked about the work on the table before it let itself be closed.
     stopJournal(true);
+    m_tour.reset();
     m_people.reset();
     m_desk.reset();
 }
@@ -456,6 +459,8 @@ void Application::enter(const database::Session& who)
         keepGrade();
     else
         m_window->openLessons();
+    if (m_tour && !keeps)
+        m_tour->welcome(m_desk.get(), m_who);
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
         m_window->showMessage(tr("The school's data lie on a network drive: only one computer at a time can use them. "
                                  "For several, keep them on a PostgreSQL server."));
@@ -487,14 +492,19 @@ void Application::becomeGuest()
 {
     m_keepsOnLogin = false;
     m_window->setWho(m_who);
-    if (!m_journal)  // else he has only looked at the door
-        keepJournal();
+    if (m_journal)  // he has only looked at the door
+        return;
+    keepJournal();
+    if (m_tour)
+        m_tour->welcome(nullptr, m_who);
 }
 
 /// A whole tooth, to nobody's credit.
 void Application::clearTable()
 {
     m_graded.reset();
+    if (!m_assignment.anatomy)  // it is still being made
+        return;
     if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
         begin(*practice, {}, false);
 }

@@ -17,6 +17,7 @@
 #include "app/PresetDesk.h"
 #include "app/ReplayDesk.h"
 #include "app/SchoolDesk.h"
+#include "app/TourDesk.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
 #include "core/session/ServoNumbers.h"
@@ -37,10 +38,11 @@ struct WindowOptions
 {
     core::teeth::ToothSource source;  ///< the tooth to begin with
     core::teeth::BuildOptions build;
-    QString recording;     ///< play this instead of beginning with a tooth
-    QString database;      ///< a file or a server's address; empty: the user's own file
-    bool asksWho = false;  ///< begin at the login; else as a guest
-    QString picture;       ///< draw the tooth, or the end of the recording, into this file and quit
+    QString recording;        ///< play this instead of beginning with a tooth
+    QString database;         ///< a file or a server's address; empty: the user's own file
+    bool asksWho = false;     ///< begin at the login; else as a guest
+    bool showsRound = false;  ///< whoever has not seen the tour
+    QString picture;          ///< draw the tooth, or the end of the recording, into this file and quit
     /// A simulated hand with a simulated Falcon does the work; the student watches.
     bool simulatedDevice = false;
 };
@@ -155,8 +157,9 @@ private:
     std::optional<database::Address> m_address;
     std::shared_ptr<std::atomic<bool>> m_backupIsStopped = std::make_shared<std::atomic<bool>>(false);
     std::unique_ptr<CardDesk> m_cards;
-    QString m_stationFolder;  ///< of this computer's own files: journals, outbox, key
-    database::Session m_who;  ///< who works here
+    std::unique_ptr<TourDesk> m_tour;  ///< null: nobody is shown round unasked
+    QString m_stationFolder;           ///< of this computer's own files: journals, outbox, key
+    database::Session m_who;           ///< who works here
     core::Error m_whyNoDesk;
     QString m_where;     ///< the database, to read
     QString m_backup;    ///< that can be put in the place of the database; empty: none

@@ -86,6 +86,7 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     // Who names what is to be seen wants to see it; a simulated hand's work is nobody's.
     options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() && !options.simulatedDevice &&
                       !parser.isSet(QStringLiteral("tooth"));
+    options.showsRound = options.asksWho;
     return std::nullopt;
 }
 

@@ -486,6 +486,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Was die Schule aufhebt, lässt sich gerade nicht zeigen; was Sie tun, wird aufgehoben. %1</translation>
     </message>
+    <message>
+        <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -804,6 +808,40 @@
         <source> as soon as %1</source>
         <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
         <translation>, sobald %1</translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation type="unfinished">Prüfung</translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <extracomment>On the card of the lesson that is being worked on</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) late</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>due today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due tomorrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a day of the week, or a date</extracomment>
+        <translation type="unfinished">fällig: %1</translation>
     </message>
 </context>
 <context>
@@ -1289,28 +1327,59 @@
         <translation>Der Versuch ist nicht mehr da.</translation>
     </message>
     <message>
-        <source>The next tooth feels like this.</source>
-        <translation>Der nächste Zahn fühlt sich so an.</translation>
-    </message>
-    <message>
-        <source>Not kept: %1</source>
-        <translation>Nicht behalten: %1</translation>
-    </message>
-    <message>
-        <source>Not imported: %1</source>
-        <translation>Nicht importiert: %1</translation>
-    </message>
-    <message>
-        <source>The preset was exported as %1.</source>
-        <translation>Die Voreinstellung wurde als %1 exportiert.</translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation>Nicht exportiert: %1</translation>
-    </message>
-    <message>
         <source>Working out the score card …</source>
         <translation>Das Bewertungsblatt wird erstellt …</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::CardDesk</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>Save the score card</source>
+        <translation>Bewertungsblatt speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The score card was saved as %1.</source>
+        <translation>Das Bewertungsblatt wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>Das Bewertungsblatt konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>The score card was printed.</source>
+        <translation>Das Bewertungsblatt wurde gedruckt.</translation>
+    </message>
+    <message>
+        <source>The printer did not take the score card.</source>
+        <translation>Der Drucker hat das Bewertungsblatt nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>The score card is being made …</source>
+        <translation>Das Bewertungsblatt wird erstellt …</translation>
+    </message>
+    <message>
+        <source>Not logged in</source>
+        <translation>Nicht angemeldet</translation>
     </message>
 </context>
 <context>
@@ -1338,6 +1407,37 @@
     <message>
         <source>The printer did not take the report.</source>
         <translation>Der Drucker hat den Bericht nicht angenommen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PresetDesk</name>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation type="unfinished">Der nächste Zahn fühlt sich so an.</translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: only an admin keeps the school&apos;s presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation type="unfinished">Nicht behalten: %1</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation type="unfinished">Nicht importiert: %1</translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation type="unfinished">Die Voreinstellung wurde als %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation type="unfinished">Nicht exportiert: %1</translation>
     </message>
 </context>
 <context>
@@ -1721,6 +1821,184 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::people::AssignPage</name>
+    <message>
+        <source>given</source>
+        <translation>aufgegeben</translation>
+    </message>
+    <message>
+        <source>given, due %1</source>
+        <translation>aufgegeben, fällig: %1</translation>
+    </message>
+    <message>
+        <source>%1, over</source>
+        <translation>%1, vorbei</translation>
+    </message>
+    <message>
+        <source>There is no day when it is due</source>
+        <translation>Es gibt keinen Tag, an dem sie fällig ist</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>%1 of %2 students</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have passed, %3 have tried</source>
+        <translation>%1 von %2 haben bestanden, %3 haben es versucht</translation>
+    </message>
+    <message>
+        <source>That was undone.</source>
+        <translation>Das wurde rückgängig gemacht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) assigned.</source>
+        <translation>
+            <numerusform>%n Lektion aufgegeben.</numerusform>
+            <numerusform>%n Lektionen aufgegeben.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) taken back; attempts stay.</source>
+        <translation>
+            <numerusform>%n Lektion zurückgenommen; Versuche bleiben.</numerusform>
+            <numerusform>%n Lektionen zurückgenommen; Versuche bleiben.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) changed.</source>
+        <translation>
+            <numerusform>%n Lektion geändert.</numerusform>
+            <numerusform>%n Lektionen geändert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Aufgeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n lesson(s)</source>
+        <translation>
+            <numerusform>%n Lektion aufgeben</numerusform>
+            <numerusform>%n Lektionen aufgeben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation>Lektionen aufgeben</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation>Suche: ein Wort oder die Nummer eines Zahns</translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation>Lektionen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+    <message>
+        <source>Lessons to assign</source>
+        <translation>Lektionen zum Aufgeben</translation>
+    </message>
+    <message>
+        <source>What %1 is to do</source>
+        <extracomment>%1: name of a class</extracomment>
+        <translation>Was %1 zu tun hat</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Fällig</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Nothing is assigned yet. Tick lessons on the left, say when they are due, and assign them; here you will see how many have passed.</source>
+        <translation>Noch ist nichts aufgegeben. Haken Sie links Lektionen an, sagen Sie, wann sie fällig sind, und geben Sie sie auf; hier sehen Sie dann, wie viele bestanden haben.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change due date and attempts of the chosen lessons</source>
+        <translation>Fälligkeit und Versuche der gewählten Lektionen ändern</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take the chosen lessons back</source>
+        <translation>Die gewählten Lektionen zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::AssignTerms</name>
+    <message>
+        <source>Due on</source>
+        <extracomment>A date follows</extracomment>
+        <translation>Fällig am</translation>
+    </message>
+    <message>
+        <source>There is a day when it is due</source>
+        <translation>Es gibt einen Tag, an dem sie fällig ist</translation>
+    </message>
+    <message>
+        <source>Day when it is due</source>
+        <translation>Tag, an dem sie fällig ist</translation>
+    </message>
+    <message>
+        <source>Until the end of this day</source>
+        <translation>Bis zum Ende dieses Tages</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <extracomment>How often a lesson may be tried; a number follows</extracomment>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Attempts at most</source>
+        <translation>Höchstzahl der Versuche</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>The month before</source>
+        <translation>Der Monat davor</translation>
+    </message>
+    <message>
+        <source>The next month</source>
+        <translation>Der nächste Monat</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::ClassCharts</name>
     <message>
         <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
@@ -1886,6 +2164,31 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%1: passed</source>
         <translation>%1: bestanden</translation>
     </message>
+    <message>
+        <source>late</source>
+        <extracomment>Of a student who has not passed a lesson that is overdue</extracomment>
+        <translation>überfällig</translation>
+    </message>
+    <message>
+        <source>%1: not tried, and overdue</source>
+        <translation>%1: nicht versucht und überfällig</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and overdue, %3, last %4</source>
+        <translation>%1: bestes Ergebnis %2, nicht bestanden und überfällig, %3, zuletzt %4</translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a date</extracomment>
+        <translation>fällig: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at most</source>
+        <translation>
+            <numerusform>höchstens %n Versuch</numerusform>
+            <numerusform>höchstens %n Versuche</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -1979,8 +2282,12 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Matrix als Tabelle speichern (CSV) …</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
+        <source>Show who has not passed a lesson that is overdue</source>
+        <translation>Zeigt, wer eine überfällige Lektion nicht bestanden hat</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
     </message>
 </context>
 <context>
@@ -2221,10 +2528,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>Speed and accuracy</source>
-        <translation>Tempo und Genauigkeit</translation>
-    </message>
-    <message>
         <source>All lessons</source>
         <translation>Alle Lektionen</translation>
     </message>
@@ -2287,6 +2590,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
         <translation>Sobald ein Versuch bewertet ist, steht er hier.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <extracomment>A chart of speed and accuracy</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2399,6 +2707,19 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Choose the language of all words</source>
         <translation>Sprache aller Wörter wählen</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore backup (%1)</source>
+        <extracomment>%1: day and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -2508,6 +2829,18 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Back to the machine&apos;s score</source>
         <translation>Zurück zum Ergebnis der Maschine</translation>
     </message>
+    <message>
+        <source>To pin it, click a place on the tooth above, or play the attempt to a moment and come back.</source>
+        <translation>Zum Anheften klicken Sie oben auf eine Stelle am Zahn, oder spielen Sie den Versuch bis zu einem Moment ab und kommen Sie zurück.</translation>
+    </message>
+    <message>
+        <source>To pin it to a moment, play the attempt to there and come back.</source>
+        <translation>Um ihn an einen Moment zu heften, spielen Sie den Versuch bis dorthin ab und kommen Sie zurück.</translation>
+    </message>
+    <message>
+        <source>To pin it to a place, click on the tooth above.</source>
+        <translation>Um ihn an eine Stelle zu heften, klicken Sie oben auf den Zahn.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -2522,6 +2855,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>yesterday</source>
         <translation>gestern</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. German &quot;d. MMM&quot;, Japanese &quot;M月d日&quot;</extracomment>
+        <translation>d. MMM</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
+        <translation>MMM yyyy</translation>
     </message>
 </context>
 <context>
@@ -2731,6 +3074,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Trials:</source>
         <extracomment>Before a number</extracomment>
         <translation>Durchgänge:</translation>
+    </message>
+    <message>
+        <source>An admin keeps the school&apos;s presets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3109,6 +3456,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>The class at: %1</source>
         <translation>Die Klasse bei: %1</translation>
     </message>
+    <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation>Überfällig: eine Lektion ist fällig gewesen und nicht bestanden</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ScoreCard</name>
@@ -3221,6 +3572,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Audit code: %1</source>
         <translation>Prüfcode: %1</translation>
+    </message>
+    <message>
+        <source>Not kept in a school&apos;s database: there is no audit code</source>
+        <translation>In keiner Datenbank einer Schule aufbewahrt: es gibt keinen Prüfcode</translation>
     </message>
 </context>
 <context>
@@ -3768,6 +4123,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>See how a class does, and who needs help</source>
         <translation>Sehen, wie es einer Klasse geht und wer Hilfe braucht</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Be shown round, step by step</source>
+        <translation>Sich Schritt für Schritt herumführen lassen</translation>
     </message>
 </context>
 <context>
@@ -4574,6 +4937,150 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
 </context>
 <context>
+    <name>ui::shell::Tour</name>
+    <message>
+        <source>Move the bur with the mouse and press the left button to drill. Drag with the right button to turn the view.</source>
+        <translation>Führen Sie den Bohrer mit der Maus, und drücken Sie zum Präparieren die linke Taste. Ziehen mit der rechten Taste dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
+        <translation>Die von Cusp und Ihre eigenen. Die Suche nimmt ein Wort oder die Nummer eines Zahns.</translation>
+    </message>
+    <message>
+        <source>Change a lesson</source>
+        <translation>Eine Lektion ändern</translation>
+    </message>
+    <message>
+        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
+        <translation>Ändern Sie, was eine Lektion verlangt und wie sie bewertet, und sehen Sie, was das aus früheren Versuchen macht.</translation>
+    </message>
+    <message>
+        <source>Your classes</source>
+        <translation>Ihre Klassen</translation>
+    </message>
+    <message>
+        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>Hier sehen Sie, wer Sie braucht und wie es allen geht. Geben Sie Lektionen auf, öffnen Sie Versuche, spielen Sie sie ab und schreiben Sie Kommentare.</translation>
+    </message>
+    <message>
+        <source>Try it yourself</source>
+        <translation>Selbst versuchen</translation>
+    </message>
+    <message>
+        <source>The grade</source>
+        <translation>Die Bewertung</translation>
+    </message>
+    <message>
+        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
+        <translation>Die Arbeit wird vermessen, und das Bewertungsblatt zeigt jeden verlorenen Punkt, wo und wann er verloren ging.</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>How every class does at every lesson, as its teachers see it.</source>
+        <translation>Wie es jeder Klasse bei jeder Lektion geht, so wie ihre Lehrenden es sehen.</translation>
+    </message>
+    <message>
+        <source>How it feels</source>
+        <translation>Wie es sich anfühlt</translation>
+    </message>
+    <message>
+        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <translation>Bohrer, Kraft und Tiefe stehen hier. Wie hart Zähne sind, bestimmen die Härte-Voreinstellungen (F7).</translation>
+    </message>
+    <message>
+        <source>The tooth</source>
+        <translation>Der Zahn</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. What your class is to do comes first.</source>
+        <translation>Wählen Sie hier, was Sie üben. Was Ihrer Klasse aufgegeben ist, steht zuerst.</translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
+        <translation>Wählen Sie hier, was Sie üben. Jede Lektion sagt, was sie verlangt und wie sie bewertet wird.</translation>
+    </message>
+    <message>
+        <source>Bur, force and depth</source>
+        <translation>Bohrer, Kraft und Tiefe</translation>
+    </message>
+    <message>
+        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>Nehmen Sie einen anderen Bohrer, stellen Sie ein, wie fest die Maus drückt, und lesen Sie beim Präparieren Kraft und Tiefe ab.</translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <translation>Ein mitlaufender Schnitt durch den Bohrer zeigt Schmelz, Dentin und Pulpa, wo die Lektion es erlaubt.</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>Ihre Versuche</translation>
+    </message>
+    <message>
+        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
+        <translation>Wie sich Ihre Punkte entwickelt haben, was Ihre Lehrkraft sagt, und jeder Versuch zum Abspielen.</translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation>Ihr Platz</translation>
+    </message>
+    <message>
+        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
+        <translation>Wer sich anmeldet, behält seine Bewertungen. Sonst wird nichts aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Lock your place when you leave it, or let somebody else log in.</source>
+        <translation>Sperren Sie Ihren Platz, wenn Sie ihn verlassen, oder lassen Sie jemand anderen sich anmelden.</translation>
+    </message>
+    <message>
+        <source>Every key</source>
+        <translation>Alle Tasten</translation>
+    </message>
+    <message>
+        <source>All keys are listed here. From there you can take this tour again.</source>
+        <translation>Hier stehen alle Tasten. Von dort können Sie diesen Rundgang noch einmal machen.</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Skip the tour</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Steps of a tour: &quot;2 of 6&quot;</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ViewMenu</name>
     <message>
         <source>View</source>
@@ -4872,6 +5379,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>too deep</source>
         <translation>zu tief</translation>
+    </message>
+    <message>
+        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
+        <translation>Klicken Sie auf den Zahn, oder nehmen Sie die Pfeiltasten, um die Stelle zu markieren, um die es in einem Kommentar geht; Entf nimmt die Marke weg.</translation>
     </message>
 </context>
 <context>
@@ -5202,16 +5713,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Nicht zu gebrauchen</translation>
     </message>
     <message>
-        <source>No lesson fits the search</source>
-        <translation>Keine Lektion passt zur Suche</translation>
-    </message>
-    <message>
         <source>This file cannot be given as a lesson. The others work.</source>
         <translation>Aus dieser Datei wird keine Lektion. Die anderen gehen.</translation>
-    </message>
-    <message>
-        <source>Search for another word, or clear the field.</source>
-        <translation>Suchen Sie nach einem anderen Wort oder leeren Sie das Feld.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -5290,6 +5793,90 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
         <translation>Prüfung: Fehler werden vermerkt, bis zum Ende wird nichts gesagt, und kein Schritt wird zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Tooth …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons on one tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <extracomment>All lessons</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To do</source>
+        <extracomment>Lessons that are still to be done</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <extracomment>Lessons that were passed</extracomment>
+        <translation type="unfinished">Bestanden</translation>
+    </message>
+    <message>
+        <source>Exams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">Verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the attempt that was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue where I stopped: %1, begun %2</source>
+        <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tried last: %1, best so far %2</source>
+        <extracomment>%1: a lesson; %2: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lesson fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for another word, or show all lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Given to</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5566,6 +6153,30 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
         <translation>Diese Bewertung ist auf diesem Computer aufgehoben. Die Datenbank der Schule bekommt sie, sobald sie zu erreichen ist.</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Replay this attempt</source>
+        <translation>Diesen Versuch abspielen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Score card on paper</source>
+        <translation>Bewertungsblatt auf Papier</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>Als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation>Drucken …</translation>
     </message>
 </context>
 <context>

@@ -486,6 +486,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -803,6 +807,40 @@
     <message>
         <source> as soon as %1</source>
         <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <extracomment>On the card of the lesson that is being worked on</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) late</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>due today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due tomorrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a day of the week, or a date</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1289,27 +1327,58 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The next tooth feels like this.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not kept: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not imported: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The preset was exported as %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Working out the score card …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::CardDesk</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the score card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The score card was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The score card was printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The printer did not take the score card.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The score card is being made …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not logged in</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1337,6 +1406,37 @@
     </message>
     <message>
         <source>The printer did not take the report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::PresetDesk</name>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: only an admin keeps the school&apos;s presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1713,6 +1813,184 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
 </context>
 <context>
+    <name>ui::people::AssignPage</name>
+    <message>
+        <source>given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given, due %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no day when it is due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>%1 of %2 students</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 have passed, %3 have tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That was undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) assigned.</source>
+        <translation>
+            <numerusform>%n lesson assigned.</numerusform>
+            <numerusform>%n lessons assigned.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) taken back; attempts stay.</source>
+        <translation>
+            <numerusform>%n lesson taken back; attempts stay.</numerusform>
+            <numerusform>%n lessons taken back; attempts stay.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) changed.</source>
+        <translation>
+            <numerusform>%n lesson changed.</numerusform>
+            <numerusform>%n lessons changed.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n lesson(s)</source>
+        <translation>
+            <numerusform>Assign %n lesson</numerusform>
+            <numerusform>Assign %n lessons</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons to assign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What %1 is to do</source>
+        <extracomment>%1: name of a class</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is assigned yet. Tick lessons on the left, say when they are due, and assign them; here you will see how many have passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change due date and attempts of the chosen lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the chosen lessons back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::AssignTerms</name>
+    <message>
+        <source>Due on</source>
+        <extracomment>A date follows</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a day when it is due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Day when it is due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until the end of this day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <extracomment>How often a lesson may be tried; a number follows</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The month before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next month</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::people::ClassCharts</name>
     <message>
         <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
@@ -1878,6 +2156,31 @@ load NAME        feels a hardness preset that is kept</source>
         <source>%1: passed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>late</source>
+        <extracomment>Of a student who has not passed a lesson that is overdue</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not tried, and overdue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and overdue, %3, last %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a date</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at most</source>
+        <translation>
+            <numerusform>%n attempt at most</numerusform>
+            <numerusform>%n attempts at most</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -1971,7 +2274,11 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <source>Show who has not passed a lesson that is overdue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2213,10 +2520,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed and accuracy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>All lessons</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2278,6 +2581,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <extracomment>A chart of speed and accuracy</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2391,6 +2699,19 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Choose the language of all words</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore backup (%1)</source>
+        <extracomment>%1: day and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -2500,6 +2821,18 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Back to the machine&apos;s score</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>To pin it, click a place on the tooth above, or play the attempt to a moment and come back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To pin it to a moment, play the attempt to there and come back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To pin it to a place, click on the tooth above.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -2513,6 +2846,16 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. German &quot;d. MMM&quot;, Japanese &quot;M月d日&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2722,6 +3065,10 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>Trials:</source>
         <extracomment>Before a number</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An admin keeps the school&apos;s presets</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3101,6 +3448,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>The class at: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ScoreCard</name>
@@ -3212,6 +3563,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Audit code: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept in a school&apos;s database: there is no audit code</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3759,6 +4114,14 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>See how a class does, and who needs help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be shown round, step by step</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4566,6 +4929,150 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::Tour</name>
+    <message>
+        <source>Move the bur with the mouse and press the left button to drill. Drag with the right button to turn the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try it yourself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How every class does at every lesson, as its teachers see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it feels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. What your class is to do comes first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bur, force and depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock your place when you leave it, or let somebody else log in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All keys are listed here. From there you can take this tour again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Steps of a tour: &quot;2 of 6&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ViewMenu</name>
     <message>
         <source>View</source>
@@ -4863,6 +5370,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5194,15 +5705,7 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No lesson fits the search</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This file cannot be given as a lesson. The others work.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search for another word, or clear the field.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5281,6 +5784,90 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tooth …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons on one tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <extracomment>All lessons</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To do</source>
+        <extracomment>Lessons that are still to be done</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <extracomment>Lessons that were passed</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard the attempt that was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue where I stopped: %1, begun %2</source>
+        <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tried last: %1, best so far %2</source>
+        <extracomment>%1: a lesson; %2: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lesson fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for another word, or show all lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Given to</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5557,6 +6144,30 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay this attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score card on paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -486,6 +486,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Lo que guarda la escuela no se puede mostrar ahora; lo que usted hace se conserva. %1</translation>
     </message>
+    <message>
+        <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -804,6 +808,40 @@
         <source> as soon as %1</source>
         <extracomment>%1: what has to be done before points are earned: &quot;50 % of the decay is out&quot;</extracomment>
         <translation> en cuanto %1</translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation type="unfinished">examen</translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <extracomment>On the card of the lesson that is being worked on</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) late</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>due today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due tomorrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a day of the week, or a date</extracomment>
+        <translation type="unfinished">entrega: %1</translation>
     </message>
 </context>
 <context>
@@ -1289,28 +1327,59 @@
         <translation>El intento ya no está.</translation>
     </message>
     <message>
-        <source>The next tooth feels like this.</source>
-        <translation>El próximo diente se nota así.</translation>
-    </message>
-    <message>
-        <source>Not kept: %1</source>
-        <translation>No se conservó: %1</translation>
-    </message>
-    <message>
-        <source>Not imported: %1</source>
-        <translation>No se importó: %1</translation>
-    </message>
-    <message>
-        <source>The preset was exported as %1.</source>
-        <translation>El ajuste se exportó como %1.</translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation>No se exportó: %1</translation>
-    </message>
-    <message>
         <source>Working out the score card …</source>
         <translation>Preparando la hoja de puntuación …</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::CardDesk</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>Hoja de puntuación: %1</translation>
+    </message>
+    <message>
+        <source>Save the score card</source>
+        <translation>Guardar la hoja de puntuación</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The score card was saved as %1.</source>
+        <translation>La hoja de puntuación se guardó como %1.</translation>
+    </message>
+    <message>
+        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>La hoja de puntuación no se pudo escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>The score card was printed.</source>
+        <translation>La hoja de puntuación se imprimió.</translation>
+    </message>
+    <message>
+        <source>The printer did not take the score card.</source>
+        <translation>La impresora no aceptó la hoja de puntuación.</translation>
+    </message>
+    <message>
+        <source>The score card is being made …</source>
+        <translation>Preparando la hoja de puntuación …</translation>
+    </message>
+    <message>
+        <source>Not logged in</source>
+        <translation>Sin iniciar sesión</translation>
     </message>
 </context>
 <context>
@@ -1338,6 +1407,37 @@
     <message>
         <source>The printer did not take the report.</source>
         <translation>La impresora no aceptó el informe.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PresetDesk</name>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation type="unfinished">El próximo diente se nota así.</translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: only an admin keeps the school&apos;s presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation type="unfinished">No se conservó: %1</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation type="unfinished">No se importó: %1</translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation type="unfinished">El ajuste se exportó como %1.</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation type="unfinished">No se exportó: %1</translation>
     </message>
 </context>
 <context>
@@ -1721,6 +1821,184 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::people::AssignPage</name>
+    <message>
+        <source>given</source>
+        <translation>asignada</translation>
+    </message>
+    <message>
+        <source>given, due %1</source>
+        <translation>asignada, vence: %1</translation>
+    </message>
+    <message>
+        <source>%1, over</source>
+        <translation>%1, vencida</translation>
+    </message>
+    <message>
+        <source>There is no day when it is due</source>
+        <translation>No hay fecha de entrega</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>%1 of %2 students</extracomment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have passed, %3 have tried</source>
+        <translation>%1 de %2 han aprobado, %3 lo han intentado</translation>
+    </message>
+    <message>
+        <source>That was undone.</source>
+        <translation>Eso se deshizo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) assigned.</source>
+        <translation>
+            <numerusform>%n lección asignada.</numerusform>
+            <numerusform>%n lecciones asignadas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) taken back; attempts stay.</source>
+        <translation>
+            <numerusform>%n lección retirada; los intentos se conservan.</numerusform>
+            <numerusform>%n lecciones retiradas; los intentos se conservan.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) changed.</source>
+        <translation>
+            <numerusform>%n lección cambiada.</numerusform>
+            <numerusform>%n lecciones cambiadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Asignar</translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n lesson(s)</source>
+        <translation>
+            <numerusform>Asignar %n lección</numerusform>
+            <numerusform>Asignar %n lecciones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation>Asignar lecciones</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lecciones</translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation>Buscar: una palabra o el número de un diente</translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation>Buscar en las lecciones</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Borrar la búsqueda</translation>
+    </message>
+    <message>
+        <source>Lessons to assign</source>
+        <translation>Lecciones para asignar</translation>
+    </message>
+    <message>
+        <source>What %1 is to do</source>
+        <extracomment>%1: name of a class</extracomment>
+        <translation>Lo que %1 tiene que hacer</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Entrega</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Intentos</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Aprobado</translation>
+    </message>
+    <message>
+        <source>Nothing is assigned yet. Tick lessons on the left, say when they are due, and assign them; here you will see how many have passed.</source>
+        <translation>Todavía no hay nada asignado. Marque lecciones a la izquierda, indique la fecha de entrega y asígnelas; aquí verá cuántos han aprobado.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+    <message>
+        <source>Change due date and attempts of the chosen lessons</source>
+        <translation>Cambiar la entrega y los intentos de las lecciones elegidas</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Take the chosen lessons back</source>
+        <translation>Retirar las lecciones elegidas</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::AssignTerms</name>
+    <message>
+        <source>Due on</source>
+        <extracomment>A date follows</extracomment>
+        <translation>Entrega el</translation>
+    </message>
+    <message>
+        <source>There is a day when it is due</source>
+        <translation>Hay fecha de entrega</translation>
+    </message>
+    <message>
+        <source>Day when it is due</source>
+        <translation>Fecha de entrega</translation>
+    </message>
+    <message>
+        <source>Until the end of this day</source>
+        <translation>Hasta el final de este día</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <extracomment>How often a lesson may be tried; a number follows</extracomment>
+        <translation>Intentos</translation>
+    </message>
+    <message>
+        <source>Attempts at most</source>
+        <translation>Intentos como máximo</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>The month before</source>
+        <translation>El mes anterior</translation>
+    </message>
+    <message>
+        <source>The next month</source>
+        <translation>El mes siguiente</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::ClassCharts</name>
     <message>
         <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
@@ -1886,6 +2164,31 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1: passed</source>
         <translation>%1: aprobado</translation>
     </message>
+    <message>
+        <source>late</source>
+        <extracomment>Of a student who has not passed a lesson that is overdue</extracomment>
+        <translation>con retraso</translation>
+    </message>
+    <message>
+        <source>%1: not tried, and overdue</source>
+        <translation>%1: sin intentar y con el plazo vencido</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and overdue, %3, last %4</source>
+        <translation>%1: mejor %2, no aprobado y con el plazo vencido, %3, último %4</translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a date</extracomment>
+        <translation>entrega: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at most</source>
+        <translation>
+            <numerusform>%n intento como máximo</numerusform>
+            <numerusform>%n intentos como máximo</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -1979,8 +2282,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Guardar la matriz como tabla (CSV) …</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Mejor puntuación de cada estudiante; una marca: aprobado. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
+        <source>Show who has not passed a lesson that is overdue</source>
+        <translation>Mostrar quién no ha aprobado una lección con el plazo vencido</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
     </message>
 </context>
 <context>
@@ -2221,10 +2528,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Fuerza</translation>
     </message>
     <message>
-        <source>Speed and accuracy</source>
-        <translation>Rapidez y precisión</translation>
-    </message>
-    <message>
         <source>All lessons</source>
         <translation>Todas las lecciones</translation>
     </message>
@@ -2287,6 +2590,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
         <translation>En cuanto se califique un intento, estará aquí.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <extracomment>A chart of speed and accuracy</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2399,6 +2707,19 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Choose the language of all words</source>
         <translation>Elegir el idioma de todos los textos</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore backup (%1)</source>
+        <extracomment>%1: day and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -2508,6 +2829,18 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Back to the machine&apos;s score</source>
         <translation>Volver a la puntuación de la máquina</translation>
     </message>
+    <message>
+        <source>To pin it, click a place on the tooth above, or play the attempt to a moment and come back.</source>
+        <translation>Para fijarlo, haga clic arriba en un lugar del diente, o reproduzca el intento hasta un momento y vuelva.</translation>
+    </message>
+    <message>
+        <source>To pin it to a moment, play the attempt to there and come back.</source>
+        <translation>Para fijarlo a un momento, reproduzca el intento hasta ahí y vuelva.</translation>
+    </message>
+    <message>
+        <source>To pin it to a place, click on the tooth above.</source>
+        <translation>Para fijarlo a un lugar, haga clic arriba en el diente.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -2522,6 +2855,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>yesterday</source>
         <translation>ayer</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. German &quot;d. MMM&quot;, Japanese &quot;M月d日&quot;</extracomment>
+        <translation>d MMM</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
+        <translation>MMM yyyy</translation>
     </message>
 </context>
 <context>
@@ -2731,6 +3074,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Trials:</source>
         <extracomment>Before a number</extracomment>
         <translation>Pruebas:</translation>
+    </message>
+    <message>
+        <source>An admin keeps the school&apos;s presets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3109,6 +3456,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>The class at: %1</source>
         <translation>El grupo en: %1</translation>
     </message>
+    <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation>Con retraso: una lección con el plazo vencido y no aprobada</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ScoreCard</name>
@@ -3221,6 +3572,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Audit code: %1</source>
         <translation>Código de auditoría: %1</translation>
+    </message>
+    <message>
+        <source>Not kept in a school&apos;s database: there is no audit code</source>
+        <translation>No se conserva en la base de datos de ninguna escuela: no hay código de auditoría</translation>
     </message>
 </context>
 <context>
@@ -3768,6 +4123,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>See how a class does, and who needs help</source>
         <translation>Ver cómo va un grupo y quién necesita ayuda</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Visita guiada</translation>
+    </message>
+    <message>
+        <source>Be shown round, step by step</source>
+        <translation>Recorrer el programa paso a paso</translation>
     </message>
 </context>
 <context>
@@ -4574,6 +4937,150 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::Tour</name>
+    <message>
+        <source>Move the bur with the mouse and press the left button to drill. Drag with the right button to turn the view.</source>
+        <translation>Mueva la fresa con el ratón y pulse el botón izquierdo para tallar. Arrastre con el derecho para girar la vista.</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Todas las lecciones</translation>
+    </message>
+    <message>
+        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
+        <translation>Las que trae Cusp y las suyas. La búsqueda acepta una palabra o el número de un diente.</translation>
+    </message>
+    <message>
+        <source>Change a lesson</source>
+        <translation>Cambiar una lección</translation>
+    </message>
+    <message>
+        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
+        <translation>Cambie lo que pide una lección y cómo califica, y vea qué resultaría de los intentos anteriores.</translation>
+    </message>
+    <message>
+        <source>Your classes</source>
+        <translation>Sus grupos</translation>
+    </message>
+    <message>
+        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>Aquí ve quién le necesita y cómo va cada uno. Asigne lecciones, abra intentos, reprodúzcalos y escriba comentarios.</translation>
+    </message>
+    <message>
+        <source>Try it yourself</source>
+        <translation>Pruébelo usted</translation>
+    </message>
+    <message>
+        <source>The grade</source>
+        <translation>La calificación</translation>
+    </message>
+    <message>
+        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
+        <translation>El trabajo se mide, y la hoja de puntuación muestra cada punto perdido, dónde y cuándo.</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>How every class does at every lesson, as its teachers see it.</source>
+        <translation>Cómo va cada grupo en cada lección, tal como lo ven sus docentes.</translation>
+    </message>
+    <message>
+        <source>How it feels</source>
+        <translation>Cómo se siente</translation>
+    </message>
+    <message>
+        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <translation>Aquí están las fresas, la fuerza y la profundidad. La dureza de los dientes se fija en los ajustes de dureza (F7).</translation>
+    </message>
+    <message>
+        <source>The tooth</source>
+        <translation>El diente</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lecciones</translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. What your class is to do comes first.</source>
+        <translation>Elija aquí qué practicar. Lo asignado a su grupo aparece primero.</translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
+        <translation>Elija aquí qué practicar. Cada lección dice qué pide y cómo se califica.</translation>
+    </message>
+    <message>
+        <source>Bur, force and depth</source>
+        <translation>Fresa, fuerza y profundidad</translation>
+    </message>
+    <message>
+        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>Tome otra fresa, ajuste cuánto presiona el ratón y lea la fuerza y la profundidad mientras talla.</translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation>Ver por dentro</translation>
+    </message>
+    <message>
+        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <translation>Un corte en vivo a través de la fresa muestra esmalte, dentina y pulpa, si la lección lo permite.</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>Sus intentos</translation>
+    </message>
+    <message>
+        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
+        <translation>Cómo han ido sus puntuaciones, qué dice su docente, y cada intento para reproducirlo.</translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation>Su puesto</translation>
+    </message>
+    <message>
+        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
+        <translation>Quien inicia sesión conserva sus calificaciones. Si no, no se conserva nada.</translation>
+    </message>
+    <message>
+        <source>Lock your place when you leave it, or let somebody else log in.</source>
+        <translation>Bloquee su puesto al dejarlo, o deje que otra persona inicie sesión.</translation>
+    </message>
+    <message>
+        <source>Every key</source>
+        <translation>Todas las teclas</translation>
+    </message>
+    <message>
+        <source>All keys are listed here. From there you can take this tour again.</source>
+        <translation>Aquí están todas las teclas. Desde ahí puede repetir esta visita.</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visita guiada</translation>
+    </message>
+    <message>
+        <source>Skip the tour</source>
+        <translation>Omitir la visita</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Steps of a tour: &quot;2 of 6&quot;</extracomment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ViewMenu</name>
     <message>
         <source>View</source>
@@ -4872,6 +5379,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>too deep</source>
         <translation>demasiado profundo</translation>
+    </message>
+    <message>
+        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
+        <translation>Haga clic en el diente, o use las flechas, para marcar el lugar del que trata un comentario; Supr quita la marca.</translation>
     </message>
 </context>
 <context>
@@ -5202,16 +5713,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>No se puede dar</translation>
     </message>
     <message>
-        <source>No lesson fits the search</source>
-        <translation>Ninguna lección coincide con la búsqueda</translation>
-    </message>
-    <message>
         <source>This file cannot be given as a lesson. The others work.</source>
         <translation>Este archivo no puede darse como lección. Los demás funcionan.</translation>
-    </message>
-    <message>
-        <source>Search for another word, or clear the field.</source>
-        <translation>Busque otra palabra o vacíe el campo.</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -5290,6 +5793,90 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Exam: faults are noted, nothing is said until the end, and no step is taken back</source>
         <translation>Examen: los fallos se anotan, no se dice nada hasta el final y no se deshace ningún paso</translation>
+    </message>
+    <message>
+        <source>Tooth …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons on one tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <extracomment>All lessons</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To do</source>
+        <extracomment>Lessons that are still to be done</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <extracomment>Lessons that were passed</extracomment>
+        <translation type="unfinished">Aprobado</translation>
+    </message>
+    <message>
+        <source>Exams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">Descartar</translation>
+    </message>
+    <message>
+        <source>Discard the attempt that was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue where I stopped: %1, begun %2</source>
+        <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tried last: %1, best so far %2</source>
+        <extracomment>%1: a lesson; %2: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lesson fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for another word, or show all lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Given to</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5566,6 +6153,30 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>This grade is kept on this computer. The school&apos;s database gets it when it can be reached.</source>
         <translation>Esta calificación se conserva en este ordenador. La base de datos de la escuela la recibe cuando se pueda acceder a ella.</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Replay this attempt</source>
+        <translation>Reproducir este intento</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Score card on paper</source>
+        <translation>Hoja de puntuación en papel</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>Guardar como PDF …</translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation>Imprimir …</translation>
     </message>
 </context>
 <context>

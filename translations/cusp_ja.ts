@@ -486,6 +486,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>学校の保管データは今表示できませんが、あなたの作業は保存されます。%1</translation>
     </message>
+    <message>
+        <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -804,6 +808,39 @@
     <message>
         <source>%1: %2 points</source>
         <translation>%1：%2点</translation>
+    </message>
+    <message>
+        <source>exam</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation type="unfinished">試験</translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <extracomment>On the card of the lesson that is being worked on</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) late</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>due today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due tomorrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a day of the week, or a date</extracomment>
+        <translation type="unfinished">期限：%1</translation>
     </message>
 </context>
 <context>
@@ -1199,26 +1236,6 @@
 <context>
     <name>app::Application</name>
     <message>
-        <source>The next tooth feels like this.</source>
-        <translation>次の歯からこの手応えになります。</translation>
-    </message>
-    <message>
-        <source>Not kept: %1</source>
-        <translation>保存されませんでした：%1</translation>
-    </message>
-    <message>
-        <source>Not imported: %1</source>
-        <translation>読み込めませんでした：%1</translation>
-    </message>
-    <message>
-        <source>The preset was exported as %1.</source>
-        <translation>プリセットを%1として書き出しました。</translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation>書き出せませんでした：%1</translation>
-    </message>
-    <message>
         <source>Making tooth %1 …</source>
         <translation>歯%1を作成しています …</translation>
     </message>
@@ -1306,6 +1323,57 @@
         <source>Working out the score card …</source>
         <translation>成績表を作成しています …</translation>
     </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::CardDesk</name>
+    <message>
+        <source>Score card: %1</source>
+        <translation>成績表：%1</translation>
+    </message>
+    <message>
+        <source>Save the score card</source>
+        <translation>成績表を保存</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The score card was saved as %1.</source>
+        <translation>成績表を %1 として保存しました。</translation>
+    </message>
+    <message>
+        <source>The score card could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>成績表を書き込めませんでした。別のフォルダーを選ぶか、ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>The score card was printed.</source>
+        <translation>成績表を印刷しました。</translation>
+    </message>
+    <message>
+        <source>The printer did not take the score card.</source>
+        <translation>プリンターが成績表を受け付けませんでした。</translation>
+    </message>
+    <message>
+        <source>The score card is being made …</source>
+        <translation>成績表を作成しています …</translation>
+    </message>
+    <message>
+        <source>Not logged in</source>
+        <translation>未ログイン</translation>
+    </message>
 </context>
 <context>
     <name>app::PeopleDesk</name>
@@ -1332,6 +1400,37 @@
     <message>
         <source>The printer did not take the report.</source>
         <translation>プリンターが報告書を受け付けませんでした。</translation>
+    </message>
+</context>
+<context>
+    <name>app::PresetDesk</name>
+    <message>
+        <source>The next tooth feels like this.</source>
+        <translation type="unfinished">次の歯からこの手応えになります。</translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: only an admin keeps the school&apos;s presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation type="unfinished">保存されませんでした：%1</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation type="unfinished">読み込めませんでした：%1</translation>
+    </message>
+    <message>
+        <source>The preset was exported as %1.</source>
+        <translation type="unfinished">プリセットを%1として書き出しました。</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation type="unfinished">書き出せませんでした：%1</translation>
     </message>
 </context>
 <context>
@@ -1715,6 +1814,180 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+    <name>ui::people::AssignPage</name>
+    <message>
+        <source>given</source>
+        <translation>割り当て済み</translation>
+    </message>
+    <message>
+        <source>given, due %1</source>
+        <translation>割り当て済み、期限：%1</translation>
+    </message>
+    <message>
+        <source>%1, over</source>
+        <translation>%1、期限切れ</translation>
+    </message>
+    <message>
+        <source>There is no day when it is due</source>
+        <translation>期限はありません</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>無制限</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>%1 of %2 students</extracomment>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have passed, %3 have tried</source>
+        <translation>%2人中%1人が合格、%3人が試行</translation>
+    </message>
+    <message>
+        <source>That was undone.</source>
+        <translation>元に戻しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) assigned.</source>
+        <translation>
+            <numerusform>課題を%n件割り当てました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) taken back; attempts stay.</source>
+        <translation>
+            <numerusform>課題を%n件取り下げました。試行は残ります。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) changed.</source>
+        <translation>
+            <numerusform>課題を%n件変更しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>割り当てる</translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n lesson(s)</source>
+        <translation>
+            <numerusform>課題を%n件割り当てる</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assign lessons</source>
+        <translation>課題を割り当てる</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Search: a word, or the number of a tooth</source>
+        <translation>検索：言葉または歯の番号</translation>
+    </message>
+    <message>
+        <source>Search the lessons</source>
+        <translation>課題を検索</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>検索を消去</translation>
+    </message>
+    <message>
+        <source>Lessons to assign</source>
+        <translation>割り当てる課題</translation>
+    </message>
+    <message>
+        <source>What %1 is to do</source>
+        <extracomment>%1: name of a class</extracomment>
+        <translation>%1の課題</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>期限</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Nothing is assigned yet. Tick lessons on the left, say when they are due, and assign them; here you will see how many have passed.</source>
+        <translation>まだ何も割り当てられていません。左で課題に印を付け、期限を決めて割り当ててください。合格した人数がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>Change due date and attempts of the chosen lessons</source>
+        <translation>選んだ課題の期限と試行回数を変更します</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>取り下げる</translation>
+    </message>
+    <message>
+        <source>Take the chosen lessons back</source>
+        <translation>選んだ課題を取り下げます</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>ui::people::AssignTerms</name>
+    <message>
+        <source>Due on</source>
+        <extracomment>A date follows</extracomment>
+        <translation>期限</translation>
+    </message>
+    <message>
+        <source>There is a day when it is due</source>
+        <translation>期限を設けます</translation>
+    </message>
+    <message>
+        <source>Day when it is due</source>
+        <translation>期限の日</translation>
+    </message>
+    <message>
+        <source>Until the end of this day</source>
+        <translation>その日の終わりまで</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <extracomment>How often a lesson may be tried; a number follows</extracomment>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>Attempts at most</source>
+        <translation>試行回数の上限</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>無制限</translation>
+    </message>
+    <message>
+        <source>The month before</source>
+        <translation>前の月</translation>
+    </message>
+    <message>
+        <source>The next month</source>
+        <translation>次の月</translation>
+    </message>
+</context>
+<context>
     <name>ui::people::ClassCharts</name>
     <message>
         <source>Shown when %1 people have tried the lesson, so that nobody can be made out.</source>
@@ -1877,6 +2150,30 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1: passed</source>
         <translation>%1：合格</translation>
     </message>
+    <message>
+        <source>late</source>
+        <extracomment>Of a student who has not passed a lesson that is overdue</extracomment>
+        <translation>期限超過</translation>
+    </message>
+    <message>
+        <source>%1: not tried, and overdue</source>
+        <translation>%1：未実施、期限超過</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and overdue, %3, last %4</source>
+        <translation>%1：最高%2点、不合格で期限超過、%3、最後 %4</translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <extracomment>%1: a date</extracomment>
+        <translation>期限：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) at most</source>
+        <translation>
+            <numerusform>試行は%n回まで</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -1969,8 +2266,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>一覧表を表（CSV）として保存 …</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>各学生の最高点。チェック印：合格。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
+        <source>Show who has not passed a lesson that is overdue</source>
+        <translation>期限を過ぎた課題に合格していない人を表示します</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>各学生の最高点。チェック印：合格、▲：期限超過。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
     </message>
 </context>
 <context>
@@ -2209,10 +2510,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>力</translation>
     </message>
     <message>
-        <source>Speed and accuracy</source>
-        <translation>速さと正確さ</translation>
-    </message>
-    <message>
         <source>All lessons</source>
         <translation>すべての課題</translation>
     </message>
@@ -2274,6 +2571,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>As soon as an attempt has been graded it is here.</source>
         <translation>採点が済むとすぐにここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <extracomment>A chart of speed and accuracy</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2386,6 +2688,19 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>The two passwords differ. Type the second one again.</source>
         <translation>2つのパスワードが一致しません。確認用をもう一度入力してください。</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore backup (%1)</source>
+        <extracomment>%1: day and time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -2495,6 +2810,18 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Back to the machine&apos;s score</source>
         <translation>機械採点に戻す</translation>
     </message>
+    <message>
+        <source>To pin it, click a place on the tooth above, or play the attempt to a moment and come back.</source>
+        <translation>付けるには、上の歯の場所をクリックするか、試行をその時点まで再生して戻ってください。</translation>
+    </message>
+    <message>
+        <source>To pin it to a moment, play the attempt to there and come back.</source>
+        <translation>時点に付けるには、試行をそこまで再生して戻ってください。</translation>
+    </message>
+    <message>
+        <source>To pin it to a place, click on the tooth above.</source>
+        <translation>場所に付けるには、上の歯をクリックしてください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -2509,6 +2836,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>yesterday</source>
         <translation>昨日</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. German &quot;d. MMM&quot;, Japanese &quot;M月d日&quot;</extracomment>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
+        <translation>yyyy年M月</translation>
     </message>
 </context>
 <context>
@@ -2718,6 +3055,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1 copy</source>
         <extracomment>%1 is the name of a preset that is duplicated</extracomment>
         <translation>%1のコピー</translation>
+    </message>
+    <message>
+        <source>An admin keeps the school&apos;s presets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3093,6 +3434,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>The class at: %1</source>
         <translation>クラスの成績：%1</translation>
     </message>
+    <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation>期限超過：期限を過ぎた課題に不合格</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ScoreCard</name>
@@ -3204,6 +3549,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Audit code: %1</source>
         <translation>監査コード：%1</translation>
+    </message>
+    <message>
+        <source>Not kept in a school&apos;s database: there is no audit code</source>
+        <translation>学校のデータベースに保存されていないため、監査コードはありません</translation>
     </message>
 </context>
 <context>
@@ -3751,6 +4100,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>See how a class does, and who needs help</source>
         <translation>クラスの成績と、助けが必要な人を見ます</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>ツアーを見る</translation>
+    </message>
+    <message>
+        <source>Be shown round, step by step</source>
+        <translation>一歩ずつ案内を受けます</translation>
     </message>
 </context>
 <context>
@@ -4555,6 +4912,150 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
 </context>
 <context>
+    <name>ui::shell::Tour</name>
+    <message>
+        <source>Move the bur with the mouse and press the left button to drill. Drag with the right button to turn the view.</source>
+        <translation>マウスでバーを動かし、左ボタンを押すと切削します。右ボタンでドラッグすると視点が回ります。</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>すべての課題</translation>
+    </message>
+    <message>
+        <source>Those that come with Cusp, and your own. The search takes a word or the number of a tooth.</source>
+        <translation>Cuspに付属の課題と自作の課題です。言葉または歯の番号で検索できます。</translation>
+    </message>
+    <message>
+        <source>Change a lesson</source>
+        <translation>課題を変更する</translation>
+    </message>
+    <message>
+        <source>Change what a lesson asks for and how it marks, and see what that makes of earlier attempts.</source>
+        <translation>課題の内容と採点を変更し、これまでの試行がどう変わるかを確かめられます。</translation>
+    </message>
+    <message>
+        <source>Your classes</source>
+        <translation>担当クラス</translation>
+    </message>
+    <message>
+        <source>Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, and write comments.</source>
+        <translation>助けが必要な人と全員の成績が分かります。課題を割り当て、試行を開いて再生し、コメントを書けます。</translation>
+    </message>
+    <message>
+        <source>Try it yourself</source>
+        <translation>自分で試す</translation>
+    </message>
+    <message>
+        <source>The grade</source>
+        <translation>採点</translation>
+    </message>
+    <message>
+        <source>The work is measured, and the score card shows every lost point, where it was lost and when.</source>
+        <translation>作業が計測され、どの点をどこでいつ失ったかが成績表に示されます。</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>クラス</translation>
+    </message>
+    <message>
+        <source>How every class does at every lesson, as its teachers see it.</source>
+        <translation>各クラスの課題ごとの成績を、教員と同じ画面で見られます。</translation>
+    </message>
+    <message>
+        <source>How it feels</source>
+        <translation>手応え</translation>
+    </message>
+    <message>
+        <source>Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7).</source>
+        <translation>バー、力、深さはここにあります。歯の硬さは硬さのプリセット（F7）で決めます。</translation>
+    </message>
+    <message>
+        <source>The tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. What your class is to do comes first.</source>
+        <translation>練習する内容をここで選びます。クラスに割り当てられた課題が先に並びます。</translation>
+    </message>
+    <message>
+        <source>Choose here what to practise. Each lesson says what it asks and how it is marked.</source>
+        <translation>練習する内容をここで選びます。各課題に内容と採点方法が書かれています。</translation>
+    </message>
+    <message>
+        <source>Bur, force and depth</source>
+        <translation>バー、力、深さ</translation>
+    </message>
+    <message>
+        <source>Take another bur, set how hard the mouse presses, and read force and depth while you drill.</source>
+        <translation>バーの交換やマウスの押す力の設定ができ、切削中の力と深さを読み取れます。</translation>
+    </message>
+    <message>
+        <source>Seeing inside</source>
+        <translation>内部を見る</translation>
+    </message>
+    <message>
+        <source>A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it.</source>
+        <translation>課題が許す場合、バーを通る断面でエナメル質、象牙質、歯髄が見られます。</translation>
+    </message>
+    <message>
+        <source>Your attempts</source>
+        <translation>自分の試行</translation>
+    </message>
+    <message>
+        <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
+        <translation>点数の推移と教員のコメントが見られ、どの試行も再生できます。</translation>
+    </message>
+    <message>
+        <source>Your place</source>
+        <translation>この席</translation>
+    </message>
+    <message>
+        <source>Who logs in keeps the grades. Without that, nothing is kept.</source>
+        <translation>ログインすると成績が保存されます。ログインしないと何も保存されません。</translation>
+    </message>
+    <message>
+        <source>Lock your place when you leave it, or let somebody else log in.</source>
+        <translation>席を離れるときはロックするか、別の人に替わってください。</translation>
+    </message>
+    <message>
+        <source>Every key</source>
+        <translation>すべてのキー</translation>
+    </message>
+    <message>
+        <source>All keys are listed here. From there you can take this tour again.</source>
+        <translation>すべてのキーの一覧です。このツアーもそこからもう一度見られます。</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>Skip the tour</source>
+        <translation>ツアーを終了</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Steps of a tour: &quot;2 of 6&quot;</extracomment>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ViewMenu</name>
     <message>
         <source>View</source>
@@ -4848,6 +5349,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>too deep</source>
         <translation>深すぎ</translation>
+    </message>
+    <message>
+        <source>Click on the tooth, or use the arrow keys, to mark the place that a comment is about; Delete takes the mark away.</source>
+        <translation>歯をクリックするか矢印キーで、コメントの対象となる場所に印を付けます。Deleteで印が消えます。</translation>
     </message>
 </context>
 <context>
@@ -5191,16 +5696,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>最高%1点、不合格</translation>
     </message>
     <message>
-        <source>No lesson fits the search</source>
-        <translation>検索に合う課題はありません</translation>
-    </message>
-    <message>
         <source>This file cannot be given as a lesson. The others work.</source>
         <translation>このファイルは課題として使えません。ほかの課題は使えます。</translation>
-    </message>
-    <message>
-        <source>Search for another word, or clear the field.</source>
-        <translation>別の言葉で検索するか、欄を空にしてください。</translation>
     </message>
     <message>
         <source>Tooth</source>
@@ -5264,6 +5761,89 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Note</source>
         <translation>注意</translation>
+    </message>
+    <message>
+        <source>Tooth …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons on one tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a tooth in the arch, to see the lessons on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <extracomment>All lessons</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To do</source>
+        <extracomment>Lessons that are still to be done</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <extracomment>Lessons that were passed</extracomment>
+        <translation type="unfinished">合格</translation>
+    </message>
+    <message>
+        <source>Exams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">破棄</translation>
+    </message>
+    <message>
+        <source>Discard the attempt that was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue where I stopped: %1, begun %2</source>
+        <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tried last: %1, best so far %2</source>
+        <extracomment>%1: a lesson; %2: points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given to you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lesson fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for another word, or show all lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Given to</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5538,6 +6118,30 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>This is the first grade here.</source>
         <translation>ここでの最初の成績です。</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Replay this attempt</source>
+        <translation>この試行を再生します</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告書</translation>
+    </message>
+    <message>
+        <source>Score card on paper</source>
+        <translation>成績表を紙に出力</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>PDFとして保存 …</translation>
+    </message>
+    <message>
+        <source>Print …</source>
+        <translation>印刷 …</translation>
     </message>
 </context>
 <context>

@@ -225,6 +225,7 @@ void TestLanguages::pages_data()
         m_beside = std::make_unique<UiLinks>();
         m_window->showBeside(*m_beside, support::syntheticMolar(), 1, {}, "[···]");
     });
+    page("tour", [this] { m_window->beginTour(); });
     page("help", [this] { actions().help->trigger(); });
     page("teeth", [this] { actions().chooseTooth->trigger(); });
     page("mouth", [this] {

@@ -35,7 +35,7 @@ using namespace ui::shell;
 constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
 constexpr int kDuePx = 18;   ///< and one for when it is due
-constexpr int kNamesPx = 230;
+constexpr int kNamesPx = 250;
 constexpr std::array kNeeds{Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
 }  // namespace

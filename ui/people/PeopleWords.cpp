@@ -21,6 +21,7 @@ struct Words
 /// Sheets further back than this have no criterion that the newer ones lack.
 constexpr qsizetype kSheetsRead = 30;
 constexpr qint64 kWeekDays = 7;
+constexpr qint64 kMonthsFromDays = 300;  ///< so long ago, the month is enough
 
 }  // namespace
 
@@ -66,7 +67,11 @@ QString whenShort(const std::string& utc, const QDateTime& now)
         return Words::tr("yesterday");
     if (ago > 1 && ago < kWeekDays)
         return QLocale().dayName(day.dayOfWeek(), QLocale::ShortFormat);
-    return QLocale().toString(day, ago < 300 ? QStringLiteral("d MMM") : QStringLiteral("MMM yyyy"));
+    if (ago >= kMonthsFromDays)
+        //: A month, as QLocale::toString() takes it: "Nov 2024"
+        return QLocale().toString(day, Words::tr("MMM yyyy"));
+    //: A day without its year, as QLocale::toString() takes it: "27 Nov". German "d. MMM", Japanese "M月d日"
+    return QLocale().toString(day, Words::tr("d MMM"));
 }
 
 QString clock(std::int64_t ms)

@@ -189,6 +189,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     fullScreen = add("fullscreen", QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", QT_TR_NOOP("Keys and mouse"), QT_TR_NOOP("Show what every key does"), {Qt::Key_F1});
+    tour = add("expert", QT_TR_NOOP("Take the tour"), QT_TR_NOOP("Be shown round, step by step"),
+               {Qt::SHIFT | Qt::Key_F1});
     back = add("back", QT_TR_NOOP("Back to the tooth"), QT_TR_NOOP("Close what lies over the tooth; nothing is lost"),
                {Qt::Key_Escape});
     quit = add("close", QT_TR_NOOP("Quit"), QT_TR_NOOP("Close Cusp"), {Qt::CTRL | Qt::Key_Q});

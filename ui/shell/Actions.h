@@ -102,6 +102,7 @@ public:
     QAction* account = nullptr;  ///< who is logged in; locks the place, or leads to the login
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
+    QAction* tour = nullptr;
     QAction* back = nullptr;
     QAction* quit = nullptr;
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -103,11 +104,12 @@ HelpOverlay::HelpOverlay(const Actions& actions, QWidget* parent)
     connect(this, &HelpOverlay::leftByClick, actions.back, &QAction::trigger);
     auto* head = new QHBoxLayout;
     head->addWidget(title, 1);
+    head->addWidget(pageButton(actions.tour, "", m_card));
     head->addWidget(m_close);
 
     auto* inside = new QVBoxLayout(m_card);
-    inside->setContentsMargins(kSpace6, kSpace4, kSpace4, kSpace6);
-    inside->setSpacing(kSpace4);
+    inside->setContentsMargins(kSpace6, kSpace2, kSpace4, kSpace4);
+    inside->setSpacing(kSpace2);
     inside->addLayout(head);
     m_scroll = new ScrollPane(m_content, QPalette::Base, m_card);
     inside->addWidget(m_scroll, 1);

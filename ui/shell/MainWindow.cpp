@@ -57,6 +57,7 @@
 #include "ui/shell/StereoCard.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
+#include "ui/shell/Tour.h"
 #include "ui/shell/ViewMenu.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
@@ -144,7 +145,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_watch(new console::WatchPanel(m_parameters, m_room)),
       m_console(new console::Console(m_parameters, *m_watch, m_room)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
-      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)), m_stereoCard(new StereoCard(m_room)),
+      m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
+      m_tour(new Tour(*m_actions, *m_room, *m_lessonsPage, m_pages)), m_stereoCard(new StereoCard(m_room)),
       m_infractionCard(new study::InfractionCard(m_room)),
       m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
 {
@@ -171,6 +173,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectView();
     connectReplay();
     connectDoor();
+    connectTour();
     connectPresets();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
@@ -400,6 +403,31 @@ void MainWindow::connectDoor()
     connect(m_scorePage, &study::ScorePage::keepWanted, this, &MainWindow::keepWanted);
     // His attempt is on the disk, and offered to him when he is back.
     connect(m_login, &LoginPage::otherWanted, this, &MainWindow::logoutWanted);
+}
+
+void MainWindow::connectTour()
+{
+    connect(m_actions->tour, &QAction::triggered, this, &MainWindow::beginTour);
+    connect(m_tour, &Tour::pageWanted, this, [this](Tour::Where where) {
+        if (where == Tour::Where::Room)
+            goTo(m_room);
+        else if (m_pages->currentWidget() != m_lessonsPage)
+            openLessons();
+    });
+    connect(m_tour, &Tour::ended, this, [this] {
+        goTo(m_beforeTour != nullptr ? m_beforeTour : m_room);
+        emit tourEnded();
+    });
+}
+
+void MainWindow::beginTour()
+{
+    if (isAtDoor() || m_tour->isVisible())
+        return;
+    m_help->hide();
+    m_beforeTour = m_pages->currentWidget();
+    m_tour->begin(m_who.role());
+    placeOverlays();
 }
 
 void MainWindow::setIdleLimit(std::chrono::milliseconds limit)
@@ -747,7 +775,6 @@ void MainWindow::editChosenLesson()
 void MainWindow::openLessons()
 {
     emit lessonsWanted();
-    m_staysAtLessons = true;
     goTo(m_lessonsPage);
 }
 
@@ -1283,6 +1310,8 @@ void MainWindow::goTo(QWidget* page)
         return;
     }
     m_help->hide();
+    if (page == m_login)
+        m_tour->breakOff();
     if (page == m_lessonsPage)
         m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
@@ -1299,7 +1328,9 @@ void MainWindow::goBack()
 {
     if (isAtDoor() && !m_mayLeaveDoor)
         return;
-    if (m_help->isVisible()) {
+    if (m_tour->isVisible()) {
+        m_tour->end();
+    } else if (m_help->isVisible()) {
         m_help->hide();
         m_view->setFocus();
     } else if (m_console->isVisible()) {
@@ -1390,7 +1421,7 @@ void MainWindow::enableActions()
                                    (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account)));
     else
         for (QAction* action : {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->school,
-                                m_actions->back, m_actions->help, m_actions->editLesson})
+                                m_actions->back, m_actions->help, m_actions->tour, m_actions->editLesson})
             action->setEnabled(action != m_actions->editLesson || m_pages->currentWidget() == m_lessonsPage);
 }
 
@@ -1399,6 +1430,7 @@ void MainWindow::placeOverlays()
     m_help->setGeometry(m_pages->rect());
     if (m_help->isVisible())
         m_help->raise();
+    m_tour->setGeometry(m_pages->rect());
     const bool inRoom = m_pages->currentWidget() == m_room;
     const QRect area = inRoom ? m_room->viewArea() : m_pages->rect();
     m_stereoCard->move(kSpace4, area.bottom() - kSpace4 - m_stereoCard->height());
@@ -1411,6 +1443,8 @@ void MainWindow::placeOverlays()
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
     m_busy->placeIn(area);
+    if (m_tour->isVisible())
+        m_tour->raise();
 }
 
 void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
@@ -1441,7 +1475,9 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     layExercise();
     sayTooth();
     m_chooser->setPresent(m_tooth->fdi);
-    if (m_pages->currentWidget() != m_lessonsPage || !m_staysAtLessons)
+    // Who has gone to another page since the tooth was asked for, or has not asked for one, stays there.
+    const QWidget* const page = m_pages->currentWidget();
+    if (std::exchange(m_askedFrom, nullptr) == page || page == m_room || page == m_chooser || isAtDoor() || m_replaying)
         goTo(m_room);
     if (notes.isEmpty())
         return;
@@ -1474,7 +1510,7 @@ void MainWindow::sayTooth()
 
 void MainWindow::showBusy(const QString& what)
 {
-    m_staysAtLessons = false;
+    m_askedFrom = m_pages->currentWidget();
     m_busy->work(what);
     enableActions();
     placeOverlays();

@@ -89,6 +89,7 @@ class MessageBar;
 class PracticeRoom;
 class StereoCard;
 class ToothChooser;
+class Tour;
 class ViewMenu;
 
 /// The window: the practice room, and over it the choice of a tooth, the grade, the keys, messages and progress.
@@ -223,6 +224,8 @@ public slots:
     void leaveAll();
     /// Beside what is typed there; the next thing said there takes its place.
     void sayAtDoor(const QString& sentence);
+    /// Shows who works here round; tourEnded() follows.
+    void beginTour();
     /// Is somebody asked to log in?
     [[nodiscard]] bool isAtDoor() const;
     /// What was typed at the door is wrong.
@@ -239,6 +242,8 @@ public slots:
     void setAids(const lessons::Aids& aids);
 
 signals:
+    /// The tour was seen, or skipped.
+    void tourEnded();
     void loginWanted(const QString& username, const QString& password);
     void codeWanted(const QString& username, const QString& code, const QString& newPassword);
     void schoolWanted(const database::NewPerson& admin, const QString& password);
@@ -356,6 +361,7 @@ private:
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
+    void connectTour();
     void changeAccount();
     void tellUnreachable();
     void resumeUnfinished();
@@ -443,6 +449,8 @@ private:
     MessageBar* m_messages;
     BusyCard* m_busy;
     HelpOverlay* m_help;
+    Tour* m_tour;
+    QWidget* m_beforeTour = nullptr;  ///< the page where it began
     StereoCard* m_stereoCard;
     study::InfractionCard* m_infractionCard;
     study::ExerciseCard* m_exerciseCard;
@@ -473,14 +481,14 @@ private:
     QElapsedTimer m_sinceGuide;
     std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
     std::optional<core::grading::Touched> m_touched;
-    bool m_drillWasOn = false;           ///< before what it rests for: an exercise, an exam that is over
-    bool m_infractionStopped = false;    ///< the bur turned when it was told
-    std::uint64_t m_infractionTick = 0;  ///< of the one that is told
-    bool m_isGraded = false;             ///< the student's work has been, as it stood
-    bool m_examIsOver = false;           ///< nothing can be cut any more
-    bool m_burRests = false;             ///< while another page is read
-    bool m_staysAtLessons = false;       ///< a tooth that nobody waits for there is laid on the table unseen
-    bool m_standsIn = false;             ///< the next tooth is not the one that was wanted
+    bool m_drillWasOn = false;             ///< before what it rests for: an exercise, an exam that is over
+    bool m_infractionStopped = false;      ///< the bur turned when it was told
+    std::uint64_t m_infractionTick = 0;    ///< of the one that is told
+    bool m_isGraded = false;               ///< the student's work has been, as it stood
+    bool m_examIsOver = false;             ///< nothing can be cut any more
+    bool m_burRests = false;               ///< while another page is read
+    const QWidget* m_askedFrom = nullptr;  ///< the page on which work was begun that is waited for
+    bool m_standsIn = false;               ///< the next tooth is not the one that was wanted
     bool m_replaying = false;
     bool m_replayPaused = false;
     bool m_canLead = false;                ///< the device can lead a hand

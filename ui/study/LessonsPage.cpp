@@ -363,11 +363,11 @@ void LessonsPage::tellContinue()
 {
     const CatalogEntry* const last = lastTried();
     m_continue->setVisible(!m_unfinished.isEmpty() || last != nullptr);
+    m_goOn->setText(tr("Continue"));
     m_discard->setVisible(!m_unfinished.isEmpty());
     if (!m_unfinished.isEmpty()) {
         //: %1: a lesson or a tooth; %2: a time of today, or a day and a time
         m_continueWords->setText(tr("Continue where I stopped: %1, begun %2").arg(m_unfinished, m_unfinishedBegun));
-        m_goOn->setText(tr("Continue"));
     } else if (last != nullptr) {
         //: %1: a lesson; %2: points
         m_continueWords->setText(tr("Tried last: %1, best so far %2")
