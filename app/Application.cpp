@@ -16,7 +16,9 @@
 #include <QUrl>
 
 #include "app/Background.h"
+#include "app/Backups.h"
 #include "app/Demonstration.h"
+#include "app/SchoolSettings.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
 #include "core/guidance/Fixture.h"
@@ -208,6 +210,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
 
 Application::~Application()
 {
+    *m_backupIsStopped = true;
+    m_admin.reset();
     // A load still under way would come back to nobody.
     QThreadPool::globalInstance()->waitForDone();
     stopLoops();
@@ -278,6 +282,18 @@ void Application::openDatabase()
     });
     connect(m_desk.get(), &SchoolDesk::damaged, this,
             [this](const core::Error& error) { m_window->showError(error, Failed::KeepingGrades); });
+    m_address = *address;
+    m_admin = std::make_unique<AdminDesk>(*m_window, *m_desk,
+                                          AdminDesk::Place{*address, m_stationFolder, m_options.simulatedDevice,
+                                                           1.0 / std::chrono::duration<double>(kServoPeriod).count()},
+                                          [this] { return m_who; });
+    connect(m_admin.get(), &AdminDesk::restoreWanted, this, [this](const QString& backup) {
+        leave();
+        m_backup = backup;
+        restore();
+    });
+    connect(m_admin.get(), &AdminDesk::idleMinutesChanged, this,
+            [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording) { play(recording); });
@@ -312,6 +328,7 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     m_presets.setSchool(m_desk.get());
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
+    backUpToday();
     const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
     if (m_window->isAtDoor() && wasNew != opening.isNew)
         m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);
@@ -326,6 +343,55 @@ void Application::restore()
             m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it.")
                                     .arg(QLocale().toString(made, QLocale::ShortFormat)));
     });
+}
+
+/// Once a day, beside everything else. What comes in the way comes again tomorrow, and stands on the admin's page.
+void Application::backUpToday()
+{
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    if (m_isNewSchool || !isBackupDue(*m_address, now))
+        return;
+    inBackground(
+        this,
+        [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped] {
+            return makeBackup(address, folder, now, [isStopped](int, int) { return !*isStopped; });
+        },
+        [this](const core::Result<QString>& made) {
+            if (!made && m_who.role() == database::Role::Admin)
+                m_window->showMessage(tr("Today's backup was not made. %1")
+                                          .arg(ui::text::errorText(made.error(), Failed::ReadingSchool)));
+        });
+}
+
+/// As the school has set it.
+void Application::tellIdleLimit()
+{
+    m_desk->ask(
+        this, [who = m_who](const School& school) { return database::sql::readSettings(school, who); },
+        [this](const core::Result<database::sql::SettingsMap>& settings) {
+            if (settings)
+                m_window->setIdleLimit(std::chrono::minutes(idleMinutesOf(*settings)));
+        });
+}
+
+void Application::changePassword(const QString& old, const QString& password)
+{
+    m_desk->ask(
+        this,
+        [who = m_who, old = old.toStdString(),
+         next = password.toStdString()](const School& school) -> core::Result<bool> {
+            if (auto done = Logins::changePassword(school, who, old, next); !done)
+                return tl::unexpected(done.error());
+            return true;
+        },
+        [this](const core::Result<bool>& done) {
+            if (!done) {
+                m_window->refuseLogin(done.error());
+                return;
+            }
+            m_window->setWho(m_who);
+            m_window->showMessage(tr("Your password was changed."));
+        });
 }
 
 void Application::connectDoor()
@@ -349,6 +415,7 @@ void Application::connectDoor()
             });
     connect(m_window.get(), &MainWindow::guestWanted, this, &Application::becomeGuest);
     connect(m_window.get(), &MainWindow::logoutWanted, this, &Application::leave);
+    connect(m_window.get(), &MainWindow::passwordChangeWanted, this, &Application::changePassword);
     connect(m_window.get(), &MainWindow::keepWanted, this, [this] {
         m_keepsOnLogin = true;
         m_window->askWho(m_isNewSchool ? ui::people::Door::NewSchool : ui::people::Door::Login);
@@ -386,6 +453,7 @@ void Application::enter(const database::Session& who)
     if (!keeps && m_assignment.anatomy)
         clearTable();
     m_window->setWho(who);
+    tellIdleLimit();
     keepJournal();
     if (keeps)
         keepGrade();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/AdminDesk.h"
 #include "app/CardDesk.h"
 #include "app/Explainer.h"
 #include "app/LoopThread.h"
@@ -68,6 +70,9 @@ private:
     void openDatabase();
     void takeOpening(const SchoolDesk::Opening& opening);
     void restore();
+    void backUpToday();
+    void tellIdleLimit();
+    void changePassword(const QString& old, const QString& password);
     void connectDoor();
     void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work);
     void enter(const database::Session& who);
@@ -148,6 +153,9 @@ private:
     std::unique_ptr<ui::shell::MainWindow> m_window;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
     std::unique_ptr<PeopleDesk> m_people;  ///< null where m_desk is
+    std::unique_ptr<AdminDesk> m_admin;    ///< the same
+    std::optional<database::Address> m_address;
+    std::shared_ptr<std::atomic<bool>> m_backupIsStopped = std::make_shared<std::atomic<bool>>(false);
     std::unique_ptr<CardDesk> m_cards;
     std::unique_ptr<TourDesk> m_tour;  ///< null: nobody is shown round unasked
     QString m_stationFolder;           ///< of this computer's own files: journals, outbox, key

@@ -59,4 +59,24 @@ struct ClassAssignment
     bool operator==(const ClassAssignment&) const = default;
 };
 
+/// What an import of a class list found, or did.
+struct RosterFault
+{
+    int line = 0;        ///< of the file, from 1
+    std::string column;  ///< its name; empty: the whole line
+    std::string what;
+};
+struct RosterPerson
+{
+    std::string username;
+    std::string fullName;
+    bool isNew = false;
+    std::string code;  ///< of a new one: it lets him in once, and is kept nowhere else
+};
+struct RosterOutcome
+{
+    std::vector<RosterFault> faults;  ///< any: nothing was entered
+    std::vector<RosterPerson> people;
+};
+
 }  // namespace database

@@ -69,4 +69,17 @@ struct LessonStanding
     bool operator==(const LessonStanding&) const = default;
 };
 
+/// What was done here, as it is noted (see database/sql/Audit.h).
+struct AuditRow
+{
+    std::int64_t seq = 0;  ///< from 1, without a gap
+    std::string atUtc;
+    std::string actor;  ///< uid of a person; "system"; empty: somebody who was not logged in
+    std::string action;
+    std::string object;  ///< "person:uid", "attempt:uid", "class:3" ...
+    std::string detail;  ///< JSON, keys in order; no names of people, which must be erasable
+    std::string hash;
+    bool operator==(const AuditRow&) const = default;
+};
+
 }  // namespace database

@@ -14,6 +14,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
 #include "core/base/WholeFile.h"
+#include "database/Codes.h"
 #include "database/Csv.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Export.h"
@@ -188,31 +189,13 @@ constexpr std::array kParts{
          "lets a person no longer log in; what he did stays", addEnable, disableUser},
 };
 
-core::Status writeCodes(const QString& path, const std::vector<database::sql::RosterPerson>& people)
-{
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))
-        return core::unexpected(ErrorCode::FileUnwritable,
-                                "the codes could not be written to " + path.toStdString() + "; choose another place");
-    file.write("username,name,code\r\n");
-    for (const database::sql::RosterPerson& person : people)
-        if (person.isNew)
-            file.write((database::csvField(person.username) + ',' + database::csvField(person.fullName) + ',' +
-                        person.code + "\r\n")
-                           .c_str());
-    if (!file.commit())
-        return core::unexpected(ErrorCode::FileUnwritable,
-                                "the codes could not be written to " + path.toStdString() + "; make room on the disk");
-    return {};
-}
-
-int tellRoster(const QCommandLineParser& parser, const database::sql::RosterOutcome& outcome, bool dryRun)
+int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& outcome, bool dryRun)
 {
     const auto fresh = std::count_if(outcome.people.begin(), outcome.people.end(),
-                                     [](const database::sql::RosterPerson& person) { return person.isNew; });
+                                     [](const database::RosterPerson& person) { return person.isNew; });
     QJsonArray faults;
     QString text;
-    for (const database::sql::RosterFault& fault : outcome.faults) {
+    for (const database::RosterFault& fault : outcome.faults) {
         faults += QJsonObject{{"line", fault.line},
                               {"column", QString::fromStdString(fault.column)},
                               {"what", QString::fromStdString(fault.what)}};
@@ -222,7 +205,7 @@ int tellRoster(const QCommandLineParser& parser, const database::sql::RosterOutc
                          printable(QString::fromStdString(fault.what)));
     }
     QJsonArray people;
-    for (const database::sql::RosterPerson& person : outcome.people)
+    for (const database::RosterPerson& person : outcome.people)
         people += QJsonObject{{"username", QString::fromStdString(person.username)},
                               {"name", QString::fromStdString(person.fullName)},
                               {"new", person.isNew},
@@ -240,7 +223,7 @@ int tellRoster(const QCommandLineParser& parser, const database::sql::RosterOutc
                   .arg(fresh)
                   .arg(static_cast<qint64>(outcome.people.size()) - fresh));
     if (!dryRun && !parser.isSet(QStringLiteral("codes")))
-        for (const database::sql::RosterPerson& person : outcome.people)
+        for (const database::RosterPerson& person : outcome.people)
             if (person.isNew)
                 printText(QStringLiteral("%1 %2\n")
                               .arg(printable(QString::fromStdString(person.username)), -20)
@@ -310,7 +293,8 @@ int importCommand(const QStringList& arguments)
     if (!outcome)
         return failed({outcome.error().code, words.back().toStdString() + ": " + outcome.error().detail});
     if (!dryRun && outcome->faults.empty() && parser.isSet(QStringLiteral("codes")))
-        if (const auto written = writeCodes(parser.value(QStringLiteral("codes")), outcome->people); !written) {
+        if (const auto written = database::writeCodes(parser.value(QStringLiteral("codes")), outcome->people);
+            !written) {
             // The people are entered: their codes must not be lost.
             tellRoster(parser, *outcome, dryRun);
             return failed(written.error());

@@ -11,24 +11,13 @@
 #include <QSqlQuery>
 
 #include "core/base/Result.h"
+#include "database/records.h"
 #include "database/sql/School.h"
 
 /// What was done here, by whom, in rows of which each holds the hash of the one before; the newest is signed by the
 /// station that wrote it. Who changes, removes, inserts or reorders rows breaks the chain where he did it; who cuts its
 /// end off breaks the signed head, and whoever holds a printed report has an older head to compare with.
 namespace database::sql {
-
-struct AuditRow
-{
-    std::int64_t seq = 0;  ///< from 1, without a gap
-    std::string atUtc;
-    std::string actor;  ///< uid of a person; "system"; empty: somebody who was not logged in
-    std::string action;
-    std::string object;  ///< "person:uid", "attempt:uid", "class:3" ...
-    std::string detail;  ///< JSON, keys in order; no names of people, which must be erasable
-    std::string hash;
-    bool operator==(const AuditRow&) const = default;
-};
 
 /// BLAKE2b-256 over the hash of the row before and all of this row but its hash, each part with its length.
 [[nodiscard]] std::string hashOf(const AuditRow& row, const std::string& hashBefore);

@@ -10,10 +10,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QSqlQuery>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -28,6 +30,8 @@
 #include "database/sql/Statement.h"
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
+#include "ui/admin/AdminPage.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
@@ -67,6 +71,11 @@ private slots:
     void nobodyIsOfferedAnothersWork();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
+    void anAdminEntersAndChangesPeople();
+    void aClassListIsSeenBeforeItIsEntered();
+    void aBackupIsMadeTriedAndRestored();
+    void whatWasDoneStandsInTheAudit();
+    void onesOwnPasswordIsChanged();
     void aTeacherAssignsLessonsAndTakesThemBack();
     void commentsArePinnedToMomentsAndPlaces();
     void aScoreCardIsSavedWithItsAuditCode();
@@ -91,6 +100,7 @@ private:
     /// From wherever he is.
     void leaveFor(const QString& name) const;
     void toTheTooth() const;
+    void openSchool(ui::admin::AdminPage::Part part) const;
     void drill(double xMm) const;
     /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
     void grade(const QString& said) const;
@@ -603,6 +613,183 @@ void TestSchool::everybodyIsShownRoundOnce()
         if (isFirst)
             child<ui::shell::Tour>("tour")->end();
     }
+}
+
+void TestSchool::openSchool(ui::admin::AdminPage::Part part) const
+{
+    actions().school->trigger();
+    child<ui::admin::AdminPage>()->show(part);
+    QVERIFY(child<ui::admin::AdminPage>()->isVisible());
+}
+
+void TestSchool::anAdminEntersAndChangesPeople()
+{
+    start();
+    logIn("sam");
+    QVERIFY(!actions().school->isVisible());
+    leaveFor("admin");
+    openSchool(ui::admin::AdminPage::People);
+    const auto* people = child<QTableView>("people")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(people->rowCount(), 4, kPatienceMs);
+    // Somebody new, in a class, with a code that lets him in.
+    click("newPerson");
+    child<QLineEdit>("personUsername")->setText("tom");
+    child<QLineEdit>("personFamily")->setText("Three");
+    auto* classes = child<QListWidget>("personClasses");
+    QTRY_COMPARE_WITH_TIMEOUT(classes->count(), 1, kPatienceMs);
+    classes->item(0)->setCheckState(Qt::Checked);
+    click("savePerson");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("oneTimeCode")->isVisible(), kPatienceMs);
+    const QString code = child<QLabel>("oneTimeCode")->text();
+    QTRY_COMPARE_WITH_TIMEOUT(people->rowCount(), 5, kPatienceMs);
+    QCOMPARE(count("enrolments"), 3);
+    // The same name again is refused, and said where it was typed.
+    click("newPerson");
+    child<QLineEdit>("personUsername")->setText("tom");
+    click("savePerson");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personFault")->text().contains("taken"), kPatienceMs);
+    // Nobody would be left: the only admin cannot be disabled.
+    const auto select = [&](const QString& login) {
+        for (int row = 0; row < people->rowCount(); ++row)
+            if (people->index(row, 1).data().toString() == login)
+                child<QTableView>("people")->setCurrentIndex(people->index(row, 0));
+    };
+    select("admin");
+    click("disablePerson");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personFault")->text().contains("nobody would be left"), kPatienceMs);
+    select("sue");
+    QVERIFY(!child<QLabel>("oneTimeCode")->isVisible());
+    click("disablePerson");
+    QTRY_COMPARE_WITH_TIMEOUT(child<QPushButton>("disablePerson")->text(), QString("Enable"), kPatienceMs);
+    // A class has its name, and takes another.
+    child<QLineEdit>("className")->setText("DEN102");
+    click("addClass");
+    QTRY_COMPARE_WITH_TIMEOUT(classes->count(), 2, kPatienceMs);
+    QCOMPARE(count("classes"), 2);
+    select("tom");
+    QCOMPARE(classes->item(0)->checkState(), Qt::Checked);
+    classes->item(0)->setCheckState(Qt::Unchecked);
+    child<QLineEdit>("personGiven")->setText("Tom");
+    click("savePerson");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personSaid")->text().contains("Tom Three"), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(count("enrolments"), 2, kPatienceMs);
+    // The code is good for one login.
+    const auto database = sql::Database::open(file()).value();
+    const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+    QVERIFY(sql::Logins::redeem(school, "tom", code.toStdString(), kPassword));
+    QVERIFY(!sql::Logins::login(school, "sue", kPassword));
+}
+
+void TestSchool::aClassListIsSeenBeforeItIsEntered()
+{
+    const QString path = m_folder->filePath("class.csv");
+    const auto write = [&path](const QByteArray& all) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(all);
+    };
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Roster);
+    auto* part = child<ui::admin::RosterPart>();
+    const auto said = [this] { return child<QLabel>("rosterSaid")->text(); };
+    write("username,given_name,family_name,role,class\nsam,Sam,One,student,DEN101-A\n!!,X,Y,student,DEN101-A\n");
+    emit part->fileChosen(path);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 fault"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(child<QTableView>("roster")->model()->index(0, 0).data().toString(), QString("3"));
+    QVERIFY(!child<QPushButton>("enterRoster")->isVisible());
+    write("username,given_name,family_name,role,class\nsam,Sam,One,student,DEN101-A\nnew1,N,Ew,student,DEN103\n");
+    emit part->fileChosen(path);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 new people; 1 are known"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(count("people"), 4);
+    click("enterRoster");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("was entered"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(count("people"), 5);
+    QVERIFY(child<QPushButton>("saveCodes")->isVisible());
+    write(QByteArray("\xff\xfe\x00 noise", 10));
+    emit part->fileChosen(path);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("no class list"), qPrintable(said()), kPatienceMs);
+    emit part->fileChosen(m_folder->filePath("nothing.csv"));
+    QVERIFY2(said().contains("cannot be read"), qPrintable(said()));
+}
+
+void TestSchool::aBackupIsMadeTriedAndRestored()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    const auto* backups = child<QTableView>("backups");
+    // Today's has been made by itself.
+    const QString folder = sql::backupFolder(file());
+    QTRY_COMPARE_WITH_TIMEOUT(sql::backupsIn(folder).size(), 1, kPatienceMs);
+    QTest::qWait(1100);  // names differ by the second
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    click("backUp");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Backed up and checked"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(sql::backupsIn(folder).size(), 1);  // of a day the newest is kept
+    QCOMPARE(backups->model()->rowCount(), 1);
+    click("drillRestore");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("It works"), qPrintable(said()), kPatienceMs);
+    click("checkAll");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing is wrong"), qPrintable(said()), kPatienceMs);
+    // Somebody is entered after the backup, and is gone with the restore.
+    child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::People);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("people")->model()->rowCount(), 4, kPatienceMs);
+    child<QLineEdit>("personUsername")->setText("tom");
+    click("savePerson");
+    QTRY_COMPARE_WITH_TIMEOUT(count("people"), 5, kPatienceMs);
+    child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::Backups);
+    child<QTableView>("backups")->setCurrentIndex(backups->model()->index(0, 0));
+    click("restoreThis");
+    QVERIFY(child<QPushButton>("restoreThis")->text().contains("log everybody out"));
+    click("restoreThis");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::LoginPage>()->isVisible(), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(count("people"), 4, kPatienceMs);
+    logIn("admin");
+}
+
+void TestSchool::whatWasDoneStandsInTheAudit()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Audit);
+    const auto* rows = child<QTableView>("audit")->model();
+    QTRY_VERIFY_WITH_TIMEOUT(rows->rowCount() > 5, kPatienceMs);
+    QCOMPARE(rows->index(0, 3).data().toString(), QString("logged in"));
+    QCOMPARE(rows->index(0, 2).data().toString(), QString("Ada Admin"));
+    child<QLineEdit>("auditSearch")->setText("one-time");
+    QCOMPARE(rows->rowCount(), 3);
+    QVERIFY(child<QLabel>("auditCode")->text().contains(QString::number(count("audit")) + '-'));
+    child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::Station);
+    auto* idle = child<QSpinBox>("idleMinutes");
+    QTRY_COMPARE_WITH_TIMEOUT(idle->value(), 10, kPatienceMs);
+    idle->setValue(3);
+    emit idle->editingFinished();
+    QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'idle.minutes' AND value = '3'"), 1, kPatienceMs);
+}
+
+void TestSchool::onesOwnPasswordIsChanged()
+{
+    start();
+    logIn("sam");
+    const auto change = [this](const QString& old, const QString& next) {
+        if (door() != Door::OwnPassword) {
+            actions().account->trigger();
+            click("changePassword");
+        }
+        child<QLineEdit>("oldPassword")->setText(old);
+        child<QLineEdit>("password")->setText(next);
+        child<QLineEdit>("passwordAgain")->setText(next);
+        click("logIn");
+    };
+    change("wrong", "battery staple");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("oldPassword")->isEnabled(), kPatienceMs);
+    QVERIFY(child<ui::people::LoginPage>()->isVisible());
+    change(QString::fromStdString(kPassword), "battery staple");
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("password was changed"), kPatienceMs);
+    const auto database = sql::Database::open(file()).value();
+    const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+    QVERIFY(sql::Logins::login(school, "sam", "battery staple"));
 }
 
 int main(int argc, char** argv)

@@ -7,6 +7,7 @@ namespace ui::people {
 enum class Door {
     Login,
     NewPassword,  ///< the one-time code was right
+    OwnPassword,  ///< who is logged in changes his
     NewSchool,    ///< nobody has been entered yet
     Locked        ///< somebody has left his place: he comes back, or another logs in
 };

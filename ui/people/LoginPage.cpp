@@ -33,8 +33,9 @@ LoginPage::LoginPage(QWidget* parent)
     : QWidget(parent), m_card(new QFrame(this)), m_column(new QVBoxLayout(m_card)), m_title(new QLabel(m_card)),
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
       m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
-      m_password(field("password", true)), m_again(field("passwordAgain", true)), m_fault(study::faultLabel(m_card)),
-      m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)), m_guest(new QPushButton(m_card)),
+      m_old(field("oldPassword", true)), m_password(field("password", true)), m_again(field("passwordAgain", true)),
+      m_fault(study::faultLabel(m_card)), m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)),
+      m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
       m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_tryAgain(new QPushButton(m_card)), m_restore(new QPushButton(m_card)), m_language(new QToolButton(m_card))
 {
@@ -49,7 +50,7 @@ LoginPage::LoginPage(QWidget* parent)
     m_column->addWidget(m_title);
     m_column->addWidget(m_words);
     m_column->addSpacing(kSpace2);
-    for (QLineEdit* input : {m_name, m_given, m_family, m_password, m_again})
+    for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again})
         m_column->addWidget(input);
     m_column->addWidget(m_fault);
     m_column->addSpacing(kSpace2);
@@ -60,7 +61,9 @@ LoginPage::LoginPage(QWidget* parent)
     m_other->setObjectName(QStringLiteral("otherLogin"));
     m_guest->setProperty("kind", "quiet");
     m_guest->setObjectName(QStringLiteral("practiseAsGuest"));
-    for (QPushButton* button : {m_go, m_other, m_guest})
+    m_change->setProperty("kind", "quiet");
+    m_change->setObjectName(QStringLiteral("changePassword"));
+    for (QPushButton* button : {m_go, m_other, m_guest, m_change})
         m_column->addWidget(button);
     m_column->addSpacing(kSpace2);
     m_column->addWidget(m_unreachable);
@@ -94,10 +97,10 @@ LoginPage::LoginPage(QWidget* parent)
     whole->addWidget(new ScrollPane(content, QPalette::Window, this));
 
     connect(m_go, &QPushButton::clicked, this, &LoginPage::submit);
-    for (QLineEdit* input : {m_name, m_given, m_family, m_password, m_again})
+    for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again})
         connect(input, &QLineEdit::returnPressed, this, [this, input] {
             // From one empty place to the next; from the last, in.
-            for (QLineEdit* next : {m_name, m_given, m_family, m_password, m_again})
+            for (QLineEdit* next : {m_name, m_given, m_family, m_old, m_password, m_again})
                 if (next != input && next->isVisible() && next->text().isEmpty()) {
                     next->setFocus();
                     return;
@@ -108,8 +111,9 @@ LoginPage::LoginPage(QWidget* parent)
         if (m_door == Door::Locked)
             emit otherWanted();
         else
-            ask(Door::Login);
+            ask(m_door == Door::OwnPassword ? Door::Locked : Door::Login);
     });
+    connect(m_change, &QPushButton::clicked, this, [this] { ask(Door::OwnPassword); });
     connect(m_guest, &QPushButton::clicked, this, &LoginPage::guestWanted);
     for (const auto& [button, wanted] :
          {std::pair(m_tryAgain, &LoginPage::againWanted), std::pair(m_restore, &LoginPage::restoreWanted)})
@@ -143,20 +147,27 @@ void LoginPage::ask(Door door)
         m_code.clear();
     if (door != Door::NewPassword)
         m_name->clear();
-    for (QLineEdit* input : {m_given, m_family, m_password, m_again})
+    for (QLineEdit* input : {m_given, m_family, m_old, m_password, m_again})
         input->clear();
     study::showFault(m_fault, {});
     setBusy(false);
     arrange();
     speak();
     if (isVisible())
-        (door == Door::Login || door == Door::NewSchool ? m_name : m_password)->setFocus();
+        firstInput()->setFocus();
+}
+
+QLineEdit* LoginPage::firstInput() const
+{
+    return m_door == Door::Login || m_door == Door::NewSchool ? m_name
+           : m_door == Door::OwnPassword                      ? m_old
+                                                              : m_password;
 }
 
 void LoginPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    (m_door == Door::Login || m_door == Door::NewSchool ? m_name : m_password)->setFocus();
+    firstInput()->setFocus();
 }
 
 void LoginPage::arrange()
@@ -165,8 +176,10 @@ void LoginPage::arrange()
     m_name->setVisible(m_door == Door::Login || isNew);
     m_given->setVisible(isNew);
     m_family->setVisible(isNew);
-    m_again->setVisible(isNew || m_door == Door::NewPassword);
-    m_other->setVisible(m_door == Door::NewPassword || m_door == Door::Locked);
+    m_old->setVisible(m_door == Door::OwnPassword);
+    m_again->setVisible(isNew || m_door == Door::NewPassword || m_door == Door::OwnPassword);
+    m_other->setVisible(m_door == Door::NewPassword || m_door == Door::Locked || m_door == Door::OwnPassword);
+    m_change->setVisible(m_door == Door::Locked);
     m_guest->setVisible(m_door == Door::Login || isNew);
 }
 
@@ -193,6 +206,11 @@ void LoginPage::speak()
                             "characters or more."));
         m_go->setText(tr("Set the password"));
         break;
+    case Door::OwnPassword:
+        m_title->setText(tr("Change your password"));
+        m_words->setText(tr("The new one: eight characters or more."));
+        m_go->setText(tr("Change the password"));
+        break;
     case Door::NewSchool:
         m_title->setText(tr("Welcome to Cusp"));
         m_words->setText(tr("Nobody has been entered here yet. Create the school: you become its admin, who enters "
@@ -206,7 +224,10 @@ void LoginPage::speak()
         m_go->setText(tr("Go on"));
         break;
     }
-    m_other->setText(tr("Somebody else logs in"));
+    //: Back, without having changed the password
+    m_other->setText(m_door == Door::OwnPassword ? tr("Leave it as it is") : tr("Somebody else logs in"));
+    m_change->setText(tr("Change my password"));
+    m_change->setAccessibleName(m_change->text());
     m_guest->setText(m_door == Door::NewSchool ? tr("Practise now") : tr("Practise without login"));
     const auto name = [](QLineEdit* input, const QString& words) {
         input->setPlaceholderText(words);
@@ -215,8 +236,11 @@ void LoginPage::speak()
     name(m_name, tr("Name to log in with"));
     name(m_given, tr("Given name"));
     name(m_family, tr("Family name"));
-    name(m_password, m_door == Door::Login ? tr("Password or one-time code") : tr("Password"));
-    name(m_again, tr("The password again"));
+    name(m_old, tr("Present password"));
+    name(m_password, m_door == Door::Login         ? tr("Password or one-time code")
+                     : m_door == Door::OwnPassword ? tr("New password")
+                                                   : tr("Password"));
+    name(m_again, m_door == Door::OwnPassword ? tr("The new password again") : tr("The password again"));
     m_tryAgain->setText(tr("Try again"));
     //: %1: day and time
     m_restore->setText(
@@ -294,6 +318,10 @@ void LoginPage::submit()
     case Door::NewPassword:
         setBusy(true);
         emit codeWanted(m_name->text(), m_code, password);
+        break;
+    case Door::OwnPassword:
+        setBusy(true);
+        emit passwordChangeWanted(m_old->text(), password);
         break;
     case Door::NewSchool:
         setBusy(true);

@@ -50,6 +50,7 @@ signals:
     void restoreWanted();
     /// Not who has locked the place.
     void otherWanted();
+    void passwordChangeWanted(const QString& old, const QString& newPassword);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -57,6 +58,7 @@ protected:
 private:
     QLineEdit* field(const char* name, bool isPassword);
     void arrange();
+    [[nodiscard]] QLineEdit* firstInput() const;
     void speak();
     void submit();
 
@@ -70,12 +72,14 @@ private:
     QLineEdit* m_name;
     QLineEdit* m_given;
     QLineEdit* m_family;
+    QLineEdit* m_old;
     QLineEdit* m_password;
     QLineEdit* m_again;
     QLabel* m_fault;
     QPushButton* m_go;
     QPushButton* m_other;
     QPushButton* m_guest;
+    QPushButton* m_change;  ///< of one's own password
     QLabel* m_unreachable;
     QPushButton* m_tryAgain;
     QPushButton* m_restore;

@@ -54,6 +54,7 @@ public:
     QAction* editLesson = nullptr;  ///< on the page of lessons
     QAction* presets = nullptr;
     QAction* attempts = nullptr;  ///< hidden for a guest
+    QAction* school = nullptr;    ///< hidden for who is no admin
     QAction* classes = nullptr;   ///< hidden for who has none
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it

@@ -32,6 +32,7 @@
 #include "core/teeth/Block.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
+#include "ui/admin/AdminPage.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
@@ -138,9 +139,10 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
       m_history(new people::HistoryPage(*m_actions, m_pages)), m_classes(new people::ClassPage(*m_actions, m_pages)),
-      m_assign(new people::AssignPage(*m_actions, m_pages)), m_editor(new study::LessonEditor(*m_actions, m_pages)),
-      m_forecast(new study::Forecast(*m_actions, m_pages)), m_presets(new presets::PresetsPage(*m_actions, m_pages)),
-      m_trialCard(new presets::TrialCard(m_room)), m_watch(new console::WatchPanel(m_parameters, m_room)),
+      m_assign(new people::AssignPage(*m_actions, m_pages)), m_admin(new admin::AdminPage(*m_actions, m_pages)),
+      m_editor(new study::LessonEditor(*m_actions, m_pages)), m_forecast(new study::Forecast(*m_actions, m_pages)),
+      m_presets(new presets::PresetsPage(*m_actions, m_pages)), m_trialCard(new presets::TrialCard(m_room)),
+      m_watch(new console::WatchPanel(m_parameters, m_room)),
       m_console(new console::Console(m_parameters, *m_watch, m_room)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
@@ -157,7 +159,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
           static_cast<QWidget*>(m_forecast), static_cast<QWidget*>(m_login), static_cast<QWidget*>(m_history),
-          static_cast<QWidget*>(m_classes), static_cast<QWidget*>(m_assign), static_cast<QWidget*>(m_presets)})
+          static_cast<QWidget*>(m_classes), static_cast<QWidget*>(m_assign), static_cast<QWidget*>(m_presets),
+          static_cast<QWidget*>(m_admin)})
         m_pages->addWidget(page);
     registerParameters();
     m_settingsPage = new settings::SettingsPage(*m_actions, m_parameters, m_pages);
@@ -386,10 +389,15 @@ void MainWindow::connectDoor()
     m_sinceTouch.start();
     connect(&m_idleWatch, &QTimer::timeout, this, &MainWindow::lockIfIdle);
     setIdleLimit(m_idleLimit);
+    connect(m_actions->school, &QAction::triggered, this, [this] {
+        goTo(m_admin);
+        m_admin->show(m_admin->part());
+    });
     connect(m_login, &LoginPage::loginWanted, this, &MainWindow::loginWanted);
     connect(m_login, &LoginPage::codeWanted, this, &MainWindow::codeWanted);
     connect(m_login, &LoginPage::schoolWanted, this, &MainWindow::schoolWanted);
     connect(m_login, &LoginPage::guestWanted, this, &MainWindow::guestWanted);
+    connect(m_login, &LoginPage::passwordChangeWanted, this, &MainWindow::passwordChangeWanted);
     connect(m_login, &LoginPage::againWanted, this, &MainWindow::openAgainWanted);
     connect(m_login, &LoginPage::restoreWanted, this, &MainWindow::restoreWanted);
     connect(m_scorePage, &study::ScorePage::keepWanted, this, &MainWindow::keepWanted);
@@ -470,6 +478,7 @@ void MainWindow::setWho(const database::Session& who)
     m_who = who;
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
+    m_actions->school->setVisible(who.role() == database::Role::Admin);
     m_actions->classes->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
     if (!isAtDoor())
         return;
@@ -1412,8 +1421,9 @@ void MainWindow::enableActions()
                 action->setEnabled(action == m_actions->fullScreen || action == m_actions->quit ||
                                    (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account)));
     else
-        for (QAction* action : {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->back,
-                                m_actions->help, m_actions->tour, m_actions->editLesson})
+        for (QAction* action :
+             {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->school, m_actions->back,
+              m_actions->help, m_actions->tour, m_actions->editLesson})
             action->setEnabled(action != m_actions->editLesson || m_pages->currentWidget() == m_lessonsPage);
 }
 

@@ -39,6 +39,10 @@
 
 class QStackedWidget;
 
+namespace ui::admin {
+class AdminPage;
+}
+
 namespace ui::people {
 class AssignPage;
 class ClassPage;
@@ -111,6 +115,7 @@ public:
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
+    [[nodiscard]] admin::AdminPage& adminPage() { return *m_admin; }
     [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
 
 public slots:
@@ -245,6 +250,8 @@ signals:
     /// One's own attempts are to be seen.
     void attemptsWanted();
     void classesWanted();
+    /// Who is logged in wants another password; setWho() or refuseLogin() answers.
+    void passwordChangeWanted(const QString& old, const QString& newPassword);
     /// Practice without an account.
     void guestWanted();
     /// The database that cannot be used is to be tried again, or its backup to be put in its place.
@@ -422,6 +429,7 @@ private:
     people::HistoryPage* m_history;
     people::ClassPage* m_classes;
     people::AssignPage* m_assign;
+    admin::AdminPage* m_admin;
     database::Session m_who;
     std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
     QString m_where;                           ///< the database

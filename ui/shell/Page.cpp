@@ -34,7 +34,7 @@ Page::Page(const Actions& actions, QWidget* parent)
     head->setSpacing(kSpace2);
     head->addWidget(back);
     head->addWidget(m_title, 1);
-    for (QAction* action : {actions.lessons, actions.attempts, actions.classes}) {
+    for (QAction* action : {actions.lessons, actions.attempts, actions.classes, actions.school}) {
         QPushButton* button = pageButton(action, "quiet", this);
         button->setVisible(action->isVisible());
         connect(action, &QAction::visibleChanged, button,

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/AdminDesk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include "app/Background.h"
+#include "app/Backups.h"
+#include "app/SchoolSettings.h"
+#include "database/Outbox.h"
+#include "database/sql/Audit.h"
+#include "database/sql/Check.h"
+#include "database/sql/Classes.h"
+#include "database/sql/People.h"
+#include "database/sql/Roster.h"
+#include "database/sql/Settings.h"
+#include "ui/admin/AdminPage.h"
+#include "ui/admin/AuditPart.h"
+#include "ui/admin/BackupPart.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
+#include "ui/admin/StationPart.h"
+
+namespace app {
+namespace {
+
+using database::ClassId;
+using database::Person;
+using database::PersonId;
+using database::Session;
+using database::sql::School;
+using ui::admin::AdminPage;
+using ui::text::errorText;
+using ui::text::Failed;
+
+constexpr int kAuditRows = 500;
+constexpr qint64 kLargestRoster = 16 * 1024 * 1024;
+constexpr int kProgressMs = 100;
+
+core::Status belong(const School& school, const Session& who, PersonId person, const QSet<qint64>& wanted,
+                    const std::vector<ClassId>& present)
+{
+    for (const qint64 id : wanted)
+        if (std::find(present.begin(), present.end(), ClassId{id}) == present.end())
+            if (auto done = database::sql::enrol(school, who, {id}, person, true); !done)
+                return done;
+    for (const ClassId id : present)
+        if (!wanted.contains(id.value))
+            if (auto done = database::sql::enrol(school, who, id, person, false); !done)
+                return done;
+    return {};
+}
+
+QString why(const core::Error& error)
+{
+    switch (error.code) {
+    case core::ErrorCode::OutOfRange:
+        return AdminDesk::tr(
+            "That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or "
+            "nobody would be left who is an admin and can log in.");
+    default:
+        return errorText(error, Failed::ReadingSchool);
+    }
+}
+
+}  // namespace
+
+/// What goes on beside the window.
+struct AdminDesk::Work
+{
+    AdminDesk* desk = nullptr;
+    QString what;
+    std::shared_ptr<std::atomic<bool>> isStopped;
+    QElapsedTimer since;
+
+    /// Now and then told in the window. False: it is to be stopped.
+    bool tell(qint64 done, qint64 all)
+    {
+        if (!since.isValid() || since.elapsed() > kProgressMs) {
+            since.start();
+            QMetaObject::invokeMethod(
+                desk,
+                [desk = desk, what = what, done, all] {
+                    desk->m_window.adminPage().backups().showProgress(what, done, all);
+                },
+                Qt::QueuedConnection);
+        }
+        return !*isStopped;
+    }
+};
+
+AdminDesk::AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<Session()> who)
+    : m_window(window), m_desk(desk), m_place(std::move(place)), m_who(std::move(who)),
+      m_isStopped(std::make_shared<std::atomic<bool>>(false))
+{
+    connect(&window.adminPage(), &AdminPage::partOpened, this, &AdminDesk::refresh);
+    connectPeople();
+    connectRoster();
+    connectBackups();
+    connect(&window.adminPage().audit(), &ui::admin::AuditPart::olderWanted, this, &AdminDesk::tellAudit);
+    connect(&window.adminPage().station(), &ui::admin::StationPart::idleMinutesWanted, this, [this](int minutes) {
+        m_desk.ask(
+            this,
+            [who = m_who(), minutes](const School& school) -> core::Result<bool> {
+                if (auto done = database::sql::changeSetting(school, who, kIdleMinutes, std::to_string(minutes)); !done)
+                    return tl::unexpected(done.error());
+                return true;
+            },
+            [this, minutes](const core::Result<bool>& done) {
+                if (done)
+                    emit idleMinutesChanged(minutes);
+                else
+                    refuse(done.error());
+            });
+    });
+}
+
+AdminDesk::~AdminDesk()
+{
+    *m_isStopped = true;
+}
+
+void AdminDesk::refuse(const core::Error& error)
+{
+    m_window.showError(error, Failed::ReadingSchool);
+}
+
+void AdminDesk::refresh(int part)
+{
+    switch (part) {
+    case AdminPage::People:
+        tellPeople();
+        break;
+    case AdminPage::Backups:
+        tellBackups();
+        break;
+    case AdminPage::Audit:
+        tellPeople([this] { tellAudit(0); });
+        break;
+    case AdminPage::Station:
+        tellStation();
+        break;
+    default:
+        break;
+    }
+}
+
+void AdminDesk::tellPeople(const std::function<void()>& then)
+{
+    struct Found
+    {
+        std::vector<Person> people;
+        std::vector<database::SchoolClass> classes;
+    };
+    m_desk.ask(
+        this,
+        [who = m_who()](const School& school) -> core::Result<Found> {
+            auto people = database::sql::listPeople(school, who);
+            auto classes = database::sql::listClasses(school, who);
+            if (!people || !classes)
+                return tl::unexpected(people ? classes.error() : people.error());
+            return Found{std::move(*people), std::move(*classes)};
+        },
+        [this, then](const core::Result<Found>& found) {
+            if (!found) {
+                refuse(found.error());
+                return;
+            }
+            m_people = QList<Person>(found->people.begin(), found->people.end());
+            AdminPage& page = m_window.adminPage();
+            page.people().setPeople(m_people,
+                                    QList<database::SchoolClass>(found->classes.begin(), found->classes.end()));
+            ui::admin::NamesByUid names;
+            for (const Person& person : m_people)
+                names[person.uid] =
+                    QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
+            page.audit().setNames(names);
+            if (then)
+                then();
+        });
+}
+
+void AdminDesk::connectPeople()
+{
+    using ui::admin::PeoplePart;
+    PeoplePart& part = m_window.adminPage().people();
+    const auto name = [](const Person& person) {
+        return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
+    };
+    connect(&part, &PeoplePart::addWanted, this,
+            [this, name, &part](const database::NewPerson& person, const QSet<qint64>& classes) {
+                m_desk.ask(
+                    this,
+                    [who = m_who(), person, classes](const School& school) -> core::Result<database::sql::Entered> {
+                        auto entered = database::sql::addPerson(school, who, person);
+                        if (entered)
+                            if (auto put = belong(school, who, entered->person.id, classes, {}); !put)
+                                return tl::unexpected(put.error());
+                        return entered;
+                    },
+                    [this, name, &part](const core::Result<database::sql::Entered>& entered) {
+                        if (!entered) {
+                            part.refuse(why(entered.error()));
+                            return;
+                        }
+                        part.confirm(entered->person.id, tr("%1 was entered.").arg(name(entered->person)));
+                        part.showCode(name(entered->person), QString::fromStdString(entered->code));
+                        tellPeople();
+                    });
+            });
+    connect(
+        &part, &PeoplePart::changeWanted, this, [this, name, &part](const Person& person, const QSet<qint64>& classes) {
+            const auto before =
+                std::find_if(m_people.begin(), m_people.end(), [&](const Person& one) { return one.id == person.id; });
+            if (before == m_people.end())
+                return;
+            m_desk.ask(
+                this,
+                [who = m_who(), person, classes,
+                 present = before->classes](const School& school) -> core::Result<bool> {
+                    if (auto done = database::sql::changePerson(school, who, person); !done)
+                        return tl::unexpected(done.error());
+                    if (auto put = belong(school, who, person.id, classes, present); !put)
+                        return tl::unexpected(put.error());
+                    return true;
+                },
+                [this, name, person, &part](const core::Result<bool>& done) {
+                    if (done)
+                        part.confirm(person.id, tr("%1 was changed.").arg(name(person)));
+                    else
+                        part.refuse(why(done.error()));
+                    tellPeople();
+                });
+        });
+    connect(&part, &PeoplePart::resetWanted, this, [this, name, &part](qint64 id) {
+        const auto person =
+            std::find_if(m_people.begin(), m_people.end(), [&](const Person& one) { return one.id.value == id; });
+        if (person == m_people.end())
+            return;
+        m_desk.ask(
+            this, [who = m_who(), id](const School& school) { return database::sql::resetPassword(school, who, {id}); },
+            [this, said = name(*person), &part](const core::Result<std::string>& code) {
+                if (code)
+                    part.showCode(said, QString::fromStdString(*code));
+                else
+                    part.refuse(why(code.error()));
+                tellPeople();
+            });
+    });
+    const auto done = [this, &part](const core::Result<bool>& changed) {
+        if (!changed)
+            part.refuse(why(changed.error()));
+        tellPeople();
+    };
+    connect(&part, &PeoplePart::classWanted, this, [this, done](const QString& className) {
+        m_desk.ask(
+            this,
+            [who = m_who(), className = className.toStdString()](const School& school) {
+                return database::sql::addClass(school, who, className).map([](ClassId) { return true; });
+            },
+            done);
+    });
+    connect(&part, &PeoplePart::classNameWanted, this, [this, done](qint64 id, const QString& className) {
+        m_desk.ask(
+            this,
+            [who = m_who(), id, className = className.toStdString()](const School& school) -> core::Result<bool> {
+                if (auto renamed = database::sql::renameClass(school, who, {id}, className); !renamed)
+                    return tl::unexpected(renamed.error());
+                return true;
+            },
+            done);
+    });
+}
+
+void AdminDesk::connectRoster()
+{
+    using ui::admin::RosterPart;
+    RosterPart& part = m_window.adminPage().roster();
+    connect(&part, &RosterPart::fileChosen, this, [this, &part](const QString& path) {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestRoster) {
+            part.refuse(tr("%1 cannot be read, or is too large.").arg(QDir::toNativeSeparators(path)));
+            return;
+        }
+        m_roster = file.readAll();
+        m_rosterFile = path;
+        import(true);
+    });
+    connect(&part, &RosterPart::enterWanted, this, [this] { import(false); });
+}
+
+void AdminDesk::import(bool isDryRun)
+{
+    m_desk.ask(
+        this,
+        [who = m_who(), csv = m_roster.toStdString(), isDryRun](const School& school) {
+            return database::sql::importRoster(school, who, csv, isDryRun);
+        },
+        [this, isDryRun](const core::Result<database::RosterOutcome>& outcome) {
+            ui::admin::RosterPart& part = m_window.adminPage().roster();
+            if (outcome)
+                part.showOutcome(*outcome, m_rosterFile, !isDryRun);
+            else
+                part.refuse(outcome.error().code == core::ErrorCode::BadStructure ||
+                                    outcome.error().code == core::ErrorCode::FileTooLarge
+                                ? tr("This is no class list: %1").arg(QString::fromStdString(outcome.error().detail))
+                                : why(outcome.error()));
+        });
+}
+
+template <class Job, class Done>
+void AdminDesk::beside(const QString& what, Job job, Done done)
+{
+    *m_isStopped = true;  // what there was before
+    m_isStopped = std::make_shared<std::atomic<bool>>(false);
+    m_window.adminPage().backups().showProgress(what, 0, 0);
+    using Answer = decltype(job(std::declval<const School&>(), std::declval<Work&>()));
+    inBackground(
+        this,
+        [this, place = m_place, who = m_who(), work = Work{this, what, m_isStopped, {}}, job]() mutable -> Answer {
+            database::sql::Database::Options options;
+            options.mayMigrate = false;
+            const auto open = database::sql::Database::open(place.address, options);
+            if (!open)
+                return tl::unexpected(open.error());
+            const auto key =
+                database::StationKey::readOrMake(QDir(place.stationFolder).filePath(QStringLiteral("station.key")));
+            if (!key)
+                return tl::unexpected(key.error());
+            const School school{(*open)->handle(), *key};
+            if (auto may = database::sql::admit(school, who, database::Operation::KeepBackups); !may)
+                return tl::unexpected(may.error());
+            return job(school, work);
+        },
+        done);
+}
+
+void AdminDesk::connectBackups()
+{
+    using ui::admin::BackupPart;
+    BackupPart& part = m_window.adminPage().backups();
+    const auto failed = [this, &part](const core::Error& error) {
+        part.finish(*m_isStopped ? tr("It was stopped.")
+                                 : tr("It did not work: %1").arg(QString::fromStdString(error.detail)));
+    };
+    connect(&part, &BackupPart::stopWanted, this, [this] { *m_isStopped = true; });
+    connect(&part, &BackupPart::backUpWanted, this, [this, failed, &part] {
+        beside(
+            tr("The data are being backed up …"),
+            [place = m_place](const School&, Work& work) {
+                return makeBackup(place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
+                                  [&work](int done, int all) { return work.tell(done, all); });
+            },
+            [this, failed, &part](const core::Result<QString>& made) {
+                if (!made)
+                    return failed(made.error());
+                tellBackups();
+                part.finish(tr("Backed up and checked: %1.").arg(QDir::toNativeSeparators(*made)));
+            });
+    });
+    connect(&part, &BackupPart::drillWanted, this, [this, failed, &part] {
+        beside(
+            tr("A backup is made and restored …"),
+            [](const School& school, Work& work) {
+                return database::sql::restoreDrill(school.db,
+                                                   [&work](int done, int all) { return work.tell(done, all); });
+            },
+            [failed, &part](const core::Result<qint64>& rows) {
+                if (!rows)
+                    return failed(rows.error());
+                part.finish(tr("It works: a backup was made, restored beside the database and compared, %1 rows.")
+                                .arg(QLocale().toString(*rows)));
+            });
+    });
+    connect(&part, &BackupPart::checkWanted, this, [this, failed, &part] {
+        beside(
+            tr("Everything is looked at …"),
+            [](const School& school, Work& work) {
+                return database::sql::checkDatabase(
+                    school.db, {}, [&work](const char*, std::int64_t rows) { static_cast<void>(work.tell(rows, 0)); });
+            },
+            [failed, &part](const core::Result<database::sql::CheckReport>& report) {
+                if (!report)
+                    return failed(report.error());
+                QStringList findings;
+                for (const std::string& one : report->findings)
+                    findings << QString::fromStdString(one);
+                part.finish(
+                    findings.isEmpty()
+                        ? tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
+                              .arg(QLocale().toString(static_cast<qlonglong>(report->attempts)),
+                                   QLocale().toString(static_cast<qlonglong>(report->auditRows)))
+                        : tr("%n thing(s) are not as they should be.", nullptr, static_cast<int>(findings.size())),
+                    findings);
+            });
+    });
+    connect(&part, &BackupPart::restoreWanted, this, &AdminDesk::restoreWanted);
+}
+
+void AdminDesk::tellBackups()
+{
+    ui::admin::BackupPart& part = m_window.adminPage().backups();
+    const database::Address& address = m_place.address;
+    part.setDatabase(address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file), address.isServer());
+    QList<ui::admin::Backup> backups;
+    if (!address.isServer())
+        for (const QString& file : database::sql::backupsIn(database::sql::backupFolder(address.file)))
+            backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
+    part.setBackups(backups);
+}
+
+void AdminDesk::tellAudit(qint64 beforeSeq)
+{
+    struct Found
+    {
+        std::vector<database::AuditRow> rows;
+        database::sql::AuditHead head;
+    };
+    m_desk.ask(
+        this,
+        [who = m_who(), beforeSeq](const School& school) -> core::Result<Found> {
+            auto rows = database::sql::readAudit(school, who, kAuditRows, beforeSeq);
+            const auto head = database::sql::auditHead(school);
+            if (!rows || !head)
+                return tl::unexpected(rows ? head.error() : rows.error());
+            return Found{std::move(*rows), *head};
+        },
+        [this, beforeSeq](const core::Result<Found>& found) {
+            if (!found) {
+                refuse(found.error());
+                return;
+            }
+            ui::admin::AuditPart& part = m_window.adminPage().audit();
+            const QList<database::AuditRow> rows(found->rows.begin(), found->rows.end());
+            if (beforeSeq == 0)
+                part.setRows(rows, QString::fromStdString(found->head.code()));
+            else
+                part.addRows(rows);
+        });
+}
+
+void AdminDesk::tellStation()
+{
+    struct Found
+    {
+        std::string key;
+        int waiting = 0;
+        int idleMinutes = 0;
+    };
+    m_desk.ask(
+        this,
+        [who = m_who(), folder = m_place.stationFolder](const School& school) -> core::Result<Found> {
+            auto settings = database::sql::readSettings(school, who);
+            if (!settings)
+                return tl::unexpected(settings.error());
+            const database::Outbox outbox(QDir(folder).filePath(QStringLiteral("outbox")), school.key);
+            return Found{school.key.publicHex(), static_cast<int>(outbox.waiting().size()), idleMinutesOf(*settings)};
+        },
+        [this](const core::Result<Found>& found) {
+            if (!found) {
+                refuse(found.error());
+                return;
+            }
+            const database::Address& address = m_place.address;
+            ui::admin::StationPart& part = m_window.adminPage().station();
+            part.setFacts({m_place.isSimulated, m_place.servoHz, QString::fromStdString(found->key),
+                           address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file),
+                           QStringLiteral(CUSP_VERSION), found->waiting});
+            part.setIdleMinutes(found->idleMinutes);
+        });
+}
+
+}  // namespace app

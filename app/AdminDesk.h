@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+
+#include "app/SchoolDesk.h"
+#include "database/people.h"
+#include "ui/shell/MainWindow.h"
+
+namespace app {
+
+/// Fills the page where an admin keeps people, class lists, backups and the audit, and does what is wanted there. Long
+/// work is done beside, on a connection of its own, tells how far it is, and can be stopped. Ui thread.
+class AdminDesk final : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Of the computer and its database.
+    struct Place
+    {
+        database::Address address;
+        QString stationFolder;
+        bool isSimulated = false;  ///< the device
+        double servoHz = 0.0;
+    };
+    AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<database::Session()> who);
+    ~AdminDesk() override;
+
+signals:
+    /// Everybody is to be logged out and this backup put in the place of the database.
+    void restoreWanted(const QString& backup);
+    /// Another limit holds from now on.
+    void idleMinutesChanged(int minutes);
+
+private:
+    struct Work;
+    void refresh(int part);
+    void refuse(const core::Error& error);
+    void connectPeople();
+    void tellPeople(const std::function<void()>& then = {});
+    void connectRoster();
+    void import(bool isDryRun);
+    void connectBackups();
+    void tellBackups();
+    void tellAudit(qint64 beforeSeq);
+    void tellStation();
+    /// @param work  takes School and Work, answers core::Result
+    template <class Job, class Done>
+    void beside(const QString& what, Job job, Done done);
+
+    ui::shell::MainWindow& m_window;
+    SchoolDesk& m_desk;
+    Place m_place;
+    std::function<database::Session()> m_who;
+    QList<database::Person> m_people;
+    QByteArray m_roster;
+    QString m_rosterFile;
+    std::shared_ptr<std::atomic<bool>> m_isStopped;
+};
+
+}  // namespace app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/shell/Page.h"
+
+class QButtonGroup;
+class QStackedWidget;
+
+namespace ui::admin {
+
+class AuditPart;
+class BackupPart;
+class PeoplePart;
+class RosterPart;
+class StationPart;
+
+/// What an admin keeps: people, class lists, backups, the audit, this computer.
+class AdminPage final : public shell::Page
+{
+    Q_OBJECT
+public:
+    AdminPage(const shell::Actions& actions, QWidget* parent);
+
+    enum Part { People, Roster, Backups, Audit, Station };
+    [[nodiscard]] Part part() const;
+    void show(Part part);
+
+    [[nodiscard]] PeoplePart& people() { return *m_people; }
+    [[nodiscard]] RosterPart& roster() { return *m_roster; }
+    [[nodiscard]] BackupPart& backups() { return *m_backups; }
+    [[nodiscard]] AuditPart& audit() { return *m_audit; }
+    [[nodiscard]] StationPart& station() { return *m_station; }
+
+signals:
+    /// What it shows is to be brought up to date.
+    void partOpened(int part);
+
+private:
+    QButtonGroup* m_choice;
+    QStackedWidget* m_stack;
+    PeoplePart* m_people;
+    RosterPart* m_roster;
+    BackupPart* m_backups;
+    AuditPart* m_audit;
+    StationPart* m_station;
+};
+
+}  // namespace ui::admin

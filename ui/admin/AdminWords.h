@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QString>
+
+#include "database/Session.h"
+#include "database/records.h"
+
+/// What an admin's page calls things.
+namespace ui::admin {
+
+/// "student", as a person's role is told.
+[[nodiscard]] QString roleWord(database::Role role);
+/// "has entered a person"; what is not known is told as it is noted.
+[[nodiscard]] QString actionWords(const std::string& action);
+/// Full names by uid.
+using NamesByUid = std::map<std::string, QString>;
+/// Who did it, and to what, by name where there is one.
+[[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);
+[[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
+
+}  // namespace ui::admin

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/admin/AuditPart.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include "ui/people/ListTable.h"
+#include "ui/people/PeopleWords.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::admin {
+
+using namespace ui::shell;
+
+namespace {
+
+enum Column { kNumber, kWhen, kWho, kAction, kObject, kDetail, kColumns };
+
+}  // namespace
+
+AuditPart::AuditPart(QWidget* parent)
+    : QWidget(parent), m_code(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+      m_copy(new QPushButton(this)), m_search(new QLineEdit(this)), m_count(new QLabel(this)),
+      m_older(new QPushButton(this)), m_rows(new QStandardItemModel(0, kColumns, this)),
+      m_shown(new QSortFilterProxyModel(this)), m_table(new people::ListTable(this))
+{
+    m_code->setObjectName(QStringLiteral("auditCode"));
+    m_code->setTextFormat(Qt::PlainText);
+    m_copy->setObjectName(QStringLiteral("copyAuditCode"));
+    m_older->setObjectName(QStringLiteral("olderAudit"));
+    m_search->setObjectName(QStringLiteral("auditSearch"));
+    m_search->setClearButtonEnabled(true);
+    for (auto* clear : m_search->findChildren<QAbstractButton*>())
+        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+    m_search->setFont(typeface(kBody));
+    m_count->setForegroundRole(QPalette::PlaceholderText);
+    m_shown->setSourceModel(m_rows);
+    m_shown->setFilterKeyColumn(-1);
+    m_shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    m_table->setObjectName(QStringLiteral("audit"));
+    m_table->setModel(m_shown);
+    m_table->setSortingEnabled(false);  // in the order of the chain
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_code, 1);
+    head->addWidget(m_copy);
+    column->addLayout(head);
+    auto* find = new QHBoxLayout;
+    find->addWidget(m_search, 1);
+    find->addWidget(m_count);
+    column->addLayout(find);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_older, 0, Qt::AlignLeft);
+    m_copy->setAutoDefault(false);
+    m_older->setAutoDefault(false);
+    connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_head); });
+    connect(m_search, &QLineEdit::textChanged, this, [this](const QString& words) {
+        m_shown->setFilterFixedString(words.trimmed());
+        tell();
+    });
+    connect(m_older, &QPushButton::clicked, this, [this] {
+        if (!m_audit.isEmpty())
+            emit olderWanted(m_audit.back().seq);
+    });
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void AuditPart::speak()
+{
+    m_search->setPlaceholderText(tr("Search: a person, an action"));
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_copy->setText(tr("Copy"));
+    m_copy->setAccessibleName(tr("Copy the audit code"));
+    m_older->setText(tr("Older rows"));
+    m_older->setAccessibleName(m_older->text());
+    m_table->setAccessibleName(tr("Audit"));
+    fill();
+    tell();
+}
+
+void AuditPart::tell()
+{
+    //: %1: a short code
+    m_code->setText(tr("Audit code now: %1. It stands on every report: with \"Check everything\" nobody can take away "
+                       "what was noted before it.")
+                        .arg(m_head));
+    m_count->setText(tr("%n row(s)", nullptr, m_shown->rowCount()));
+    m_older->setEnabled(!m_audit.isEmpty() && m_audit.back().seq > 1);
+}
+
+void AuditPart::fill()
+{
+    m_rows->setRowCount(0);
+    m_rows->setHorizontalHeaderLabels(
+        {tr("No."), tr("When"), tr("Who"), tr("What"), tr("Whom or what"), tr("Details")});
+    for (const database::AuditRow& row : m_audit) {
+        QList<QStandardItem*> items;
+        for (const QString& words :
+             {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names), actionWords(row.action),
+              objectWords(row, m_names), QString::fromStdString(row.detail == "{}" ? std::string() : row.detail)})
+            items << new QStandardItem(words);
+        m_rows->appendRow(items);
+    }
+    m_table->resizeColumnsToContents();
+}
+
+void AuditPart::setNames(const NamesByUid& names)
+{
+    m_names = names;
+    fill();
+}
+
+void AuditPart::setRows(const QList<database::AuditRow>& newestFirst, const QString& code)
+{
+    m_audit = newestFirst;
+    m_head = code;
+    fill();
+    tell();
+}
+
+void AuditPart::addRows(const QList<database::AuditRow>& newestFirst)
+{
+    m_audit += newestFirst;
+    fill();
+    tell();
+}
+
+}  // namespace ui::admin

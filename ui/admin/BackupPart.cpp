@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/admin/BackupPart.h"
+
+#include <utility>
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include "ui/people/ListTable.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::admin {
+
+using namespace ui::shell;
+
+namespace {
+
+constexpr int kBarSteps = 1000;
+
+}  // namespace
+
+BackupPart::BackupPart(QWidget* parent)
+    : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+      m_backUp(new QPushButton(this)), m_drill(new QPushButton(this)), m_check(new QPushButton(this)),
+      m_restore(new QPushButton(this)), m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
+      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
+{
+    m_words->setTextFormat(Qt::PlainText);
+    m_said->setTextFormat(Qt::PlainText);
+    m_said->setObjectName(QStringLiteral("backupSaid"));
+    m_backUp->setProperty("kind", "filled");
+    m_backUp->setObjectName(QStringLiteral("backUp"));
+    m_drill->setObjectName(QStringLiteral("drillRestore"));
+    m_check->setObjectName(QStringLiteral("checkAll"));
+    m_restore->setObjectName(QStringLiteral("restoreThis"));
+    m_stop->setObjectName(QStringLiteral("stopWork"));
+    m_stop->setProperty("kind", "quiet");
+    m_bar->setRange(0, kBarSteps);
+    m_bar->setTextVisible(false);
+    m_findings->setReadOnly(true);
+    m_findings->setObjectName(QStringLiteral("findings"));
+    m_table->setObjectName(QStringLiteral("backups"));
+    m_table->setModel(m_rows);
+    m_table->setSortingEnabled(false);  // newest first
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    column->addWidget(m_words);
+    auto* row = new QHBoxLayout;
+    for (QPushButton* one : {m_backUp, m_drill, m_check}) {
+        one->setAutoDefault(false);
+        row->addWidget(one);
+    }
+    row->addStretch(1);
+    column->addLayout(row);
+    auto* progress = new QHBoxLayout;
+    progress->addWidget(m_bar, 1);
+    progress->addWidget(m_stop);
+    column->addLayout(progress);
+    column->addWidget(m_said);
+    column->addWidget(m_findings, 100);
+    column->addWidget(m_table, 200);
+    column->addWidget(m_restore, 0, Qt::AlignLeft);
+    column->addStretch(1);  // of a server there is no table
+    m_restore->setAutoDefault(false);
+    m_stop->setAutoDefault(false);
+    connect(m_backUp, &QPushButton::clicked, this, &BackupPart::backUpWanted);
+    connect(m_drill, &QPushButton::clicked, this, &BackupPart::drillWanted);
+    connect(m_check, &QPushButton::clicked, this, &BackupPart::checkWanted);
+    connect(m_restore, &QPushButton::clicked, this, &BackupPart::restore);
+    connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopWanted);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        m_isSure = false;
+        tell();
+    });
+    m_findings->hide();
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void BackupPart::speak()
+{
+    m_backUp->setText(tr("Back up now"));
+    m_drill->setText(tr("Try a restore"));
+    m_drill->setToolTip(brokenIntoLines(tr("Make a backup, restore it beside the database, compare, and remove it")));
+    m_check->setText(tr("Check everything"));
+    m_check->setToolTip(brokenIntoLines(
+        tr("Look at every page, every attempt and the whole audit for what was changed, removed or inserted")));
+    m_stop->setText(tr("Stop"));
+    for (QPushButton* one : {m_backUp, m_drill, m_check, m_stop})
+        one->setAccessibleName(one->text());
+    m_bar->setAccessibleName(tr("Progress"));
+    m_findings->setAccessibleName(tr("What the check found"));
+    m_table->setAccessibleName(tr("Backups"));
+    fill();
+    tell();
+}
+
+void BackupPart::tell()
+{
+    m_words->setText(
+        m_isServer
+            ? tr("The school's data are on a server: %1. Its administrator makes the backups; \"cusp db copy\" brings "
+                 "all of it into a file.")
+                  .arg(m_where)
+            : tr("The school's data are in %1. A backup is made every day the program is used, and kept of the last "
+                 "12 days, 10 weeks and 9 months.")
+                  .arg(m_where));
+    for (QWidget* one : {static_cast<QWidget*>(m_backUp), static_cast<QWidget*>(m_drill),
+                         static_cast<QWidget*>(m_table), static_cast<QWidget*>(m_restore)})
+        one->setVisible(!m_isServer);
+    for (QWidget* one : {m_backUp, m_drill, m_check})
+        one->setEnabled(!m_isBusy);
+    m_bar->setVisible(m_isBusy);
+    m_stop->setVisible(m_isBusy);
+    m_restore->setEnabled(!m_isBusy && !chosen().isEmpty());
+    m_restore->setText(m_isSure ? tr("Yes: log everybody out and restore it") : tr("Restore the chosen backup …"));
+    m_restore->setAccessibleName(m_restore->text());
+}
+
+void BackupPart::fill()
+{
+    const QString kept = chosen();
+    m_rows->clear();
+    m_rows->setHorizontalHeaderLabels({tr("Made"), tr("Size"), tr("File")});
+    const QLocale locale;
+    for (const Backup& one : m_backups) {
+        m_rows->appendRow({new QStandardItem(locale.toString(one.made.toLocalTime(), QLocale::ShortFormat)),
+                           new QStandardItem(locale.formattedDataSize(one.bytes)),
+                           new QStandardItem(QFileInfo(one.file).fileName())});
+        if (one.file == kept)
+            m_table->selectRow(m_rows->rowCount() - 1);
+    }
+    m_table->resizeColumnsToContents();
+}
+
+QString BackupPart::chosen() const
+{
+    const int row = m_table->currentIndex().row();
+    return row >= 0 && row < m_backups.size() ? m_backups[row].file : QString();
+}
+
+void BackupPart::setDatabase(const QString& where, bool isServer)
+{
+    m_where = where;
+    m_isServer = isServer;
+    tell();
+}
+
+void BackupPart::setBackups(const QList<Backup>& backups)
+{
+    m_backups = backups;
+    fill();
+    tell();
+}
+
+void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
+{
+    m_isBusy = true;
+    m_findings->hide();
+    m_bar->setRange(0, all > 0 ? kBarSteps : 0);
+    if (all > 0)
+        m_bar->setValue(static_cast<int>(kBarSteps * done / all));
+    m_said->setText(what);
+    tell();
+}
+
+void BackupPart::finish(const QString& sentence, const QStringList& findings)
+{
+    m_isBusy = false;
+    m_isSure = false;
+    m_said->setText(sentence);
+    m_findings->setPlainText(findings.join(u'\n'));
+    m_findings->setVisible(!findings.isEmpty());
+    tell();
+}
+
+/// Once more, since everybody is logged out; what lies there now is kept beside it.
+void BackupPart::restore()
+{
+    if (!std::exchange(m_isSure, true)) {
+        m_said->setText(
+            tr("What was entered after this backup will be missing; attempts of this computer are brought in "
+               "again, and the present file is kept beside it."));
+        tell();
+        return;
+    }
+    m_isSure = false;
+    emit restoreWanted(chosen());
+}
+
+}  // namespace ui::admin

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDateTime>
+#include <QList>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QStandardItemModel;
+
+namespace ui::people {
+class ListTable;
+}
+
+namespace ui::admin {
+
+/// A backup that is there.
+struct Backup
+{
+    QString file;
+    QDateTime made;  ///< UTC
+    qint64 bytes = 0;
+};
+
+/// Backups of the school's data: making one, trying that one can be brought back, bringing one back; and a thorough
+/// look at everything. One of them at a time, with its progress.
+class BackupPart final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit BackupPart(QWidget* parent);
+
+    /// @param where    the database, to read
+    /// @param isServer  whose administrator makes the backups
+    void setDatabase(const QString& where, bool isServer);
+    void setBackups(const QList<Backup>& backups);
+    /// @param all  0: nobody knows
+    void showProgress(const QString& what, qint64 done, qint64 all);
+    /// It has come to its end.
+    /// @param findings  what a check found
+    void finish(const QString& sentence, const QStringList& findings = {});
+
+signals:
+    void backUpWanted();
+    void drillWanted();
+    void checkWanted();
+    /// The backup is to be put in the place of the database, and everybody here is logged out.
+    void restoreWanted(const QString& file);
+    void stopWanted();
+
+private:
+    void speak();
+    void tell();
+    void fill();
+    void restore();
+    [[nodiscard]] QString chosen() const;
+
+    QString m_where;
+    bool m_isServer = false;
+    bool m_isBusy = false;
+    bool m_isSure = false;  ///< asked once more whether to restore
+    QList<Backup> m_backups;
+    QLabel* m_words;
+    QPushButton* m_backUp;
+    QPushButton* m_drill;
+    QPushButton* m_check;
+    QPushButton* m_restore;
+    QPushButton* m_stop;
+    QProgressBar* m_bar;
+    QLabel* m_said;
+    QPlainTextEdit* m_findings;
+    QStandardItemModel* m_rows;
+    people::ListTable* m_table;
+};
+
+}  // namespace ui::admin

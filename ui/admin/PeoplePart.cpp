@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/admin/PeoplePart.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QFrame>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include "ui/admin/AdminWords.h"
+#include "ui/people/ListTable.h"
+#include "ui/people/PeopleWords.h"
+#include "ui/shell/ScrollPane.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::admin {
+namespace {
+
+using namespace ui::shell;
+using database::Person;
+using database::Role;
+
+enum Column { kName, kUsername, kRole, kClasses, kLastLogin, kState, kColumns };
+enum DataRole { kId = Qt::UserRole + 1, kSortBy };
+
+constexpr int kFormPx = 340;
+constexpr int kClassListPx = 110;
+constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
+
+QPushButton* button(const char* kind, const char* name, QWidget* parent)
+{
+    auto* made = new QPushButton(parent);
+    made->setProperty("kind", kind);
+    made->setObjectName(QLatin1String(name));
+    made->setAutoDefault(false);
+    return made;
+}
+
+QLineEdit* input(const char* name, QWidget* parent)
+{
+    constexpr int kLongest = 200;
+    auto* made = new QLineEdit(parent);
+    made->setObjectName(QLatin1String(name));
+    made->setFont(typeface(kBody));
+    made->setMaxLength(kLongest);
+    return made;
+}
+
+}  // namespace
+
+PeoplePart::PeoplePart(QWidget* parent) : QWidget(parent)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpace4);
+    row->addWidget(makeList(), 1);
+    row->addWidget(makeForm());
+    text::inEveryLanguage(this, [this] { speak(); });
+    choose(0);
+}
+
+QWidget* PeoplePart::makeList()
+{
+    auto* side = new QWidget(this);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    auto* head = new QHBoxLayout;
+    m_search = input("peopleSearch", side);
+    m_search->setClearButtonEnabled(true);
+    for (auto* clear : m_search->findChildren<QAbstractButton*>())
+        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+    m_count = new QLabel(side);
+    m_count->setForegroundRole(QPalette::PlaceholderText);
+    m_new = button("filled", "newPerson", side);
+    head->addWidget(m_search, 1);
+    head->addWidget(m_count);
+    head->addWidget(m_new);
+    column->addLayout(head);
+    m_rows = new QStandardItemModel(0, kColumns, side);
+    m_rows->setSortRole(kSortBy);
+    m_shown = new QSortFilterProxyModel(side);
+    m_shown->setSourceModel(m_rows);
+    m_shown->setSortRole(kSortBy);
+    m_shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    m_shown->setFilterKeyColumn(-1);
+    m_shown->setSortLocaleAware(true);
+    m_table = new people::ListTable(side);
+    m_table->setObjectName(QStringLiteral("people"));
+    m_table->setModel(m_shown);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->sortByColumn(kName, Qt::AscendingOrder);
+    column->addWidget(m_table, 1);
+    connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
+    connect(m_new, &QPushButton::clicked, this, [this] {
+        m_table->clearSelection();
+        m_table->setCurrentIndex({});
+        choose(0);
+        m_username->setFocus();
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
+        if (now.isValid())
+            choose(now.siblingAtColumn(kName).data(kId).toLongLong());
+    });
+    return side;
+}
+
+QWidget* PeoplePart::makeForm()
+{
+    auto* form = new QWidget(this);
+    auto* column = new QVBoxLayout(form);
+    column->setContentsMargins(0, 0, kSpace2, 0);
+    column->setSpacing(kSpace2);
+    m_title = study::formWords({}, kTitle, QFont::DemiBold, QPalette::WindowText, form);
+    m_title->setTextFormat(Qt::PlainText);
+    column->addWidget(m_title);
+    m_codeCard = new QFrame(form);
+    m_codeCard->setProperty("kind", "card");
+    auto* code = new QVBoxLayout(m_codeCard);
+    m_codeWords = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_codeCard);
+    m_codeWords->setTextFormat(Qt::PlainText);
+    m_code = new QLabel(m_codeCard);
+    m_code->setObjectName(QStringLiteral("oneTimeCode"));
+    m_code->setFont(typeface(kTitle, QFont::DemiBold));
+    m_code->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_copy = button("", "copyCode", m_codeCard);
+    code->addWidget(m_codeWords);
+    code->addWidget(m_code);
+    code->addWidget(m_copy, 0, Qt::AlignLeft);
+    column->addWidget(m_codeCard);
+    m_username = input("personUsername", form);
+    m_given = input("personGiven", form);
+    m_family = input("personFamily", form);
+    m_role = study::choiceInput({}, form);
+    m_role->setObjectName(QStringLiteral("personRole"));
+    for (QWidget* one : {static_cast<QWidget*>(m_username), static_cast<QWidget*>(m_given),
+                         static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_role)})
+        column->addWidget(one);
+    m_classesWord = new QLabel(form);
+    column->addWidget(m_classesWord);
+    m_classList = new QListWidget(form);
+    m_classList->setObjectName(QStringLiteral("personClasses"));
+    m_classList->setProperty("kind", "ticks");
+    m_classList->setMinimumHeight(kClassListPx);
+    m_classesWord->setBuddy(m_classList);
+    column->addWidget(m_classList, 1);
+    auto* classes = new QHBoxLayout;
+    m_className = input("className", form);
+    m_addClass = button("", "addClass", form);
+    m_renameClass = button("", "renameClass", form);
+    classes->addWidget(m_className, 1);
+    classes->addWidget(m_addClass);
+    classes->addWidget(m_renameClass);
+    column->addLayout(classes);
+    m_fault = study::faultLabel(form);
+    m_fault->setObjectName(QStringLiteral("personFault"));
+    m_said = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, form);
+    m_said->setObjectName(QStringLiteral("personSaid"));
+    m_said->setTextFormat(Qt::PlainText);
+    column->addWidget(m_fault);
+    column->addWidget(m_said);
+    auto* whole = new QWidget(this);
+    whole->setFixedWidth(kFormPx);
+    auto* stack = new QVBoxLayout(whole);
+    stack->setContentsMargins(0, 0, 0, 0);
+    stack->addWidget(new ScrollPane(form, QPalette::Window, whole), 1);
+    m_save = button("filled", "savePerson", whole);
+    m_reset = button("", "resetPassword", whole);
+    m_disable = button("", "disablePerson", whole);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_reset);
+    buttons->addWidget(m_disable);
+    buttons->addStretch(1);
+    stack->addWidget(m_save, 0, Qt::AlignLeft);
+    stack->addLayout(buttons);
+    connect(m_save, &QPushButton::clicked, this, &PeoplePart::submit);
+    for (QLineEdit* one : {m_username, m_given, m_family})
+        connect(one, &QLineEdit::returnPressed, this, &PeoplePart::submit);
+    connect(m_reset, &QPushButton::clicked, this, [this] { emit resetWanted(m_chosen); });
+    connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
+    connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
+    const auto addClass = [this] {
+        if (const QString name = m_className->text().trimmed(); !name.isEmpty())
+            emit classWanted(name);
+    };
+    connect(m_addClass, &QPushButton::clicked, this, addClass);
+    connect(m_className, &QLineEdit::returnPressed, this, addClass);
+    connect(m_renameClass, &QPushButton::clicked, this, [this] {
+        const QListWidgetItem* item = m_classList->currentItem();
+        if (const QString name = m_className->text().trimmed(); item != nullptr && !name.isEmpty())
+            emit classNameWanted(item->data(kId).toLongLong(), name);
+    });
+    const auto tellRename = [this] {
+        m_renameClass->setEnabled(m_classList->currentItem() != nullptr && !m_className->text().trimmed().isEmpty());
+        m_addClass->setEnabled(!m_className->text().trimmed().isEmpty());
+    };
+    connect(m_className, &QLineEdit::textChanged, this, tellRename);
+    connect(m_classList, &QListWidget::currentRowChanged, this, tellRename);
+    tellRename();
+    return whole;
+}
+
+void PeoplePart::speak()
+{
+    const auto name = [](QLineEdit* one, const QString& words) {
+        one->setPlaceholderText(words);
+        one->setAccessibleName(words);
+    };
+    name(m_search, tr("Search: a name, a class, a role"));
+    name(m_username, tr("Name to log in with"));
+    name(m_given, tr("Given name"));
+    name(m_family, tr("Family name"));
+    name(m_className, tr("Name of a class"));
+    m_table->setAccessibleName(tr("People"));
+    m_rows->setHorizontalHeaderLabels(
+        {tr("Name"), tr("Login"), tr("Role"), tr("Classes"), tr("Last login"), tr("State")});
+    m_new->setText(tr("New person"));
+    m_classesWord->setText(tr("Classes"));
+    m_classList->setAccessibleName(tr("Classes"));
+    m_addClass->setText(tr("Add"));
+    m_addClass->setToolTip(tr("Add a class of this name"));
+    m_renameClass->setText(tr("Rename"));
+    m_renameClass->setToolTip(tr("Give this name to the class that is chosen above"));
+    m_reset->setText(tr("Reset password"));
+    m_reset->setToolTip(brokenIntoLines(tr("Take the password away and give a one-time code in its place")));
+    m_copy->setText(tr("Copy"));
+    for (QPushButton* one : {m_new, m_reset})
+        one->setAccessibleName(one->text());
+    m_addClass->setAccessibleName(m_addClass->toolTip());
+    m_renameClass->setAccessibleName(tr("Rename the class"));
+    m_copy->setAccessibleName(tr("Copy the one-time code"));
+    const QSignalBlocker quiet(m_role);
+    const int role = std::max(0, m_role->currentIndex());
+    m_role->clear();
+    for (const Role one : kRoles)
+        m_role->addItem(roleWord(one));
+    m_role->setCurrentIndex(role);
+    study::nameInput(m_role, tr("Role"));
+    fill();
+    showForm();
+}
+
+QString PeoplePart::stateOf(const Person& person) const
+{
+    return person.disabled ? tr("disabled") : person.hasPassword ? tr("can log in") : tr("has a one-time code");
+}
+
+void PeoplePart::fill()
+{
+    const QSignalBlocker quiet(m_table->selectionModel());
+    m_rows->setRowCount(0);
+    int select = -1;
+    for (const Person& person : m_people) {
+        QStringList classes;
+        for (const database::SchoolClass& one : m_classes)
+            if (std::find(person.classes.begin(), person.classes.end(), one.id) != person.classes.end())
+                classes << QString::fromStdString(one.name);
+        const QString family = QString::fromStdString(person.familyName);
+        const QStringList words{
+            QString::fromStdString(person.fullName()), QString::fromStdString(person.username), roleWord(person.role),
+            classes.join(QStringLiteral(", ")),        people::when(person.lastLoginUtc),       stateOf(person)};
+        QList<QStandardItem*> row;
+        for (const QString& one : words) {
+            row << new QStandardItem(one);
+            row.back()->setData(one, kSortBy);
+        }
+        row[kName]->setData(QVariant::fromValue<qint64>(person.id.value), kId);
+        row[kName]->setData(family + u' ' + words[kName], kSortBy);
+        row[kLastLogin]->setData(QString::fromStdString(person.lastLoginUtc), kSortBy);
+        m_rows->appendRow(row);
+        if (person.id.value == m_chosen)
+            select = m_rows->rowCount() - 1;
+    }
+    m_table->resizeColumnsToContents();
+    if (select >= 0)
+        m_table->setCurrentIndex(m_shown->mapFromSource(m_rows->index(select, kName)));
+    filter();
+}
+
+void PeoplePart::filter()
+{
+    m_shown->setFilterFixedString(m_search->text().trimmed());
+    m_count->setText(tr("%n person(s)", nullptr, m_shown->rowCount()));
+}
+
+void PeoplePart::setPeople(const QList<Person>& people, const QList<database::SchoolClass>& classes)
+{
+    m_people = people;
+    m_classes = classes;
+    fill();
+    showForm();
+}
+
+const Person* PeoplePart::chosen() const
+{
+    const auto found =
+        std::find_if(m_people.begin(), m_people.end(), [this](const Person& one) { return one.id.value == m_chosen; });
+    return found == m_people.end() ? nullptr : &*found;
+}
+
+void PeoplePart::choose(qint64 person)
+{
+    if (std::exchange(m_chosen, person) == person && person != 0)
+        return;
+    m_codeOf.clear();
+    m_code->clear();
+    m_said->clear();
+    study::showFault(m_fault, {});
+    if (person == 0)
+        for (QLineEdit* one : {m_username, m_given, m_family})
+            one->clear();
+    showForm();
+}
+
+void PeoplePart::showForm()
+{
+    const Person* const person = chosen();
+    m_title->setText(person == nullptr ? tr("New person") : QString::fromStdString(person->fullName()));
+    m_username->setReadOnly(person != nullptr);
+    if (person != nullptr) {
+        m_username->setText(QString::fromStdString(person->username));
+        m_given->setText(QString::fromStdString(person->givenName));
+        m_family->setText(QString::fromStdString(person->familyName));
+        m_role->setCurrentIndex(
+            static_cast<int>(std::find(kRoles.begin(), kRoles.end(), person->role) - kRoles.begin()));
+    }
+    const QSet<qint64> ticked = tickedClasses();
+    m_classList->clear();
+    for (const database::SchoolClass& one : m_classes) {
+        auto* item = new QListWidgetItem(QString::fromStdString(one.name), m_classList);
+        item->setData(kId, QVariant::fromValue<qint64>(one.id.value));
+        const bool belongs = person != nullptr ? std::find(person->classes.begin(), person->classes.end(), one.id) !=
+                                                     person->classes.end()
+                                               : ticked.contains(one.id.value);
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setCheckState(belongs ? Qt::Checked : Qt::Unchecked);
+    }
+    m_save->setText(person == nullptr ? tr("Enter the person") : tr("Save the changes"));
+    m_save->setAccessibleName(m_save->text());
+    m_reset->setVisible(person != nullptr);
+    m_disable->setVisible(person != nullptr);
+    m_disable->setText(person != nullptr && person->disabled ? tr("Enable") : tr("Disable"));
+    m_disable->setAccessibleName(m_disable->text());
+    m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
+    m_codeCard->setVisible(!m_code->text().isEmpty());
+    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere.").arg(m_codeOf));
+}
+
+QSet<qint64> PeoplePart::tickedClasses() const
+{
+    QSet<qint64> ticked;
+    for (int k = 0; k < m_classList->count(); ++k)
+        if (m_classList->item(k)->checkState() == Qt::Checked)
+            ticked.insert(m_classList->item(k)->data(kId).toLongLong());
+    return ticked;
+}
+
+void PeoplePart::submit()
+{
+    study::showFault(m_fault, {});
+    m_said->clear();
+    const Role role = kRoles.at(static_cast<std::size_t>(std::max(0, m_role->currentIndex())));
+    const std::string given = m_given->text().trimmed().toStdString();
+    const std::string family = m_family->text().trimmed().toStdString();
+    if (const Person* const person = chosen()) {
+        Person changed = *person;
+        changed.givenName = given;
+        changed.familyName = family;
+        changed.role = role;
+        emit changeWanted(changed, tickedClasses());
+    } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
+        m_username->setFocus();
+    } else {
+        emit addWanted({name.toStdString(), given, family, role}, tickedClasses());
+    }
+}
+
+void PeoplePart::toggleDisabled()
+{
+    const Person* const person = chosen();
+    if (person == nullptr)
+        return;
+    Person changed = *person;
+    changed.disabled = !changed.disabled;
+    QSet<qint64> classes;
+    for (const database::ClassId one : person->classes)
+        classes.insert(one.value);
+    emit changeWanted(changed, classes);
+}
+
+void PeoplePart::showCode(const QString& fullName, const QString& code)
+{
+    m_codeOf = fullName;
+    m_code->setText(code);
+    showForm();
+}
+
+void PeoplePart::confirm(database::PersonId person, const QString& sentence)
+{
+    m_chosen = person.value;
+    m_className->clear();
+    study::showFault(m_fault, {});
+    m_said->setText(sentence);
+}
+
+void PeoplePart::refuse(const QString& sentence)
+{
+    m_said->clear();
+    study::showFault(m_fault, sentence);
+}
+
+}  // namespace ui::admin

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QSet>
+#include <QString>
+#include <QWidget>
+
+#include "database/people.h"
+
+class QComboBox;
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSortFilterProxyModel;
+class QStandardItemModel;
+
+namespace ui::people {
+class ListTable;
+}
+
+namespace ui::admin {
+
+/// Everybody of the school, and beside them a form for one: entering, changing, classes, a one-time code for who has
+/// forgotten his password.
+class PeoplePart final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PeoplePart(QWidget* parent);
+
+    /// Who is chosen stays chosen.
+    void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
+    /// Lets a person in once; it is kept nowhere else, so it stays until another person is chosen.
+    void showCode(const QString& fullName, const QString& code);
+    /// What was wanted has been done; the form is that of this person from now on.
+    void confirm(database::PersonId person, const QString& sentence);
+    void refuse(const QString& sentence);
+
+signals:
+    /// @param classes  to belong to
+    void addWanted(const database::NewPerson& person, const QSet<qint64>& classes);
+    void changeWanted(const database::Person& person, const QSet<qint64>& classes);
+    void resetWanted(qint64 person);
+    void classWanted(const QString& name);
+    void classNameWanted(qint64 id, const QString& name);
+
+private:
+    QWidget* makeList();
+    QWidget* makeForm();
+    void speak();
+    void fill();
+    void filter();
+    void choose(qint64 person);
+    void showForm();
+    void submit();
+    void toggleDisabled();
+    [[nodiscard]] const database::Person* chosen() const;
+    [[nodiscard]] QSet<qint64> tickedClasses() const;
+    [[nodiscard]] QString stateOf(const database::Person& person) const;
+
+    QList<database::Person> m_people;
+    QList<database::SchoolClass> m_classes;
+    qint64 m_chosen = 0;  ///< 0: somebody new
+    QStandardItemModel* m_rows = nullptr;
+    QSortFilterProxyModel* m_shown = nullptr;
+    QLineEdit* m_search = nullptr;
+    people::ListTable* m_table = nullptr;
+    QLabel* m_count = nullptr;
+    QPushButton* m_new = nullptr;
+    QLabel* m_title = nullptr;
+    QLineEdit* m_username = nullptr;
+    QLineEdit* m_given = nullptr;
+    QLineEdit* m_family = nullptr;
+    QComboBox* m_role = nullptr;
+    QLabel* m_classesWord = nullptr;
+    QListWidget* m_classList = nullptr;
+    QLineEdit* m_className = nullptr;
+    QPushButton* m_addClass = nullptr;
+    QPushButton* m_renameClass = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_reset = nullptr;
+    QPushButton* m_disable = nullptr;
+    QLabel* m_said = nullptr;
+    QLabel* m_fault = nullptr;
+    QFrame* m_codeCard = nullptr;
+    QLabel* m_codeWords = nullptr;
+    QLabel* m_code = nullptr;
+    QPushButton* m_copy = nullptr;
+    QString m_codeOf;
+};
+
+}  // namespace ui::admin

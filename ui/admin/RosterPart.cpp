@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/admin/RosterPart.h"
+
+#include <algorithm>
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QStandardItemModel>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "database/Codes.h"
+#include "ui/people/ListTable.h"
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::admin {
+
+using namespace ui::shell;
+
+RosterPart::RosterPart(QWidget* parent)
+    : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
+      m_choose(new QPushButton(this)), m_enter(new QPushButton(this)), m_save(new QPushButton(this)),
+      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
+{
+    setAcceptDrops(true);
+    m_choose->setObjectName(QStringLiteral("chooseRoster"));
+    m_enter->setObjectName(QStringLiteral("enterRoster"));
+    m_enter->setProperty("kind", "filled");
+    m_save->setObjectName(QStringLiteral("saveCodes"));
+    m_said->setObjectName(QStringLiteral("rosterSaid"));
+    m_said->setTextFormat(Qt::PlainText);
+    m_table->setObjectName(QStringLiteral("roster"));
+    m_table->setModel(m_rows);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSortingEnabled(false);  // as the file is
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    column->addWidget(m_words);
+    auto* row = new QHBoxLayout;
+    for (QPushButton* one : {m_choose, m_enter, m_save}) {
+        one->setAutoDefault(false);
+        row->addWidget(one);
+    }
+    row->addStretch(1);
+    column->addLayout(row);
+    column->addWidget(m_said);
+    column->addWidget(m_table, 100);
+    column->addStretch(1);  // where there is no table
+    connect(m_choose, &QPushButton::clicked, this, &RosterPart::chooseFile);
+    connect(m_enter, &QPushButton::clicked, this, &RosterPart::enterWanted);
+    connect(m_save, &QPushButton::clicked, this, &RosterPart::saveCodes);
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void RosterPart::speak()
+{
+    m_words->setText(
+        tr("A class list is a CSV file with the columns username, given_name, family_name, role and class. "
+           "Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is "
+           "entered before you have seen what it would do."));
+    m_choose->setText(tr("Choose a file …"));
+    m_enter->setText(tr("Enter these people"));
+    m_save->setText(tr("Save the one-time codes …"));
+    for (QPushButton* one : {m_choose, m_enter, m_save})
+        one->setAccessibleName(one->text());
+    m_table->setAccessibleName(tr("What the class list would do"));
+    fill();
+    tell();
+}
+
+void RosterPart::tell()
+{
+    const auto isNew = [](const database::RosterPerson& person) { return person.isNew; };
+    const auto fresh = static_cast<int>(std::count_if(m_outcome.people.begin(), m_outcome.people.end(), isNew));
+    const auto known = static_cast<int>(m_outcome.people.size()) - fresh;
+    m_enter->setVisible(!m_isDone && m_outcome.faults.empty() && !m_outcome.people.empty());
+    m_save->setVisible(m_isDone && fresh > 0);
+    m_table->setVisible(m_rows->rowCount() > 0);
+    if (!m_what.isEmpty())
+        m_said->setText(m_what);
+    else if (m_file.isEmpty())
+        m_said->clear();
+    else if (!m_outcome.faults.empty())
+        m_said->setText(tr("%1: %n fault(s). Nothing was entered; mend the file and choose it again.", nullptr,
+                           static_cast<int>(m_outcome.faults.size()))
+                            .arg(m_file));
+    else if (m_isDone)
+        m_said->setText(tr("%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.")
+                            .arg(m_file)
+                            .arg(fresh)
+                            .arg(known));
+    else
+        m_said->setText(tr("%1 would enter %2 new people; %3 are known already.").arg(m_file).arg(fresh).arg(known));
+}
+
+void RosterPart::fill()
+{
+    m_rows->clear();
+    const auto add = [this](const QStringList& words) {
+        QList<QStandardItem*> row;
+        for (const QString& one : words)
+            row << new QStandardItem(one);
+        m_rows->appendRow(row);
+    };
+    if (!m_outcome.faults.empty()) {
+        m_rows->setHorizontalHeaderLabels({tr("Line"), tr("Column"), tr("What is wrong")});
+        for (const database::RosterFault& fault : m_outcome.faults)
+            add({QString::number(fault.line), QString::fromStdString(fault.column),
+                 QString::fromStdString(fault.what)});
+    } else {
+        m_rows->setHorizontalHeaderLabels({tr("Login"), tr("Name"), tr("State"), tr("One-time code")});
+        for (const database::RosterPerson& person : m_outcome.people)
+            add({QString::fromStdString(person.username), QString::fromStdString(person.fullName),
+                 person.isNew ? tr("new") : tr("known"), QString::fromStdString(person.code)});
+    }
+    m_table->resizeColumnsToContents();
+}
+
+void RosterPart::showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone)
+{
+    m_outcome = outcome;
+    m_file = QFileInfo(file).fileName();
+    m_isDone = isDone;
+    m_what.clear();
+    fill();
+    tell();
+}
+
+void RosterPart::refuse(const QString& sentence)
+{
+    m_what = sentence;
+    tell();
+}
+
+void RosterPart::chooseFile()
+{
+    auto* dialog = new QFileDialog(this, tr("Choose a class list"),
+                                   QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
+                                   tr("Class lists (*.csv);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::fileChosen);
+    dialog->open();
+}
+
+void RosterPart::saveCodes()
+{
+    auto* dialog =
+        new QFileDialog(this, tr("Save the one-time codes"),
+                        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("Tables (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::writeCodes);
+    dialog->open();
+}
+
+void RosterPart::writeCodes(const QString& path)
+{
+    m_what = database::writeCodes(path, m_outcome.people)
+                 ? tr("The codes were saved. Delete the file when everybody has logged in.")
+                 : tr("The codes could not be written. Choose another folder, or make room on the disk.");
+    tell();
+}
+
+void RosterPart::dragEnterEvent(QDragEnterEvent* event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void RosterPart::dropEvent(QDropEvent* event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile())
+        emit fileChosen(urls.front().toLocalFile());
+}
+
+}  // namespace ui::admin

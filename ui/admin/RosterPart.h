@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include "database/people.h"
+
+class QLabel;
+class QPushButton;
+class QStandardItemModel;
+
+namespace ui::people {
+class ListTable;
+}
+
+namespace ui::admin {
+
+/// A class list from a file: first what it would do, line by line, then it is entered, and the one-time codes of who is
+/// new can be saved.
+class RosterPart final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit RosterPart(QWidget* parent);
+
+    /// @param isDone  entered; else only looked at
+    void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
+    void refuse(const QString& sentence);
+
+signals:
+    void fileChosen(const QString& path);
+    /// What was looked at is to be entered.
+    void enterWanted();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void speak();
+    void tell();
+    void fill();
+    void chooseFile();
+    void saveCodes();
+    void writeCodes(const QString& path);
+
+    database::RosterOutcome m_outcome;
+    QString m_file;
+    bool m_isDone = false;
+    QString m_what;  ///< of the last failure, or what was saved
+    QLabel* m_words;
+    QPushButton* m_choose;
+    QPushButton* m_enter;
+    QPushButton* m_save;
+    QLabel* m_said;
+    QStandardItemModel* m_rows;
+    people::ListTable* m_table;
+};
+
+}  // namespace ui::admin

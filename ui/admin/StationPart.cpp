@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/admin/StationPart.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
+#include "ui/text/Texts.h"
+
+namespace ui::admin {
+
+using namespace ui::shell;
+
+namespace {
+
+constexpr int kRows = 6;
+constexpr int kKeyShown = 16;
+constexpr int kLongestIdle = 240;
+
+}  // namespace
+
+StationPart::StationPart(QWidget* parent)
+    : QWidget(parent), m_grid(new QGridLayout), m_idle(new QSpinBox(this)),
+      m_idleWords(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace4);
+    m_grid->setHorizontalSpacing(kSpace6);
+    m_grid->setVerticalSpacing(kSpace2);
+    m_grid->setColumnStretch(1, 1);
+    for (int row = 0; row < kRows; ++row) {
+        m_names << study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this);
+        m_values << study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this);
+        m_names.back()->setWordWrap(false);
+        m_values.back()->setTextFormat(Qt::PlainText);
+        m_values.back()->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        m_grid->addWidget(m_names.back(), row, 0, Qt::AlignTop);
+        m_grid->addWidget(m_values.back(), row, 1);
+    }
+    column->addLayout(m_grid);
+    column->addWidget(line(this));
+    auto* idle = new QHBoxLayout;
+    m_idle->setObjectName(QStringLiteral("idleMinutes"));
+    m_idle->setRange(1, kLongestIdle);
+    study::bindToForm(m_idle);
+    idle->addWidget(m_idleWords);
+    idle->addWidget(m_idle);
+    idle->addStretch(1);
+    column->addLayout(idle);
+    column->addStretch(1);
+    m_idleWords->setWordWrap(false);
+    m_idleWords->setBuddy(m_idle);
+    connect(m_idle, &QSpinBox::editingFinished, this, [this] { emit idleMinutesWanted(m_idle->value()); });
+    text::inEveryLanguage(this, [this] { speak(); });
+}
+
+void StationPart::speak()
+{
+    m_idleWords->setText(tr("A place that was left is locked after"));
+    m_idle->setSuffix(u' ' + tr("min"));
+    m_idle->setAccessibleName(tr("Minutes after which a place that was left is locked"));
+    const QString servo = text::number(m_facts.servoHz, 0);
+    const QStringList names{tr("Drilled with"), tr("Servo loop"),   tr("Key of this station"),
+                            tr("Database"),     tr("On their way"), tr("Program")};
+    const QStringList values{m_facts.isSimulated ? tr("a simulated handpiece") : tr("mouse, pen or gamepad"),
+                             tr("%1 times a second").arg(servo),
+                             m_facts.stationKey.left(kKeyShown),
+                             m_facts.database,
+                             tr("%n attempt(s)", nullptr, m_facts.waiting),
+                             QStringLiteral("Cusp %1, Qt %2").arg(m_facts.program, QString::fromLatin1(qVersion()))};
+    for (int row = 0; row < kRows; ++row) {
+        m_names[row]->setText(names[row]);
+        m_values[row]->setText(values[row]);
+    }
+}
+
+void StationPart::setFacts(const Facts& facts)
+{
+    m_facts = facts;
+    speak();
+}
+
+void StationPart::setIdleMinutes(int minutes)
+{
+    m_idle->setValue(minutes);
+}
+
+}  // namespace ui::admin

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+class QSpinBox;
+
+namespace ui::admin {
+
+/// This computer: what is drilled with, its key, versions; and when a place that was left is locked, here and
+/// everywhere.
+class StationPart final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StationPart(QWidget* parent);
+
+    struct Facts
+    {
+        bool isSimulated = false;  ///< the device; else mouse, pen or gamepad
+        double servoHz = 0.0;
+        QString stationKey;  ///< public, hex
+        QString database;
+        QString program;  ///< version
+        int waiting = 0;  ///< attempts on their way to it
+    };
+    void setFacts(const Facts& facts);
+    void setIdleMinutes(int minutes);
+
+signals:
+    void idleMinutesWanted(int minutes);
+
+private:
+    void speak();
+
+    Facts m_facts;
+    QGridLayout* m_grid;
+    QList<QLabel*> m_names;
+    QList<QLabel*> m_values;
+    QSpinBox* m_idle;
+    QLabel* m_idleWords;
+};
+
+}  // namespace ui::admin
