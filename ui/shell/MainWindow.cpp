@@ -1421,9 +1421,8 @@ void MainWindow::enableActions()
                 action->setEnabled(action == m_actions->fullScreen || action == m_actions->quit ||
                                    (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account)));
     else
-        for (QAction* action :
-             {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->school, m_actions->back,
-              m_actions->help, m_actions->tour, m_actions->editLesson})
+        for (QAction* action : {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->school,
+                                m_actions->back, m_actions->help, m_actions->tour, m_actions->editLesson})
             action->setEnabled(action != m_actions->editLesson || m_pages->currentWidget() == m_lessonsPage);
 }
 
