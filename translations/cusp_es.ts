@@ -2,6 +2,113 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en_US">
 <context>
+    <name>Admin</name>
+    <message>
+        <source>logged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>logged out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a login failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used a one-time code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed the password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reset a password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>entered a person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed a person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>added a class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>renamed a class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put somebody into a class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>took somebody out of a class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gave a lesson to a class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>took a lesson back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an attempt was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>commented on an attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gave another score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept a hardness preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed a setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a backup was restored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>student</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instructor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>admin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Block</name>
     <message>
         <source>Practice block: line</source>
@@ -1241,6 +1348,68 @@
     </message>
 </context>
 <context>
+    <name>app::AdminDesk</name>
+    <message>
+        <source>That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or nobody would be left who is an admin and can log in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was entered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read, or is too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no class list: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It did not work: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data are being backed up …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backed up and checked: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A backup is made and restored …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is looked at …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) are not as they should be.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::Application</name>
     <message>
         <source>Making tooth %1 …</source>
@@ -1342,6 +1511,14 @@
         <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Today&apos;s backup was not made. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your password was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1438,6 +1615,461 @@
     <message>
         <source>Not exported: %1</source>
         <translation type="unfinished">No se exportó: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::admin::AdminPage</name>
+    <message>
+        <source>People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>School</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::admin::AuditPart</name>
+    <message>
+        <source>Clear the search</source>
+        <translation type="unfinished">Borrar la búsqueda</translation>
+    </message>
+    <message>
+        <source>Search: a person, an action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the audit code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Older rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
+        <extracomment>%1: a short code</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whom or what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::admin::BackupPart</name>
+    <message>
+        <source>Back up now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try a restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a backup, restore it beside the database, compare, and remove it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at every page, every attempt and the whole audit for what was changed, removed or inserted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished">Detener</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished">Progreso</translation>
+    </message>
+    <message>
+        <source>What the check found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are on a server: %1. Its administrator makes the backups; &quot;cusp db copy&quot; brings all of it into a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes: log everybody out and restore it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore the chosen backup …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished">Archivo</translation>
+    </message>
+    <message>
+        <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::admin::PeoplePart</name>
+    <message>
+        <source>Clear the search</source>
+        <translation type="unfinished">Borrar la búsqueda</translation>
+    </message>
+    <message>
+        <source>Search: a name, a class, a role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name to log in with</source>
+        <translation type="unfinished">Nombre para iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Given name</source>
+        <translation type="unfinished">Nombre de pila</translation>
+    </message>
+    <message>
+        <source>Family name</source>
+        <translation type="unfinished">Apellidos</translation>
+    </message>
+    <message>
+        <source>Name of a class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Nombre</translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation type="unfinished">Grupos</translation>
+    </message>
+    <message>
+        <source>Last login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a class of this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give this name to the class that is chosen above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the password away and give a one-time code in its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the one-time code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can log in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a one-time code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Enter the person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who is disabled cannot log in; attempts and names stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::admin::RosterPart</name>
+    <message>
+        <source>A class list is a CSV file with the columns username, given_name, family_name, role and class. Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is entered before you have seen what it would do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter these people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the one-time codes …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the class list would do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would enter %2 new people; %3 are known already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Nombre</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One-time code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation type="unfinished">sin intentos</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a class list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class lists (*.csv);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the one-time codes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The codes were saved. Delete the file when everybody has logged in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::admin::StationPart</name>
+    <message>
+        <source>A place that was left is locked after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minutes after which a place that was left is locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drilled with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key of this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On their way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a simulated handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mouse, pen or gamepad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation type="unfinished">
+            <numerusform>%n intento</numerusform>
+            <numerusform>%n intentos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2718,6 +3350,39 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change your password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new one: eight characters or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <extracomment>Back, without having changed the password</extracomment>
+        <translation type="unfinished">Dejarlo como está</translation>
+    </message>
+    <message>
+        <source>Change my password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Present password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new password again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4132,6 +4797,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Be shown round, step by step</source>
         <translation>Recorrer el programa paso a paso</translation>
     </message>
+    <message>
+        <source>School</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People, class lists, backups and the audit</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -5078,6 +5751,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Next</source>
         <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>The school</source>
+        <translation>La escuela</translation>
+    </message>
+    <message>
+        <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
+        <translation>Registre a las personas, una a una o desde una lista, asígnelas a grupos y cuide de las copias de seguridad y la auditoría.</translation>
     </message>
 </context>
 <context>

@@ -192,7 +192,8 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
     // Never opened silently.
     QVERIFY(enamelRemoved() != own);
     QVERIFY(!actions().undo->isEnabled());
-    QTest::mouseClick(messageButton(), Qt::LeftButton);
+    actions().lessons->trigger();
+    QTest::mouseClick(child<QPushButton>("continue"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);
     QVERIFY(message().contains("goes on where it was left"));
     QCOMPARE(journals(), QStringList{"1-1.cuspjournal"});

@@ -127,6 +127,9 @@ void Tour::begin(database::Role role)
         add(Where::Room, m_actions.grade, QT_TR_NOOP("The grade"),
             QT_TR_NOOP("The work is measured, and the score card shows every lost point, where it was lost and when."));
     } else if (role == Role::Admin) {
+        add(Where::Lessons, m_actions.school, QT_TR_NOOP("The school"),
+            QT_TR_NOOP("Enter people, one by one or from a list, put them into classes, and look after backups and the "
+                       "audit."));
         add(Where::Lessons, m_actions.classes, QT_TR_NOOP("Classes"),
             QT_TR_NOOP("How every class does at every lesson, as its teachers see it."));
         addDrilling(QT_TR_NOOP("Try it yourself"));
