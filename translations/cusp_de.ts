@@ -5,107 +5,107 @@
     <name>Admin</name>
     <message>
         <source>logged in</source>
-        <translation type="unfinished"></translation>
+        <translation>hat sich angemeldet</translation>
     </message>
     <message>
         <source>logged out</source>
-        <translation type="unfinished"></translation>
+        <translation>hat sich abgemeldet</translation>
     </message>
     <message>
         <source>a login failed</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Anmeldung schlug fehl</translation>
     </message>
     <message>
         <source>used a one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einen Einmalcode benutzt</translation>
     </message>
     <message>
         <source>changed the password</source>
-        <translation type="unfinished"></translation>
+        <translation>hat das Passwort geändert</translation>
     </message>
     <message>
         <source>reset a password</source>
-        <translation type="unfinished"></translation>
+        <translation>hat ein Passwort zurückgesetzt</translation>
     </message>
     <message>
         <source>entered a person</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Person eingetragen</translation>
     </message>
     <message>
         <source>changed a person</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Person geändert</translation>
     </message>
     <message>
         <source>added a class</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einen Kurs angelegt</translation>
     </message>
     <message>
         <source>renamed a class</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einen Kurs umbenannt</translation>
     </message>
     <message>
         <source>put somebody into a class</source>
-        <translation type="unfinished"></translation>
+        <translation>hat jemanden in einen Kurs aufgenommen</translation>
     </message>
     <message>
         <source>took somebody out of a class</source>
-        <translation type="unfinished"></translation>
+        <translation>hat jemanden aus einem Kurs genommen</translation>
     </message>
     <message>
         <source>gave a lesson to a class</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einem Kurs eine Lektion aufgegeben</translation>
     </message>
     <message>
         <source>took a lesson back</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Lektion zurückgenommen</translation>
     </message>
     <message>
         <source>an attempt was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Versuch wurde gespeichert</translation>
     </message>
     <message>
         <source>commented on an attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einen Versuch kommentiert</translation>
     </message>
     <message>
         <source>gave another score</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine andere Punktzahl gegeben</translation>
     </message>
     <message>
         <source>kept a hardness preset</source>
-        <translation type="unfinished"></translation>
+        <translation>hat ein Härteprofil gespeichert</translation>
     </message>
     <message>
         <source>changed a setting</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Einstellung geändert</translation>
     </message>
     <message>
         <source>a backup was restored</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Sicherung wurde zurückgespielt</translation>
     </message>
     <message>
         <source>guest</source>
-        <translation type="unfinished"></translation>
+        <translation>Gast</translation>
     </message>
     <message>
         <source>student</source>
-        <translation type="unfinished"></translation>
+        <translation>Student/in</translation>
     </message>
     <message>
         <source>instructor</source>
-        <translation type="unfinished"></translation>
+        <translation>Lehrkraft</translation>
     </message>
     <message>
         <source>admin</source>
-        <translation type="unfinished"></translation>
+        <translation>Admin</translation>
     </message>
     <message>
         <source>nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>niemand</translation>
     </message>
     <message>
         <source>the program</source>
-        <translation type="unfinished"></translation>
+        <translation>das Programm</translation>
     </message>
 </context>
 <context>
@@ -595,7 +595,7 @@
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei der Schule kann nicht geschrieben werden. Schaffen Sie Platz auf dem Datenträger oder machen Sie ihren Ordner beschreibbar.</translation>
     </message>
 </context>
 <context>
@@ -919,36 +919,36 @@
     <message>
         <source>exam</source>
         <extracomment>On the card of a lesson</extracomment>
-        <translation type="unfinished">Prüfung</translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>on the table</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Tisch</translation>
     </message>
     <message>
         <source>due since %1</source>
-        <translation type="unfinished"></translation>
+        <translation>fällig seit %1</translation>
     </message>
     <message numerus="yes">
         <source>%n day(s) late</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 Tag zu spät</numerusform>
+            <numerusform>%n Tage zu spät</numerusform>
         </translation>
     </message>
     <message>
         <source>due today %1</source>
-        <translation type="unfinished"></translation>
+        <translation>heute fällig, %1</translation>
     </message>
     <message>
         <source>due tomorrow</source>
-        <translation type="unfinished"></translation>
+        <translation>morgen fällig</translation>
     </message>
     <message>
         <source>due %1</source>
         <extracomment>%1: a day of the week, or a date</extracomment>
-        <translation type="unfinished">fällig: %1</translation>
+        <translation>fällig: %1</translation>
     </message>
 </context>
 <context>
@@ -1350,63 +1350,67 @@
 <context>
     <name>app::AdminDesk</name>
     <message>
-        <source>That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or nobody would be left who is an admin and can log in.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was entered.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde eingetragen.</translation>
     </message>
     <message>
         <source>%1 was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde geändert.</translation>
     </message>
     <message>
         <source>%1 cannot be read, or is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann nicht gelesen werden oder ist zu groß.</translation>
     </message>
     <message>
         <source>This is no class list: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist keine Kursliste: %1</translation>
     </message>
     <message>
         <source>It was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde angehalten.</translation>
     </message>
     <message>
         <source>It did not work: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Es hat nicht geklappt: %1</translation>
     </message>
     <message>
         <source>The data are being backed up …</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Daten werden gesichert …</translation>
     </message>
     <message>
         <source>Backed up and checked: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichert und geprüft: %1.</translation>
     </message>
     <message>
         <source>A backup is made and restored …</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sicherung wird gemacht und zurückgespielt …</translation>
     </message>
     <message>
         <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es klappt: Eine Sicherung wurde gemacht, neben der Datenbank zurückgespielt und verglichen, %1 Zeilen.</translation>
     </message>
     <message>
         <source>Everything is looked at …</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles wird geprüft …</translation>
     </message>
     <message>
         <source>Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist falsch: %1 Versuche und %2 Zeilen des Protokolls sind so, wie sie festgehalten wurden.</translation>
     </message>
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Eine Sache ist nicht, wie sie sein sollte.</numerusform>
+            <numerusform>%n Dinge sind nicht, wie sie sein sollten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
+        <translation>Das geht nicht: Der Name ist leer oder vergeben oder hat andere Zeichen als Buchstaben, Ziffern und . _ - @</translation>
+    </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation>Das ist der letzte Admin, der sich anmelden kann. Machen Sie zuerst jemand anderen zum Admin.</translation>
     </message>
 </context>
 <context>
@@ -1501,23 +1505,23 @@
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt daneben.</translation>
     </message>
     <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Daten der Schule liegen auf einem Netzlaufwerk: Nur ein Computer zugleich kann sie benutzen. Für mehrere legen Sie sie auf einen PostgreSQL-Server.</translation>
     </message>
     <message>
         <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie haben Ihre Versuche an dieser Lektion verbraucht. Bitten Sie Ihre Lehrkraft um weitere, oder wählen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die heutige Sicherung wurde nicht gemacht. %1</translation>
     </message>
     <message>
         <source>Your password was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Passwort wurde geändert.</translation>
     </message>
 </context>
 <context>
@@ -1590,484 +1594,484 @@
     <name>app::PresetDesk</name>
     <message>
         <source>The next tooth feels like this.</source>
-        <translation type="unfinished">Der nächste Zahn fühlt sich so an.</translation>
+        <translation>Der nächste Zahn fühlt sich so an.</translation>
     </message>
     <message>
         <source>The next tooth of everybody here feels like this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der nächste Zahn fühlt sich hier bei allen so an.</translation>
     </message>
     <message>
         <source>Not kept: only an admin keeps the school&apos;s presets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeichert: Nur ein Admin speichert die Profile der Schule.</translation>
     </message>
     <message>
         <source>Not kept: %1</source>
-        <translation type="unfinished">Nicht behalten: %1</translation>
+        <translation>Nicht gespeichert: %1</translation>
     </message>
     <message>
         <source>Not imported: %1</source>
-        <translation type="unfinished">Nicht importiert: %1</translation>
+        <translation>Nicht eingelesen: %1</translation>
     </message>
     <message>
         <source>The preset was exported as %1.</source>
-        <translation type="unfinished">Die Voreinstellung wurde als %1 exportiert.</translation>
+        <translation>Das Profil wurde als %1 ausgegeben.</translation>
     </message>
     <message>
         <source>Not exported: %1</source>
-        <translation type="unfinished">Nicht exportiert: %1</translation>
+        <translation>Nicht ausgegeben: %1</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::AdminPage</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>Class list</source>
-        <translation type="unfinished"></translation>
+        <translation>Kursliste</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungen</translation>
     </message>
     <message>
         <source>Audit</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>This computer</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Computer</translation>
     </message>
     <message>
         <source>School</source>
-        <translation type="unfinished"></translation>
+        <translation>Schule</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::AuditPart</name>
     <message>
         <source>Clear the search</source>
-        <translation type="unfinished">Suche leeren</translation>
+        <translation>Suche leeren</translation>
     </message>
     <message>
         <source>Search: a person, an action</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: eine Person, eine Handlung</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy the audit code</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Protokollcode kopieren</translation>
     </message>
     <message>
         <source>Older rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Ältere Zeilen</translation>
     </message>
     <message>
         <source>Audit</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
         <extracomment>%1: a short code</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Protokollcode jetzt: %1. Er steht auf jedem Bericht: Mit „Alles prüfen“ kann niemand wegnehmen, was davor festgehalten wurde.</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
         </translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>When</source>
-        <translation type="unfinished"></translation>
+        <translation>Wann</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>Was</translation>
     </message>
     <message>
         <source>Whom or what</source>
-        <translation type="unfinished"></translation>
+        <translation>Wen oder was</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelheiten</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::BackupPart</name>
     <message>
         <source>Back up now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt sichern</translation>
     </message>
     <message>
         <source>Try a restore</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurückspielen erproben</translation>
     </message>
     <message>
         <source>Make a backup, restore it beside the database, compare, and remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sicherung machen, neben der Datenbank zurückspielen, vergleichen und entfernen</translation>
     </message>
     <message>
         <source>Check everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles prüfen</translation>
     </message>
     <message>
         <source>Look at every page, every attempt and the whole audit for what was changed, removed or inserted</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Seite, jeden Versuch und das ganze Protokoll darauf ansehen, ob etwas geändert, entfernt oder eingefügt wurde</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished">Fortschritt</translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>What the check found</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Prüfung fand</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungen</translation>
     </message>
     <message>
         <source>The school&apos;s data are on a server: %1. Its administrator makes the backups; &quot;cusp db copy&quot; brings all of it into a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Daten der Schule liegen auf einem Server: %1. Dessen Verwalter macht die Sicherungen; „cusp db copy“ bringt alles in eine Datei.</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Daten der Schule liegen in %1. An jedem Tag, an dem das Programm benutzt wird, entsteht eine Sicherung; behalten werden die der letzten 12 Tage, 10 Wochen und 9 Monate.</translation>
     </message>
     <message>
         <source>Yes: log everybody out and restore it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja: alle abmelden und zurückspielen</translation>
     </message>
     <message>
         <source>Restore the chosen backup …</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte Sicherung zurückspielen …</translation>
     </message>
     <message>
         <source>Made</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemacht</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">Datei</translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was nach dieser Sicherung eingetragen wurde, wird fehlen; Versuche dieses Computers werden wieder eingebracht, und die jetzige Datei bleibt daneben erhalten.</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
     <message>
         <source>Clear the search</source>
-        <translation type="unfinished">Suche leeren</translation>
+        <translation>Suche leeren</translation>
     </message>
     <message>
         <source>Search: a name, a class, a role</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: ein Name, ein Kurs, eine Rolle</translation>
     </message>
     <message>
         <source>Name to log in with</source>
-        <translation type="unfinished">Name zum Anmelden</translation>
+        <translation>Name zum Anmelden</translation>
     </message>
     <message>
         <source>Given name</source>
-        <translation type="unfinished">Vorname</translation>
+        <translation>Vorname</translation>
     </message>
     <message>
         <source>Family name</source>
-        <translation type="unfinished">Nachname</translation>
+        <translation>Familienname</translation>
     </message>
     <message>
         <source>Name of a class</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines Kurses</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmeldename</translation>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished"></translation>
+        <translation>Rolle</translation>
     </message>
     <message>
         <source>Classes</source>
-        <translation type="unfinished">Klassen</translation>
+        <translation>Kurse</translation>
     </message>
     <message>
         <source>Last login</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Anmeldung</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>New person</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Person</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Anlegen</translation>
     </message>
     <message>
         <source>Add a class of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Kurs dieses Namens anlegen</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen</translation>
     </message>
     <message>
         <source>Give this name to the class that is chosen above</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem oben gewählten Kurs diesen Namen geben</translation>
     </message>
     <message>
         <source>Reset password</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort zurücksetzen</translation>
     </message>
     <message>
         <source>Take the password away and give a one-time code in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Passwort wegnehmen und dafür einen Einmalcode geben</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Rename the class</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Kurs umbenennen</translation>
     </message>
     <message>
         <source>Copy the one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Einmalcode kopieren</translation>
     </message>
     <message>
         <source>disabled</source>
-        <translation type="unfinished"></translation>
+        <translation>gesperrt</translation>
     </message>
     <message>
         <source>can log in</source>
-        <translation type="unfinished"></translation>
+        <translation>kann sich anmelden</translation>
     </message>
     <message>
         <source>has a one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einen Einmalcode</translation>
     </message>
     <message numerus="yes">
         <source>%n person(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 Person</numerusform>
+            <numerusform>%n Personen</numerusform>
         </translation>
     </message>
     <message>
         <source>Enter the person</source>
-        <translation type="unfinished"></translation>
+        <translation>Person eintragen</translation>
     </message>
     <message>
         <source>Save the changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen speichern</translation>
     </message>
     <message>
         <source>Enable</source>
-        <translation type="unfinished"></translation>
+        <translation>Freigeben</translation>
     </message>
     <message>
         <source>Disable</source>
-        <translation type="unfinished"></translation>
+        <translation>Sperren</translation>
     </message>
     <message>
         <source>Who is disabled cannot log in; attempts and names stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer gesperrt ist, kann sich nicht anmelden; Versuche und Namen bleiben</translation>
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt.</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
     <message>
         <source>A class list is a CSV file with the columns username, given_name, family_name, role and class. Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is entered before you have seen what it would do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kursliste ist eine CSV-Datei mit den Spalten username, given_name, family_name, role und class. Die Rolle kann fehlen; mehrere Kurse trennt ein senkrechter Strich. Wählen Sie sie, oder legen Sie sie hier ab: Nichts wird eingetragen, bevor Sie gesehen haben, was geschähe.</translation>
     </message>
     <message>
         <source>Choose a file …</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei wählen …</translation>
     </message>
     <message>
         <source>Enter these people</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Personen eintragen</translation>
     </message>
     <message>
         <source>Save the one-time codes …</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einmalcodes speichern …</translation>
     </message>
     <message>
         <source>What the class list would do</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Kursliste bewirken würde</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: ein Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
+            <numerusform>%1: %n Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde eingetragen: %2 neu, %3 schon bekannt. Die Codes unten stehen sonst nirgends.</translation>
     </message>
     <message>
         <source>%1 would enter %2 new people; %3 are known already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 würde %2 neue Personen eintragen; %3 sind schon bekannt.</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile</translation>
     </message>
     <message>
         <source>Column</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte</translation>
     </message>
     <message>
         <source>What is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Was falsch ist</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmeldename</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>One-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>Einmalcode</translation>
     </message>
     <message>
         <source>new</source>
-        <translation type="unfinished">neu</translation>
+        <translation>neu</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>bekannt</translation>
     </message>
     <message>
         <source>Choose a class list</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kursliste wählen</translation>
     </message>
     <message>
         <source>Class lists (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurslisten (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the one-time codes</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einmalcodes speichern</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
         <source>The codes were saved. Delete the file when everybody has logged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Codes wurden gespeichert. Löschen Sie die Datei, wenn sich alle angemeldet haben.</translation>
     </message>
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Codes konnten nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
     <message>
         <source>A place that was left is locked after</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein verlassener Platz wird gesperrt nach</translation>
     </message>
     <message>
         <source>min</source>
-        <translation type="unfinished"></translation>
+        <translation>min</translation>
     </message>
     <message>
         <source>Minutes after which a place that was left is locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Minuten, nach denen ein verlassener Platz gesperrt wird</translation>
     </message>
     <message>
         <source>Drilled with</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebohrt wird mit</translation>
     </message>
     <message>
         <source>Servo loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Regelkreis</translation>
     </message>
     <message>
         <source>Key of this station</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel dieses Platzes</translation>
     </message>
     <message>
         <source>Database</source>
-        <translation type="unfinished"></translation>
+        <translation>Datenbank</translation>
     </message>
     <message>
         <source>On their way</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterwegs</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm</translation>
     </message>
     <message>
         <source>a simulated handpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>einem simulierten Handstück</translation>
     </message>
     <message>
         <source>mouse, pen or gamepad</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus, Stift oder Gamepad</translation>
     </message>
     <message>
         <source>%1 times a second</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-mal in der Sekunde</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform>%n Versuch</numerusform>
+        <translation>
+            <numerusform>1 Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
     </message>
@@ -3226,7 +3230,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Speed</source>
         <extracomment>A chart of speed and accuracy</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
 </context>
 <context>
@@ -3341,49 +3345,49 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut versuchen</translation>
     </message>
     <message>
         <source>Restore backup (%1)</source>
         <extracomment>%1: day and time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Sicherung zurückspielen (%1)</translation>
     </message>
     <message>
         <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche dieses Computers werden wieder eingebracht. Was Lehrkräfte und Admins seither eingetragen haben, fehlt. Die Datei, die jetzt dort liegt, bleibt daneben erhalten.</translation>
     </message>
     <message>
         <source>Change your password</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Passwort ändern</translation>
     </message>
     <message>
         <source>The new one: eight characters or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das neue: acht Zeichen oder mehr.</translation>
     </message>
     <message>
         <source>Change the password</source>
-        <translation type="unfinished"></translation>
+        <translation>Passwort ändern</translation>
     </message>
     <message>
         <source>Leave it as it is</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation type="unfinished">So lassen</translation>
+        <translation>Dabei belassen</translation>
     </message>
     <message>
         <source>Change my password</source>
-        <translation type="unfinished"></translation>
+        <translation>Mein Passwort ändern</translation>
     </message>
     <message>
         <source>Present password</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetziges Passwort</translation>
     </message>
     <message>
         <source>New password</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Passwort</translation>
     </message>
     <message>
         <source>The new password again</source>
-        <translation type="unfinished"></translation>
+        <translation>Das neue Passwort noch einmal</translation>
     </message>
 </context>
 <context>
@@ -3742,7 +3746,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>An admin keeps the school&apos;s presets</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Admin speichert die Profile der Schule</translation>
     </message>
 </context>
 <context>
@@ -4799,11 +4803,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>School</source>
-        <translation type="unfinished"></translation>
+        <translation>Schule</translation>
     </message>
     <message>
         <source>People, class lists, backups and the audit</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen, Kurslisten, Sicherungen und das Protokoll</translation>
     </message>
 </context>
 <context>
@@ -6477,87 +6481,87 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Tooth …</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahn …</translation>
     </message>
     <message>
         <source>Lessons on one tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionen an einem Zahn</translation>
     </message>
     <message>
         <source>Pick a tooth in the arch, to see the lessons on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Zahn im Bogen wählen, um die Lektionen daran zu sehen</translation>
     </message>
     <message>
         <source>All</source>
         <extracomment>All lessons</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>To do</source>
         <extracomment>Lessons that are still to be done</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Zu tun</translation>
     </message>
     <message>
         <source>Passed</source>
         <extracomment>Lessons that were passed</extracomment>
-        <translation type="unfinished">Bestanden</translation>
+        <translation>Bestanden</translation>
     </message>
     <message>
         <source>Exams</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfungen</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">Verwerfen</translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Discard the attempt that was not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Den nicht beendeten Versuch verwerfen</translation>
     </message>
     <message>
         <source>Continue where I stopped: %1, begun %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Dort weitermachen, wo ich aufgehört habe: %1, begonnen %2</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitermachen</translation>
     </message>
     <message>
         <source>Tried last: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt versucht: %1, bisher bestes Ergebnis %2</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut versuchen</translation>
     </message>
     <message>
         <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihnen aufgegeben, aber nicht auf diesem Computer: %1. Bitten Sie Ihre Lehrkraft um die Datei.</translation>
     </message>
     <message>
         <source>Given to you</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihnen aufgegeben</translation>
     </message>
     <message>
         <source>No lesson fits</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Lektion passt</translation>
     </message>
     <message>
         <source>Search for another word, or show all lessons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen Sie ein anderes Wort, oder lassen Sie alle Lektionen zeigen.</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>noch 1 Versuch</numerusform>
+            <numerusform>noch %n Versuche</numerusform>
         </translation>
     </message>
     <message>
         <source>Given to</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgegeben für</translation>
     </message>
 </context>
 <context>

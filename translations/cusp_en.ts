@@ -932,9 +932,9 @@
     </message>
     <message numerus="yes">
         <source>%n day(s) late</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 day late</numerusform>
+            <numerusform>%n days late</numerusform>
         </translation>
     </message>
     <message>
@@ -1350,10 +1350,6 @@
 <context>
     <name>app::AdminDesk</name>
     <message>
-        <source>That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or nobody would be left who is an admin and can log in.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was entered.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1403,10 +1399,18 @@
     </message>
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>One thing is not as it should be.</numerusform>
+            <numerusform>%n things are not as they should be.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1677,9 +1681,9 @@
     </message>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 row</numerusform>
+            <numerusform>%n rows</numerusform>
         </translation>
     </message>
     <message>
@@ -1886,9 +1890,9 @@
     </message>
     <message numerus="yes">
         <source>%n person(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 person</numerusform>
+            <numerusform>%n people</numerusform>
         </translation>
     </message>
     <message>
@@ -1940,9 +1944,9 @@
     </message>
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: 1 fault. Nothing was entered; mend the file and choose it again.</numerusform>
+            <numerusform>%1: %n faults. Nothing was entered; mend the file and choose it again.</numerusform>
         </translation>
     </message>
     <message>
@@ -2066,8 +2070,8 @@
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform>%n attempt</numerusform>
+        <translation>
+            <numerusform>1 attempt</numerusform>
             <numerusform>%n attempts</numerusform>
         </translation>
     </message>
@@ -6542,9 +6546,9 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 attempt left</numerusform>
+            <numerusform>%n attempts left</numerusform>
         </translation>
     </message>
     <message>

@@ -5,107 +5,107 @@
     <name>Admin</name>
     <message>
         <source>logged in</source>
-        <translation type="unfinished"></translation>
+        <translation>inició sesión</translation>
     </message>
     <message>
         <source>logged out</source>
-        <translation type="unfinished"></translation>
+        <translation>cerró sesión</translation>
     </message>
     <message>
         <source>a login failed</source>
-        <translation type="unfinished"></translation>
+        <translation>falló un inicio de sesión</translation>
     </message>
     <message>
         <source>used a one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>usó un código de un solo uso</translation>
     </message>
     <message>
         <source>changed the password</source>
-        <translation type="unfinished"></translation>
+        <translation>cambió la contraseña</translation>
     </message>
     <message>
         <source>reset a password</source>
-        <translation type="unfinished"></translation>
+        <translation>restableció una contraseña</translation>
     </message>
     <message>
         <source>entered a person</source>
-        <translation type="unfinished"></translation>
+        <translation>registró a una persona</translation>
     </message>
     <message>
         <source>changed a person</source>
-        <translation type="unfinished"></translation>
+        <translation>modificó a una persona</translation>
     </message>
     <message>
         <source>added a class</source>
-        <translation type="unfinished"></translation>
+        <translation>añadió un grupo</translation>
     </message>
     <message>
         <source>renamed a class</source>
-        <translation type="unfinished"></translation>
+        <translation>cambió el nombre de un grupo</translation>
     </message>
     <message>
         <source>put somebody into a class</source>
-        <translation type="unfinished"></translation>
+        <translation>puso a alguien en un grupo</translation>
     </message>
     <message>
         <source>took somebody out of a class</source>
-        <translation type="unfinished"></translation>
+        <translation>sacó a alguien de un grupo</translation>
     </message>
     <message>
         <source>gave a lesson to a class</source>
-        <translation type="unfinished"></translation>
+        <translation>asignó una lección a un grupo</translation>
     </message>
     <message>
         <source>took a lesson back</source>
-        <translation type="unfinished"></translation>
+        <translation>retiró una lección</translation>
     </message>
     <message>
         <source>an attempt was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>se guardó un intento</translation>
     </message>
     <message>
         <source>commented on an attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>comentó un intento</translation>
     </message>
     <message>
         <source>gave another score</source>
-        <translation type="unfinished"></translation>
+        <translation>dio otra puntuación</translation>
     </message>
     <message>
         <source>kept a hardness preset</source>
-        <translation type="unfinished"></translation>
+        <translation>guardó un ajuste de dureza</translation>
     </message>
     <message>
         <source>changed a setting</source>
-        <translation type="unfinished"></translation>
+        <translation>cambió un ajuste</translation>
     </message>
     <message>
         <source>a backup was restored</source>
-        <translation type="unfinished"></translation>
+        <translation>se restauró una copia de seguridad</translation>
     </message>
     <message>
         <source>guest</source>
-        <translation type="unfinished"></translation>
+        <translation>invitado</translation>
     </message>
     <message>
         <source>student</source>
-        <translation type="unfinished"></translation>
+        <translation>estudiante</translation>
     </message>
     <message>
         <source>instructor</source>
-        <translation type="unfinished"></translation>
+        <translation>docente</translation>
     </message>
     <message>
         <source>admin</source>
-        <translation type="unfinished"></translation>
+        <translation>administrador</translation>
     </message>
     <message>
         <source>nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>nadie</translation>
     </message>
     <message>
         <source>the program</source>
-        <translation type="unfinished"></translation>
+        <translation>el programa</translation>
     </message>
 </context>
 <context>
@@ -595,7 +595,7 @@
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir el archivo de la escuela. Libere espacio en el disco o dé permiso de escritura en su carpeta.</translation>
     </message>
 </context>
 <context>
@@ -919,36 +919,36 @@
     <message>
         <source>exam</source>
         <extracomment>On the card of a lesson</extracomment>
-        <translation type="unfinished">examen</translation>
+        <translation>examen</translation>
     </message>
     <message>
         <source>on the table</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>sobre la mesa</translation>
     </message>
     <message>
         <source>due since %1</source>
-        <translation type="unfinished"></translation>
+        <translation>venció a las %1</translation>
     </message>
     <message numerus="yes">
         <source>%n day(s) late</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 día de retraso</numerusform>
+            <numerusform>%n días de retraso</numerusform>
         </translation>
     </message>
     <message>
         <source>due today %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vence hoy, %1</translation>
     </message>
     <message>
         <source>due tomorrow</source>
-        <translation type="unfinished"></translation>
+        <translation>vence mañana</translation>
     </message>
     <message>
         <source>due %1</source>
         <extracomment>%1: a day of the week, or a date</extracomment>
-        <translation type="unfinished">entrega: %1</translation>
+        <translation>vence: %1</translation>
     </message>
 </context>
 <context>
@@ -1350,63 +1350,67 @@
 <context>
     <name>app::AdminDesk</name>
     <message>
-        <source>That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or nobody would be left who is an admin and can log in.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was entered.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se registró.</translation>
     </message>
     <message>
         <source>%1 was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se modificó.</translation>
     </message>
     <message>
         <source>%1 cannot be read, or is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se puede leer o es demasiado grande.</translation>
     </message>
     <message>
         <source>This is no class list: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Esto no es una lista de grupo: %1</translation>
     </message>
     <message>
         <source>It was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se detuvo.</translation>
     </message>
     <message>
         <source>It did not work: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No funcionó: %1</translation>
     </message>
     <message>
         <source>The data are being backed up …</source>
-        <translation type="unfinished"></translation>
+        <translation>Se está haciendo la copia de seguridad …</translation>
     </message>
     <message>
         <source>Backed up and checked: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiado y comprobado: %1.</translation>
     </message>
     <message>
         <source>A backup is made and restored …</source>
-        <translation type="unfinished"></translation>
+        <translation>Se hace y se restaura una copia …</translation>
     </message>
     <message>
         <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Funciona: se hizo una copia, se restauró junto a la base de datos y se comparó, %1 filas.</translation>
     </message>
     <message>
         <source>Everything is looked at …</source>
-        <translation type="unfinished"></translation>
+        <translation>Se revisa todo …</translation>
     </message>
     <message>
         <source>Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todo está bien: %1 intentos y %2 filas del registro están como se anotaron.</translation>
     </message>
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Una cosa no está como debería.</numerusform>
+            <numerusform>%n cosas no están como deberían.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
+        <translation>No puede ser: el nombre está vacío u ocupado, o tiene otros signos que letras, cifras y . _ - @</translation>
+    </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation>Es el último administrador que puede iniciar sesión. Nombre antes a otro administrador.</translation>
     </message>
 </context>
 <context>
@@ -1501,23 +1505,23 @@
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado.</translation>
     </message>
     <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los datos de la escuela están en una unidad de red: solo un ordenador a la vez puede usarlos. Para varios, guárdelos en un servidor PostgreSQL.</translation>
     </message>
     <message>
         <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ha agotado los intentos que tenía para esta lección. Pida más a su docente o elija otra lección.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se hizo la copia de hoy. %1</translation>
     </message>
     <message>
         <source>Your password was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Su contraseña se ha cambiado.</translation>
     </message>
 </context>
 <context>
@@ -1590,484 +1594,484 @@
     <name>app::PresetDesk</name>
     <message>
         <source>The next tooth feels like this.</source>
-        <translation type="unfinished">El próximo diente se nota así.</translation>
+        <translation>El próximo diente se sentirá así.</translation>
     </message>
     <message>
         <source>The next tooth of everybody here feels like this.</source>
-        <translation type="unfinished"></translation>
+        <translation>El próximo diente se sentirá así para todos aquí.</translation>
     </message>
     <message>
         <source>Not kept: only an admin keeps the school&apos;s presets.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se guardó: solo un administrador guarda los ajustes de la escuela.</translation>
     </message>
     <message>
         <source>Not kept: %1</source>
-        <translation type="unfinished">No se conservó: %1</translation>
+        <translation>No se guardó: %1</translation>
     </message>
     <message>
         <source>Not imported: %1</source>
-        <translation type="unfinished">No se importó: %1</translation>
+        <translation>No se importó: %1</translation>
     </message>
     <message>
         <source>The preset was exported as %1.</source>
-        <translation type="unfinished">El ajuste se exportó como %1.</translation>
+        <translation>El ajuste se exportó como %1.</translation>
     </message>
     <message>
         <source>Not exported: %1</source>
-        <translation type="unfinished">No se exportó: %1</translation>
+        <translation>No se exportó: %1</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::AdminPage</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
     <message>
         <source>Class list</source>
-        <translation type="unfinished"></translation>
+        <translation>Lista de grupo</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Copias de seguridad</translation>
     </message>
     <message>
         <source>Audit</source>
-        <translation type="unfinished"></translation>
+        <translation>Registro</translation>
     </message>
     <message>
         <source>This computer</source>
-        <translation type="unfinished"></translation>
+        <translation>Este ordenador</translation>
     </message>
     <message>
         <source>School</source>
-        <translation type="unfinished"></translation>
+        <translation>Escuela</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::AuditPart</name>
     <message>
         <source>Clear the search</source>
-        <translation type="unfinished">Borrar la búsqueda</translation>
+        <translation>Borrar la búsqueda</translation>
     </message>
     <message>
         <source>Search: a person, an action</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar: una persona, una acción</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Copy the audit code</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar el código del registro</translation>
     </message>
     <message>
         <source>Older rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Filas anteriores</translation>
     </message>
     <message>
         <source>Audit</source>
-        <translation type="unfinished"></translation>
+        <translation>Registro</translation>
     </message>
     <message>
         <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
         <extracomment>%1: a short code</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Código actual del registro: %1. Está en cada informe: con «Revisar todo» nadie puede quitar lo que se anotó antes.</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 fila</numerusform>
+            <numerusform>%n filas</numerusform>
         </translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>N.º</translation>
     </message>
     <message>
         <source>When</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuándo</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>Quién</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué</translation>
     </message>
     <message>
         <source>Whom or what</source>
-        <translation type="unfinished"></translation>
+        <translation>A quién o qué</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Detalles</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::BackupPart</name>
     <message>
         <source>Back up now</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer copia ahora</translation>
     </message>
     <message>
         <source>Try a restore</source>
-        <translation type="unfinished"></translation>
+        <translation>Probar a restaurar</translation>
     </message>
     <message>
         <source>Make a backup, restore it beside the database, compare, and remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer una copia, restaurarla junto a la base de datos, comparar y borrarla</translation>
     </message>
     <message>
         <source>Check everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Revisar todo</translation>
     </message>
     <message>
         <source>Look at every page, every attempt and the whole audit for what was changed, removed or inserted</source>
-        <translation type="unfinished"></translation>
+        <translation>Mirar cada página, cada intento y todo el registro en busca de lo cambiado, quitado o añadido</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">Detener</translation>
+        <translation>Detener</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished">Progreso</translation>
+        <translation>Progreso</translation>
     </message>
     <message>
         <source>What the check found</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que encontró la revisión</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Copias de seguridad</translation>
     </message>
     <message>
         <source>The school&apos;s data are on a server: %1. Its administrator makes the backups; &quot;cusp db copy&quot; brings all of it into a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los datos de la escuela están en un servidor: %1. Su administrador hace las copias; «cusp db copy» lo lleva todo a un archivo.</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los datos de la escuela están en %1. Cada día que se usa el programa se hace una copia; se conservan las de los últimos 12 días, 10 semanas y 9 meses.</translation>
     </message>
     <message>
         <source>Yes: log everybody out and restore it</source>
-        <translation type="unfinished"></translation>
+        <translation>Sí: cerrar todas las sesiones y restaurar</translation>
     </message>
     <message>
         <source>Restore the chosen backup …</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar la copia elegida …</translation>
     </message>
     <message>
         <source>Made</source>
-        <translation type="unfinished"></translation>
+        <translation>Hecha</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">Archivo</translation>
+        <translation>Archivo</translation>
     </message>
     <message>
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faltará lo registrado después de esta copia; los intentos de este ordenador se vuelven a incorporar y el archivo actual se conserva a su lado.</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
     <message>
         <source>Clear the search</source>
-        <translation type="unfinished">Borrar la búsqueda</translation>
+        <translation>Borrar la búsqueda</translation>
     </message>
     <message>
         <source>Search: a name, a class, a role</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar: un nombre, un grupo, un papel</translation>
     </message>
     <message>
         <source>Name to log in with</source>
-        <translation type="unfinished">Nombre para iniciar sesión</translation>
+        <translation>Nombre para iniciar sesión</translation>
     </message>
     <message>
         <source>Given name</source>
-        <translation type="unfinished">Nombre de pila</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Family name</source>
-        <translation type="unfinished">Apellidos</translation>
+        <translation>Apellidos</translation>
     </message>
     <message>
         <source>Name of a class</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de un grupo</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Nombre</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuario</translation>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished"></translation>
+        <translation>Papel</translation>
     </message>
     <message>
         <source>Classes</source>
-        <translation type="unfinished">Grupos</translation>
+        <translation>Grupos</translation>
     </message>
     <message>
         <source>Last login</source>
-        <translation type="unfinished"></translation>
+        <translation>Última sesión</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>New person</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva persona</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir</translation>
     </message>
     <message>
         <source>Add a class of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un grupo con este nombre</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Renombrar</translation>
     </message>
     <message>
         <source>Give this name to the class that is chosen above</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar este nombre al grupo elegido arriba</translation>
     </message>
     <message>
         <source>Reset password</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer contraseña</translation>
     </message>
     <message>
         <source>Take the password away and give a one-time code in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la contraseña y dar en su lugar un código de un solo uso</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Rename the class</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el nombre del grupo</translation>
     </message>
     <message>
         <source>Copy the one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar el código de un solo uso</translation>
     </message>
     <message>
         <source>disabled</source>
-        <translation type="unfinished"></translation>
+        <translation>desactivado</translation>
     </message>
     <message>
         <source>can log in</source>
-        <translation type="unfinished"></translation>
+        <translation>puede iniciar sesión</translation>
     </message>
     <message>
         <source>has a one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene un código de un solo uso</translation>
     </message>
     <message numerus="yes">
         <source>%n person(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 persona</numerusform>
+            <numerusform>%n personas</numerusform>
         </translation>
     </message>
     <message>
         <source>Enter the person</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrar a la persona</translation>
     </message>
     <message>
         <source>Save the changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar los cambios</translation>
     </message>
     <message>
         <source>Enable</source>
-        <translation type="unfinished"></translation>
+        <translation>Activar</translation>
     </message>
     <message>
         <source>Disable</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactivar</translation>
     </message>
     <message>
         <source>Who is disabled cannot log in; attempts and names stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Quien está desactivado no puede iniciar sesión; sus intentos y su nombre se conservan</translation>
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio.</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
     <message>
         <source>A class list is a CSV file with the columns username, given_name, family_name, role and class. Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is entered before you have seen what it would do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una lista de grupo es un archivo CSV con las columnas username, given_name, family_name, role y class. El papel puede faltar; varios grupos se separan con una barra vertical. Elíjala o suéltela aquí: nada se registra antes de que vea lo que haría.</translation>
     </message>
     <message>
         <source>Choose a file …</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir un archivo …</translation>
     </message>
     <message>
         <source>Enter these people</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrar a estas personas</translation>
     </message>
     <message>
         <source>Save the one-time codes …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar los códigos …</translation>
     </message>
     <message>
         <source>What the class list would do</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que haría la lista</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: un fallo. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
+            <numerusform>%1: %n fallos. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se registró: %2 nuevas, %3 ya conocidas. Los códigos de abajo no se guardan en otro sitio.</translation>
     </message>
     <message>
         <source>%1 would enter %2 new people; %3 are known already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 registraría %2 personas nuevas; %3 ya son conocidas.</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea</translation>
     </message>
     <message>
         <source>Column</source>
-        <translation type="unfinished"></translation>
+        <translation>Columna</translation>
     </message>
     <message>
         <source>What is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué está mal</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuario</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Nombre</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>One-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>Código de un solo uso</translation>
     </message>
     <message>
         <source>new</source>
-        <translation type="unfinished">sin intentos</translation>
+        <translation>nueva</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>conocida</translation>
     </message>
     <message>
         <source>Choose a class list</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir una lista de grupo</translation>
     </message>
     <message>
         <source>Class lists (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Listas de grupo (*.csv);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Save the one-time codes</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar los códigos de un solo uso</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablas (*.csv)</translation>
     </message>
     <message>
         <source>The codes were saved. Delete the file when everybody has logged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los códigos se guardaron. Borre el archivo cuando todos hayan iniciado sesión.</translation>
     </message>
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudieron escribir los códigos. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
     <message>
         <source>A place that was left is locked after</source>
-        <translation type="unfinished"></translation>
+        <translation>Un puesto abandonado se bloquea a los</translation>
     </message>
     <message>
         <source>min</source>
-        <translation type="unfinished"></translation>
+        <translation>min</translation>
     </message>
     <message>
         <source>Minutes after which a place that was left is locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Minutos tras los que se bloquea un puesto abandonado</translation>
     </message>
     <message>
         <source>Drilled with</source>
-        <translation type="unfinished"></translation>
+        <translation>Se talla con</translation>
     </message>
     <message>
         <source>Servo loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Bucle de control</translation>
     </message>
     <message>
         <source>Key of this station</source>
-        <translation type="unfinished"></translation>
+        <translation>Clave de este puesto</translation>
     </message>
     <message>
         <source>Database</source>
-        <translation type="unfinished"></translation>
+        <translation>Base de datos</translation>
     </message>
     <message>
         <source>On their way</source>
-        <translation type="unfinished"></translation>
+        <translation>En camino</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programa</translation>
     </message>
     <message>
         <source>a simulated handpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>una pieza de mano simulada</translation>
     </message>
     <message>
         <source>mouse, pen or gamepad</source>
-        <translation type="unfinished"></translation>
+        <translation>ratón, lápiz o mando</translation>
     </message>
     <message>
         <source>%1 times a second</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 veces por segundo</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform>%n intento</numerusform>
+        <translation>
+            <numerusform>1 intento</numerusform>
             <numerusform>%n intentos</numerusform>
         </translation>
     </message>
@@ -3226,7 +3230,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Speed</source>
         <extracomment>A chart of speed and accuracy</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Ritmo</translation>
     </message>
 </context>
 <context>
@@ -3341,49 +3345,49 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Intentar de nuevo</translation>
     </message>
     <message>
         <source>Restore backup (%1)</source>
         <extracomment>%1: day and time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar copia (%1)</translation>
     </message>
     <message>
         <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los intentos de este ordenador se vuelven a incorporar. Falta lo que docentes y administradores hayan registrado desde entonces. El archivo actual se conserva a su lado.</translation>
     </message>
     <message>
         <source>Change your password</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar su contraseña</translation>
     </message>
     <message>
         <source>The new one: eight characters or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nueva: ocho caracteres o más.</translation>
     </message>
     <message>
         <source>Change the password</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar la contraseña</translation>
     </message>
     <message>
         <source>Leave it as it is</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation type="unfinished">Dejarlo como está</translation>
+        <translation>Dejarla como está</translation>
     </message>
     <message>
         <source>Change my password</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar mi contraseña</translation>
     </message>
     <message>
         <source>Present password</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraseña actual</translation>
     </message>
     <message>
         <source>New password</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraseña nueva</translation>
     </message>
     <message>
         <source>The new password again</source>
-        <translation type="unfinished"></translation>
+        <translation>La contraseña nueva otra vez</translation>
     </message>
 </context>
 <context>
@@ -3742,7 +3746,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>An admin keeps the school&apos;s presets</source>
-        <translation type="unfinished"></translation>
+        <translation>Un administrador guarda los ajustes de la escuela</translation>
     </message>
 </context>
 <context>
@@ -4799,11 +4803,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>School</source>
-        <translation type="unfinished"></translation>
+        <translation>Escuela</translation>
     </message>
     <message>
         <source>People, class lists, backups and the audit</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas, listas, copias de seguridad y el registro</translation>
     </message>
 </context>
 <context>
@@ -6477,87 +6481,87 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Tooth …</source>
-        <translation type="unfinished"></translation>
+        <translation>Diente …</translation>
     </message>
     <message>
         <source>Lessons on one tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecciones de un diente</translation>
     </message>
     <message>
         <source>Pick a tooth in the arch, to see the lessons on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir un diente de la arcada para ver sus lecciones</translation>
     </message>
     <message>
         <source>All</source>
         <extracomment>All lessons</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Todas</translation>
     </message>
     <message>
         <source>To do</source>
         <extracomment>Lessons that are still to be done</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Por hacer</translation>
     </message>
     <message>
         <source>Passed</source>
         <extracomment>Lessons that were passed</extracomment>
-        <translation type="unfinished">Aprobado</translation>
+        <translation>Superadas</translation>
     </message>
     <message>
         <source>Exams</source>
-        <translation type="unfinished"></translation>
+        <translation>Exámenes</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">Descartar</translation>
+        <translation>Descartar</translation>
     </message>
     <message>
         <source>Discard the attempt that was not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar el intento sin terminar</translation>
     </message>
     <message>
         <source>Continue where I stopped: %1, begun %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Continuar donde lo dejé: %1, empezado %2</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuar</translation>
     </message>
     <message>
         <source>Tried last: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Último intento: %1, mejor hasta ahora %2</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Intentar de nuevo</translation>
     </message>
     <message>
         <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignado a usted, pero no está en este ordenador: %1. Pida el archivo a su docente.</translation>
     </message>
     <message>
         <source>Given to you</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignadas a usted</translation>
     </message>
     <message>
         <source>No lesson fits</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna lección coincide</translation>
     </message>
     <message>
         <source>Search for another word, or show all lessons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Busque otra palabra o muestre todas las lecciones.</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>queda 1 intento</numerusform>
+            <numerusform>quedan %n intentos</numerusform>
         </translation>
     </message>
     <message>
         <source>Given to</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignada a</translation>
     </message>
 </context>
 <context>

@@ -5,107 +5,107 @@
     <name>Admin</name>
     <message>
         <source>logged in</source>
-        <translation type="unfinished"></translation>
+        <translation>ログインしました</translation>
     </message>
     <message>
         <source>logged out</source>
-        <translation type="unfinished"></translation>
+        <translation>ログアウトしました</translation>
     </message>
     <message>
         <source>a login failed</source>
-        <translation type="unfinished"></translation>
+        <translation>ログインに失敗しました</translation>
     </message>
     <message>
         <source>used a one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>ワンタイムコードを使いました</translation>
     </message>
     <message>
         <source>changed the password</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードを変更しました</translation>
     </message>
     <message>
         <source>reset a password</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードをリセットしました</translation>
     </message>
     <message>
         <source>entered a person</source>
-        <translation type="unfinished"></translation>
+        <translation>人を登録しました</translation>
     </message>
     <message>
         <source>changed a person</source>
-        <translation type="unfinished"></translation>
+        <translation>人の情報を変更しました</translation>
     </message>
     <message>
         <source>added a class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスを追加しました</translation>
     </message>
     <message>
         <source>renamed a class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名を変更しました</translation>
     </message>
     <message>
         <source>put somebody into a class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスに入れました</translation>
     </message>
     <message>
         <source>took somebody out of a class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスから外しました</translation>
     </message>
     <message>
         <source>gave a lesson to a class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスに課題を出しました</translation>
     </message>
     <message>
         <source>took a lesson back</source>
-        <translation type="unfinished"></translation>
+        <translation>課題を取り消しました</translation>
     </message>
     <message>
         <source>an attempt was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>試行が保存されました</translation>
     </message>
     <message>
         <source>commented on an attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>試行にコメントしました</translation>
     </message>
     <message>
         <source>gave another score</source>
-        <translation type="unfinished"></translation>
+        <translation>点数を変更しました</translation>
     </message>
     <message>
         <source>kept a hardness preset</source>
-        <translation type="unfinished"></translation>
+        <translation>硬さプリセットを保存しました</translation>
     </message>
     <message>
         <source>changed a setting</source>
-        <translation type="unfinished"></translation>
+        <translation>設定を変更しました</translation>
     </message>
     <message>
         <source>a backup was restored</source>
-        <translation type="unfinished"></translation>
+        <translation>バックアップが復元されました</translation>
     </message>
     <message>
         <source>guest</source>
-        <translation type="unfinished"></translation>
+        <translation>ゲスト</translation>
     </message>
     <message>
         <source>student</source>
-        <translation type="unfinished"></translation>
+        <translation>学生</translation>
     </message>
     <message>
         <source>instructor</source>
-        <translation type="unfinished"></translation>
+        <translation>教員</translation>
     </message>
     <message>
         <source>admin</source>
-        <translation type="unfinished"></translation>
+        <translation>管理者</translation>
     </message>
     <message>
         <source>nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>the program</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラム</translation>
     </message>
 </context>
 <context>
@@ -595,7 +595,7 @@
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
-        <translation type="unfinished"></translation>
+        <translation>学校のファイルに書き込めません。ディスクの空きを増やすか、フォルダーを書き込み可能にしてください。</translation>
     </message>
 </context>
 <context>
@@ -919,35 +919,35 @@
     <message>
         <source>exam</source>
         <extracomment>On the card of a lesson</extracomment>
-        <translation type="unfinished">試験</translation>
+        <translation>試験</translation>
     </message>
     <message>
         <source>on the table</source>
         <extracomment>On the card of the lesson that is being worked on</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>作業中</translation>
     </message>
     <message>
         <source>due since %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 が締切でした</translation>
     </message>
     <message numerus="yes">
         <source>%n day(s) late</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 日遅れ</numerusform>
         </translation>
     </message>
     <message>
         <source>due today %1</source>
-        <translation type="unfinished"></translation>
+        <translation>今日 %1 締切</translation>
     </message>
     <message>
         <source>due tomorrow</source>
-        <translation type="unfinished"></translation>
+        <translation>明日締切</translation>
     </message>
     <message>
         <source>due %1</source>
         <extracomment>%1: a day of the week, or a date</extracomment>
-        <translation type="unfinished">期限：%1</translation>
+        <translation>締切：%1</translation>
     </message>
 </context>
 <context>
@@ -1343,62 +1343,66 @@
 <context>
     <name>app::AdminDesk</name>
     <message>
-        <source>That cannot be: the name is taken or has other signs than letters, digits and . _ - @, or nobody would be left who is an admin and can log in.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was entered.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を登録しました。</translation>
     </message>
     <message>
         <source>%1 was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を変更しました。</translation>
     </message>
     <message>
         <source>%1 cannot be read, or is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を読めないか、大きすぎます。</translation>
     </message>
     <message>
         <source>This is no class list: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名簿ではありません：%1</translation>
     </message>
     <message>
         <source>It was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>中止しました。</translation>
     </message>
     <message>
         <source>It did not work: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>うまくいきませんでした：%1</translation>
     </message>
     <message>
         <source>The data are being backed up …</source>
-        <translation type="unfinished"></translation>
+        <translation>データをバックアップしています…</translation>
     </message>
     <message>
         <source>Backed up and checked: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>バックアップして確認しました：%1</translation>
     </message>
     <message>
         <source>A backup is made and restored …</source>
-        <translation type="unfinished"></translation>
+        <translation>バックアップを作成して復元しています…</translation>
     </message>
     <message>
         <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>成功しました：バックアップを作成し、データベースの横に復元して %1 行を比較しました。</translation>
     </message>
     <message>
         <source>Everything is looked at …</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてを確認しています…</translation>
     </message>
     <message>
         <source>Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.</source>
-        <translation type="unfinished"></translation>
+        <translation>異常はありません：%1 件の試行と監査記録 %2 行は記録されたままです。</translation>
     </message>
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 件の異常があります。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
+        <translation>できません：名前が空か、使われているか、英字・数字・. _ - @ 以外の文字があります</translation>
+    </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation>ログインできる最後の管理者です。先にほかの人を管理者にしてください。</translation>
     </message>
 </context>
 <context>
@@ -1493,23 +1497,23 @@
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 のバックアップに置き換えました。元のファイルは横に残してあります。</translation>
     </message>
     <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation type="unfinished"></translation>
+        <translation>学校のデータはネットワークドライブ上にあり、同時に一台しか使えません。複数台ではPostgreSQLサーバーに置いてください。</translation>
     </message>
     <message>
         <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
-        <translation type="unfinished"></translation>
+        <translation>この課題で認められた回数を使い切りました。先生に追加を頼むか、別の課題を選んでください。</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>今日のバックアップは作成されませんでした。%1</translation>
     </message>
     <message>
         <source>Your password was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードを変更しました。</translation>
     </message>
 </context>
 <context>
@@ -1582,481 +1586,481 @@
     <name>app::PresetDesk</name>
     <message>
         <source>The next tooth feels like this.</source>
-        <translation type="unfinished">次の歯からこの手応えになります。</translation>
+        <translation>次の歯からこの感触になります。</translation>
     </message>
     <message>
         <source>The next tooth of everybody here feels like this.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは全員、次の歯からこの感触になります。</translation>
     </message>
     <message>
         <source>Not kept: only an admin keeps the school&apos;s presets.</source>
-        <translation type="unfinished"></translation>
+        <translation>保存していません：学校のプリセットを保存できるのは管理者だけです。</translation>
     </message>
     <message>
         <source>Not kept: %1</source>
-        <translation type="unfinished">保存されませんでした：%1</translation>
+        <translation>保存していません：%1</translation>
     </message>
     <message>
         <source>Not imported: %1</source>
-        <translation type="unfinished">読み込めませんでした：%1</translation>
+        <translation>読み込んでいません：%1</translation>
     </message>
     <message>
         <source>The preset was exported as %1.</source>
-        <translation type="unfinished">プリセットを%1として書き出しました。</translation>
+        <translation>プリセットを %1 に書き出しました。</translation>
     </message>
     <message>
         <source>Not exported: %1</source>
-        <translation type="unfinished">書き出せませんでした：%1</translation>
+        <translation>書き出していません：%1</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::AdminPage</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>人</translation>
     </message>
     <message>
         <source>Class list</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名簿</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>バックアップ</translation>
     </message>
     <message>
         <source>Audit</source>
-        <translation type="unfinished"></translation>
+        <translation>監査記録</translation>
     </message>
     <message>
         <source>This computer</source>
-        <translation type="unfinished"></translation>
+        <translation>このコンピューター</translation>
     </message>
     <message>
         <source>School</source>
-        <translation type="unfinished"></translation>
+        <translation>学校</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::AuditPart</name>
     <message>
         <source>Clear the search</source>
-        <translation type="unfinished">検索を消去</translation>
+        <translation>検索を消す</translation>
     </message>
     <message>
         <source>Search: a person, an action</source>
-        <translation type="unfinished"></translation>
+        <translation>検索：人、操作</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー</translation>
     </message>
     <message>
         <source>Copy the audit code</source>
-        <translation type="unfinished"></translation>
+        <translation>監査コードをコピー</translation>
     </message>
     <message>
         <source>Older rows</source>
-        <translation type="unfinished"></translation>
+        <translation>さらに古い行</translation>
     </message>
     <message>
         <source>Audit</source>
-        <translation type="unfinished"></translation>
+        <translation>監査記録</translation>
     </message>
     <message>
         <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
         <extracomment>%1: a short code</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>現在の監査コード：%1。すべての報告書に載ります。「すべて確認」により、それ以前の記録は誰にも消せません。</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 行</numerusform>
         </translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>番号</translation>
     </message>
     <message>
         <source>When</source>
-        <translation type="unfinished"></translation>
+        <translation>日時</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>誰が</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>何を</translation>
     </message>
     <message>
         <source>Whom or what</source>
-        <translation type="unfinished"></translation>
+        <translation>対象</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>詳細</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::BackupPart</name>
     <message>
         <source>Back up now</source>
-        <translation type="unfinished"></translation>
+        <translation>今すぐバックアップ</translation>
     </message>
     <message>
         <source>Try a restore</source>
-        <translation type="unfinished"></translation>
+        <translation>復元を試す</translation>
     </message>
     <message>
         <source>Make a backup, restore it beside the database, compare, and remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>バックアップを作り、データベースの横に復元して比較し、削除します</translation>
     </message>
     <message>
         <source>Check everything</source>
-        <translation type="unfinished"></translation>
+        <translation>すべて確認</translation>
     </message>
     <message>
         <source>Look at every page, every attempt and the whole audit for what was changed, removed or inserted</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのページ、試行、監査記録について、変更・削除・挿入がないか調べます</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">停止</translation>
+        <translation>中止</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished">進み具合</translation>
+        <translation>進行状況</translation>
     </message>
     <message>
         <source>What the check found</source>
-        <translation type="unfinished"></translation>
+        <translation>確認の結果</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>バックアップ</translation>
     </message>
     <message>
         <source>The school&apos;s data are on a server: %1. Its administrator makes the backups; &quot;cusp db copy&quot; brings all of it into a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>学校のデータはサーバー %1 にあります。バックアップはサーバー管理者が行います。「cusp db copy」で全体をファイルにできます。</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation type="unfinished"></translation>
+        <translation>学校のデータは %1 にあります。使った日ごとにバックアップを作り、直近12日、10週、9か月分を残します。</translation>
     </message>
     <message>
         <source>Yes: log everybody out and restore it</source>
-        <translation type="unfinished"></translation>
+        <translation>はい：全員ログアウトして復元する</translation>
     </message>
     <message>
         <source>Restore the chosen backup …</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだバックアップを復元…</translation>
     </message>
     <message>
         <source>Made</source>
-        <translation type="unfinished"></translation>
+        <translation>作成日時</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>サイズ</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">ファイル</translation>
+        <translation>ファイル</translation>
     </message>
     <message>
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>このバックアップより後に登録されたものは失われます。このコンピューターの試行は再び取り込まれ、現在のファイルは横に残ります。</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
     <message>
         <source>Clear the search</source>
-        <translation type="unfinished">検索を消去</translation>
+        <translation>検索を消す</translation>
     </message>
     <message>
         <source>Search: a name, a class, a role</source>
-        <translation type="unfinished"></translation>
+        <translation>検索：名前、クラス、役割</translation>
     </message>
     <message>
         <source>Name to log in with</source>
-        <translation type="unfinished">ログイン名</translation>
+        <translation>ログイン名</translation>
     </message>
     <message>
         <source>Given name</source>
-        <translation type="unfinished">名</translation>
+        <translation>名</translation>
     </message>
     <message>
         <source>Family name</source>
-        <translation type="unfinished">姓</translation>
+        <translation>姓</translation>
     </message>
     <message>
         <source>Name of a class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスの名前</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>人</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名前</translation>
+        <translation>名前</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>ログイン名</translation>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished"></translation>
+        <translation>役割</translation>
     </message>
     <message>
         <source>Classes</source>
-        <translation type="unfinished">クラス</translation>
+        <translation>クラス</translation>
     </message>
     <message>
         <source>Last login</source>
-        <translation type="unfinished"></translation>
+        <translation>最終ログイン</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
     </message>
     <message>
         <source>New person</source>
-        <translation type="unfinished"></translation>
+        <translation>新しい人</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>追加</translation>
     </message>
     <message>
         <source>Add a class of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>この名前のクラスを追加</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>名前変更</translation>
     </message>
     <message>
         <source>Give this name to the class that is chosen above</source>
-        <translation type="unfinished"></translation>
+        <translation>上で選んだクラスをこの名前にする</translation>
     </message>
     <message>
         <source>Reset password</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードをリセット</translation>
     </message>
     <message>
         <source>Take the password away and give a one-time code in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードを消し、代わりにワンタイムコードを渡します</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー</translation>
     </message>
     <message>
         <source>Rename the class</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名を変更</translation>
     </message>
     <message>
         <source>Copy the one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>ワンタイムコードをコピー</translation>
     </message>
     <message>
         <source>disabled</source>
-        <translation type="unfinished"></translation>
+        <translation>無効</translation>
     </message>
     <message>
         <source>can log in</source>
-        <translation type="unfinished"></translation>
+        <translation>ログインできます</translation>
     </message>
     <message>
         <source>has a one-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>ワンタイムコードあり</translation>
     </message>
     <message numerus="yes">
         <source>%n person(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 人</numerusform>
         </translation>
     </message>
     <message>
         <source>Enter the person</source>
-        <translation type="unfinished"></translation>
+        <translation>登録する</translation>
     </message>
     <message>
         <source>Save the changes</source>
-        <translation type="unfinished"></translation>
+        <translation>変更を保存</translation>
     </message>
     <message>
         <source>Enable</source>
-        <translation type="unfinished"></translation>
+        <translation>有効にする</translation>
     </message>
     <message>
         <source>Disable</source>
-        <translation type="unfinished"></translation>
+        <translation>無効にする</translation>
     </message>
     <message>
         <source>Who is disabled cannot log in; attempts and names stay</source>
-        <translation type="unfinished"></translation>
+        <translation>無効にするとログインできません。試行と名前は残ります</translation>
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
     <message>
         <source>A class list is a CSV file with the columns username, given_name, family_name, role and class. Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is entered before you have seen what it would do.</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名簿は username、given_name、family_name、role、class の列をもつCSVファイルです。role は省略でき、複数のクラスは縦棒で区切ります。選ぶか、ここにドロップしてください。内容を見るまで何も登録しません。</translation>
     </message>
     <message>
         <source>Choose a file …</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを選ぶ…</translation>
     </message>
     <message>
         <source>Enter these people</source>
-        <translation type="unfinished"></translation>
+        <translation>この人たちを登録する</translation>
     </message>
     <message>
         <source>Save the one-time codes …</source>
-        <translation type="unfinished"></translation>
+        <translation>ワンタイムコードを保存…</translation>
     </message>
     <message>
         <source>What the class list would do</source>
-        <translation type="unfinished"></translation>
+        <translation>名簿の内容</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：%n 件の誤りがあります。何も登録していません。ファイルを直して選び直してください。</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を登録しました：新規 %2、既知 %3。下のコードはほかに保存されません。</translation>
     </message>
     <message>
         <source>%1 would enter %2 new people; %3 are known already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 では %2 人が新規、%3 人は登録済みです。</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>行</translation>
     </message>
     <message>
         <source>Column</source>
-        <translation type="unfinished"></translation>
+        <translation>列</translation>
     </message>
     <message>
         <source>What is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>問題</translation>
     </message>
     <message>
         <source>Login</source>
-        <translation type="unfinished"></translation>
+        <translation>ログイン名</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名前</translation>
+        <translation>名前</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状態</translation>
     </message>
     <message>
         <source>One-time code</source>
-        <translation type="unfinished"></translation>
+        <translation>ワンタイムコード</translation>
     </message>
     <message>
         <source>new</source>
-        <translation type="unfinished">新規</translation>
+        <translation>新規</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>登録済み</translation>
     </message>
     <message>
         <source>Choose a class list</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名簿を選ぶ</translation>
     </message>
     <message>
         <source>Class lists (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>クラス名簿 (*.csv);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Save the one-time codes</source>
-        <translation type="unfinished"></translation>
+        <translation>ワンタイムコードを保存</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>表 (*.csv)</translation>
     </message>
     <message>
         <source>The codes were saved. Delete the file when everybody has logged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>コードを保存しました。全員がログインしたらファイルを削除してください。</translation>
     </message>
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>コードを書き込めませんでした。別のフォルダーを選ぶか、空きを増やしてください。</translation>
     </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
     <message>
         <source>A place that was left is locked after</source>
-        <translation type="unfinished"></translation>
+        <translation>離席後にロックするまで</translation>
     </message>
     <message>
         <source>min</source>
-        <translation type="unfinished"></translation>
+        <translation>分</translation>
     </message>
     <message>
         <source>Minutes after which a place that was left is locked</source>
-        <translation type="unfinished"></translation>
+        <translation>離席後にロックするまでの分数</translation>
     </message>
     <message>
         <source>Drilled with</source>
-        <translation type="unfinished"></translation>
+        <translation>使う機器</translation>
     </message>
     <message>
         <source>Servo loop</source>
-        <translation type="unfinished"></translation>
+        <translation>サーボループ</translation>
     </message>
     <message>
         <source>Key of this station</source>
-        <translation type="unfinished"></translation>
+        <translation>この端末の鍵</translation>
     </message>
     <message>
         <source>Database</source>
-        <translation type="unfinished"></translation>
+        <translation>データベース</translation>
     </message>
     <message>
         <source>On their way</source>
-        <translation type="unfinished"></translation>
+        <translation>送信待ち</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラム</translation>
     </message>
     <message>
         <source>a simulated handpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>模擬ハンドピース</translation>
     </message>
     <message>
         <source>mouse, pen or gamepad</source>
-        <translation type="unfinished"></translation>
+        <translation>マウス、ペン、ゲームパッド</translation>
     </message>
     <message>
         <source>%1 times a second</source>
-        <translation type="unfinished"></translation>
+        <translation>毎秒 %1 回</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
-        <translation type="unfinished">
-            <numerusform>試行%n回</numerusform>
+        <translation>
+            <numerusform>%n 件</numerusform>
         </translation>
     </message>
 </context>
@@ -3202,7 +3206,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Speed</source>
         <extracomment>A chart of speed and accuracy</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>速さ</translation>
     </message>
 </context>
 <context>
@@ -3317,49 +3321,49 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>もう一度</translation>
     </message>
     <message>
         <source>Restore backup (%1)</source>
         <extracomment>%1: day and time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>バックアップを復元 (%1)</translation>
     </message>
     <message>
         <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>このコンピューターの試行は再び取り込まれます。それ以降に教員や管理者が登録したものは失われます。今のファイルは横に残ります。</translation>
     </message>
     <message>
         <source>Change your password</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードの変更</translation>
     </message>
     <message>
         <source>The new one: eight characters or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいパスワード：8文字以上。</translation>
     </message>
     <message>
         <source>Change the password</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードを変更する</translation>
     </message>
     <message>
         <source>Leave it as it is</source>
         <extracomment>Back, without having changed the password</extracomment>
-        <translation type="unfinished">このままにする</translation>
+        <translation>変更しない</translation>
     </message>
     <message>
         <source>Change my password</source>
-        <translation type="unfinished"></translation>
+        <translation>パスワードを変更</translation>
     </message>
     <message>
         <source>Present password</source>
-        <translation type="unfinished"></translation>
+        <translation>現在のパスワード</translation>
     </message>
     <message>
         <source>New password</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいパスワード</translation>
     </message>
     <message>
         <source>The new password again</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいパスワードをもう一度</translation>
     </message>
 </context>
 <context>
@@ -3718,7 +3722,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>An admin keeps the school&apos;s presets</source>
-        <translation type="unfinished"></translation>
+        <translation>学校のプリセットは管理者が保存します</translation>
     </message>
 </context>
 <context>
@@ -4771,11 +4775,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>School</source>
-        <translation type="unfinished"></translation>
+        <translation>学校</translation>
     </message>
     <message>
         <source>People, class lists, backups and the audit</source>
-        <translation type="unfinished"></translation>
+        <translation>人、クラス名簿、バックアップ、監査記録</translation>
     </message>
 </context>
 <context>
@@ -6440,86 +6444,86 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Tooth …</source>
-        <translation type="unfinished"></translation>
+        <translation>歯…</translation>
     </message>
     <message>
         <source>Lessons on one tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>一本の歯の課題</translation>
     </message>
     <message>
         <source>Pick a tooth in the arch, to see the lessons on it</source>
-        <translation type="unfinished"></translation>
+        <translation>歯列から歯を選び、その課題を見る</translation>
     </message>
     <message>
         <source>All</source>
         <extracomment>All lessons</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>すべて</translation>
     </message>
     <message>
         <source>To do</source>
         <extracomment>Lessons that are still to be done</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>未完了</translation>
     </message>
     <message>
         <source>Passed</source>
         <extracomment>Lessons that were passed</extracomment>
-        <translation type="unfinished">合格</translation>
+        <translation>合格</translation>
     </message>
     <message>
         <source>Exams</source>
-        <translation type="unfinished"></translation>
+        <translation>試験</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">破棄</translation>
+        <translation>破棄</translation>
     </message>
     <message>
         <source>Discard the attempt that was not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>途中の試行を破棄する</translation>
     </message>
     <message>
         <source>Continue where I stopped: %1, begun %2</source>
         <extracomment>%1: a lesson or a tooth; %2: a time of today, or a day and a time</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>中断したところから続ける：%1（%2 開始）</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>続ける</translation>
     </message>
     <message>
         <source>Tried last: %1, best so far %2</source>
         <extracomment>%1: a lesson; %2: points</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>最後に試した課題：%1、最高 %2</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>もう一度</translation>
     </message>
     <message>
         <source>Given to you, but not on this computer: %1. Ask your teacher for the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>出されていますが、このコンピューターにありません：%1。先生にファイルをもらってください。</translation>
     </message>
     <message>
         <source>Given to you</source>
-        <translation type="unfinished"></translation>
+        <translation>出された課題</translation>
     </message>
     <message>
         <source>No lesson fits</source>
-        <translation type="unfinished"></translation>
+        <translation>該当する課題がありません</translation>
     </message>
     <message>
         <source>Search for another word, or show all lessons.</source>
-        <translation type="unfinished"></translation>
+        <translation>別の言葉で検索するか、すべての課題を表示してください。</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>残り %n 回</numerusform>
         </translation>
     </message>
     <message>
         <source>Given to</source>
-        <translation type="unfinished"></translation>
+        <translation>出された先</translation>
     </message>
 </context>
 <context>
