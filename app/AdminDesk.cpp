@@ -167,6 +167,8 @@ void AdminDesk::tellPeople(const std::function<void()>& then)
             return Found{std::move(*people), std::move(*classes)};
         },
         [this, then](const core::Result<Found>& found) {
+            if (m_who().role() != database::Role::Admin)  // he has left
+                return;
             if (!found) {
                 refuse(found.error());
                 return;
