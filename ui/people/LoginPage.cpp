@@ -278,8 +278,9 @@ void LoginPage::setBusy(bool busy)
     m_isBusy = busy;
     for (QWidget* input :
          {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_given), static_cast<QWidget*>(m_family),
-          static_cast<QWidget*>(m_password), static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go),
-          static_cast<QWidget*>(m_other), static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
+          static_cast<QWidget*>(m_old), static_cast<QWidget*>(m_change), static_cast<QWidget*>(m_password),
+          static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other),
+          static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
         input->setEnabled(!busy);
 }
 
