@@ -933,7 +933,7 @@
     <message numerus="yes">
         <source>%n day(s) late</source>
         <translation>
-            <numerusform>1 Tag zu spät</numerusform>
+            <numerusform>%n Tag zu spät</numerusform>
             <numerusform>%n Tage zu spät</numerusform>
         </translation>
     </message>
@@ -1400,7 +1400,7 @@
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
         <translation>
-            <numerusform>Eine Sache ist nicht, wie sie sein sollte.</numerusform>
+            <numerusform>%n Sache ist nicht, wie sie sein sollte.</numerusform>
             <numerusform>%n Dinge sind nicht, wie sie sein sollten.</numerusform>
         </translation>
     </message>
@@ -1682,7 +1682,7 @@
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
-            <numerusform>1 Zeile</numerusform>
+            <numerusform>%n Zeile</numerusform>
             <numerusform>%n Zeilen</numerusform>
         </translation>
     </message>
@@ -1891,7 +1891,7 @@
     <message numerus="yes">
         <source>%n person(s)</source>
         <translation>
-            <numerusform>1 Person</numerusform>
+            <numerusform>%n Person</numerusform>
             <numerusform>%n Personen</numerusform>
         </translation>
     </message>
@@ -1945,7 +1945,7 @@
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
         <translation>
-            <numerusform>%1: ein Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
+            <numerusform>%1: %n Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
             <numerusform>%1: %n Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
         </translation>
     </message>
@@ -2071,7 +2071,7 @@
     <message numerus="yes">
         <source>%n attempt(s)</source>
         <translation>
-            <numerusform>1 Versuch</numerusform>
+            <numerusform>%n Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
     </message>
@@ -6555,7 +6555,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message numerus="yes">
         <source>%n attempt(s) left</source>
         <translation>
-            <numerusform>noch 1 Versuch</numerusform>
+            <numerusform>noch %n Versuch</numerusform>
             <numerusform>noch %n Versuche</numerusform>
         </translation>
     </message>

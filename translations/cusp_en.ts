@@ -933,7 +933,7 @@
     <message numerus="yes">
         <source>%n day(s) late</source>
         <translation>
-            <numerusform>1 day late</numerusform>
+            <numerusform>%n day late</numerusform>
             <numerusform>%n days late</numerusform>
         </translation>
     </message>
@@ -1400,7 +1400,7 @@
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
         <translation>
-            <numerusform>One thing is not as it should be.</numerusform>
+            <numerusform>%n thing is not as it should be.</numerusform>
             <numerusform>%n things are not as they should be.</numerusform>
         </translation>
     </message>
@@ -1682,7 +1682,7 @@
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
-            <numerusform>1 row</numerusform>
+            <numerusform>%n row</numerusform>
             <numerusform>%n rows</numerusform>
         </translation>
     </message>
@@ -1891,7 +1891,7 @@
     <message numerus="yes">
         <source>%n person(s)</source>
         <translation>
-            <numerusform>1 person</numerusform>
+            <numerusform>%n person</numerusform>
             <numerusform>%n people</numerusform>
         </translation>
     </message>
@@ -1945,7 +1945,7 @@
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
         <translation>
-            <numerusform>%1: 1 fault. Nothing was entered; mend the file and choose it again.</numerusform>
+            <numerusform>%1: %n fault. Nothing was entered; mend the file and choose it again.</numerusform>
             <numerusform>%1: %n faults. Nothing was entered; mend the file and choose it again.</numerusform>
         </translation>
     </message>
@@ -2071,7 +2071,7 @@
     <message numerus="yes">
         <source>%n attempt(s)</source>
         <translation>
-            <numerusform>1 attempt</numerusform>
+            <numerusform>%n attempt</numerusform>
             <numerusform>%n attempts</numerusform>
         </translation>
     </message>
@@ -6547,7 +6547,7 @@ load NAME        feels a hardness preset that is kept</source>
     <message numerus="yes">
         <source>%n attempt(s) left</source>
         <translation>
-            <numerusform>1 attempt left</numerusform>
+            <numerusform>%n attempt left</numerusform>
             <numerusform>%n attempts left</numerusform>
         </translation>
     </message>

@@ -933,7 +933,7 @@
     <message numerus="yes">
         <source>%n day(s) late</source>
         <translation>
-            <numerusform>1 día de retraso</numerusform>
+            <numerusform>%n día de retraso</numerusform>
             <numerusform>%n días de retraso</numerusform>
         </translation>
     </message>
@@ -1400,7 +1400,7 @@
     <message numerus="yes">
         <source>%n thing(s) are not as they should be.</source>
         <translation>
-            <numerusform>Una cosa no está como debería.</numerusform>
+            <numerusform>%n cosa no está como debería.</numerusform>
             <numerusform>%n cosas no están como deberían.</numerusform>
         </translation>
     </message>
@@ -1682,7 +1682,7 @@
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
-            <numerusform>1 fila</numerusform>
+            <numerusform>%n fila</numerusform>
             <numerusform>%n filas</numerusform>
         </translation>
     </message>
@@ -1891,7 +1891,7 @@
     <message numerus="yes">
         <source>%n person(s)</source>
         <translation>
-            <numerusform>1 persona</numerusform>
+            <numerusform>%n persona</numerusform>
             <numerusform>%n personas</numerusform>
         </translation>
     </message>
@@ -1945,7 +1945,7 @@
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
         <translation>
-            <numerusform>%1: un fallo. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
+            <numerusform>%1: %n fallo. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
             <numerusform>%1: %n fallos. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
         </translation>
     </message>
@@ -2071,7 +2071,7 @@
     <message numerus="yes">
         <source>%n attempt(s)</source>
         <translation>
-            <numerusform>1 intento</numerusform>
+            <numerusform>%n intento</numerusform>
             <numerusform>%n intentos</numerusform>
         </translation>
     </message>
@@ -6555,7 +6555,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message numerus="yes">
         <source>%n attempt(s) left</source>
         <translation>
-            <numerusform>queda 1 intento</numerusform>
+            <numerusform>queda %n intento</numerusform>
             <numerusform>quedan %n intentos</numerusform>
         </translation>
     </message>

@@ -1742,7 +1742,7 @@
     </message>
     <message>
         <source>The school&apos;s data are on a server: %1. Its administrator makes the backups; &quot;cusp db copy&quot; brings all of it into a file.</source>
-        <translation>学校のデータはサーバー %1 にあります。バックアップはサーバー管理者が行います。「cusp db copy」で全体をファイルにできます。</translation>
+        <translation>学校のデータはサーバー %1 にあります。バックアップはサーバー管理者が行います。「cusp db」のコマンドで全体をファイルに写せます。</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>

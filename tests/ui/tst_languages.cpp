@@ -18,6 +18,11 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/ui/PseudoLanguage.h"
+#include "ui/admin/AdminPage.h"
+#include "ui/admin/AuditPart.h"
+#include "ui/admin/BackupPart.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/LoginPage.h"
@@ -138,6 +143,7 @@ private:
     Actions& actions() const { return *child<Actions>(); }
     void practise(lessons::Task task);
     void showScore();
+    void openSchool(ui::admin::AdminPage::Part part);
 
     std::unique_ptr<UiLinks> m_links;
     std::unique_ptr<MainWindow> m_window;
@@ -178,6 +184,22 @@ void TestLanguages::practise(lessons::Task task)
     const lessons::Assignment assignment = assigned(task);
     m_window->setAssignment(assignment);
     m_window->showTooth(assignment.anatomy, m_generation++, {});
+}
+
+void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
+{
+    ui::admin::AdminPage& school = m_window->adminPage();
+    qobject_cast<QStackedWidget*>(school.parentWidget())->setCurrentWidget(&school);
+    school.show(part);
+    school.people().setPeople(
+        {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "2026-05-04T10:20:30Z", {{1}}}},
+        {{{1}, "[···]", 1, 1}});
+    school.people().showCode("[···]", "[···]");
+    school.roster().showOutcome({{}, {{"[···]", "[···]", true, "[···]"}}}, "[···]", true);
+    school.backups().setDatabase("[···]", false);
+    school.backups().setBackups({{"[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), 1024}});
+    school.backups().finish("[···]", {"[···]"});
+    school.audit().setRows({{1, "2026-05-04T10:20:30Z", "", "login", "[···]", "{}", ""}}, "[···]");
 }
 
 void TestLanguages::showScore()
@@ -294,6 +316,12 @@ void TestLanguages::pages_data()
         m_window->assignPage().confirm({{{}, database::ClassAssignment{1, {7}, "1", "", 0}}});
         m_window->openAssign();
     });
+    for (const auto& [name, part] : {std::pair("school, people", ui::admin::AdminPage::People),
+                                     {"school, class list", ui::admin::AdminPage::Roster},
+                                     {"school, backups", ui::admin::AdminPage::Backups},
+                                     {"school, audit", ui::admin::AdminPage::Audit},
+                                     {"school, computer", ui::admin::AdminPage::Station}})
+        page(name, [this, part = part] { openSchool(part); });
     page("settings", [this] { actions().settings->trigger(); });
     page("console", [this] { actions().console->trigger(); });
     page("lesson", [this] { practise(lessons::Task::RemoveDecay); });
@@ -347,8 +375,12 @@ void TestLanguages::pages()
     // A lesson that is edited is a file's own, its title the teacher's; the tooth of the window is a file.
     // Commands are typed the same in every language.
     // A preset has the name that it was given.
-    QStringList fromOutside{"natural", QString::fromStdString(lessons::shippedPresets().front().hash).left(8),
-                            "synthetic", child<QLineEdit>("draftTitle")->text(),
+    QStringList fromOutside{"KiB",
+                            "Qt",
+                            "natural",
+                            QString::fromStdString(lessons::shippedPresets().front().hash).left(8),
+                            "synthetic",
+                            child<QLineEdit>("draftTitle")->text(),
                             "get   help   list   load   plot   reset   save   set   unwatch   watch"};
     for (const lessons::CriterionRule& rule : lessonOf(lessons::Task::CutIdeal).rubric.criteria)
         fromOutside << QString::fromStdString(lessons::inLanguage(rule.title, "en"));

@@ -115,12 +115,14 @@ LoginPage::LoginPage(QWidget* parent)
     });
     connect(m_change, &QPushButton::clicked, this, [this] { ask(Door::OwnPassword); });
     connect(m_guest, &QPushButton::clicked, this, &LoginPage::guestWanted);
-    for (const auto& [button, wanted] :
-         {std::pair(m_tryAgain, &LoginPage::againWanted), std::pair(m_restore, &LoginPage::restoreWanted)})
+    const auto offer = [this](QPushButton* button, void (LoginPage::*wanted)()) {
         connect(button, &QPushButton::clicked, this, [this, wanted] {
             setBusy(true);
             emit(this->*wanted)();
         });
+    };
+    offer(m_tryAgain, &LoginPage::againWanted);
+    offer(m_restore, &LoginPage::restoreWanted);
     text::inEveryLanguage(this, [this] { speak(); });
     ask(Door::Login);
 }

@@ -230,8 +230,9 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_replay->hide();
     connect(m_replay, &QPushButton::clicked, this, &ScorePage::replayWanted);
     buttons->addWidget(m_replay);
-    buttons->addWidget(pageButton(actions.saveRecording, "", this));
-    buttons->addWidget(pageButton(actions.reload, "", this));
+    m_ofTheTable = {pageButton(actions.saveRecording, "", this), pageButton(actions.reload, "", this)};
+    for (QPushButton* button : m_ofTheTable)
+        buttons->addWidget(button);
     m_back = pageButton(actions.back, "filled", this);
     buttons->addWidget(m_back);
     body()->addLayout(buttons);
@@ -752,6 +753,8 @@ void ScorePage::tellHistory()
 
 void ScorePage::setTalkVisible(bool visible)
 {
+    for (QPushButton* button : m_ofTheTable)
+        button->setVisible(!visible);
     m_talks = visible;
     m_replay->setVisible(visible);
     if (!visible)

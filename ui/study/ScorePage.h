@@ -164,6 +164,7 @@ private:
     HeatMap* m_heat = nullptr;
     WorstSection* m_section = nullptr;
     QPushButton* m_back = nullptr;
+    QList<QPushButton*> m_ofTheTable;  ///< what they do is done to the work on the table, not to an old attempt
     QLabel* m_remark = nullptr;
     QPushButton* m_keep = nullptr;
     Keeping m_keeping = Keeping::Nowhere;
