@@ -117,8 +117,9 @@ private slots:
 void TestAssignment::everyIdealEarnsFullPoints_data()
 {
     QTest::addColumn<QString>("id");
-    for (const Lesson& lesson : withIdeal())
-        QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
+    for (int n = 0; const Lesson& lesson : withIdeal())
+        if (support::isTried(n++))
+            QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
 }
 
 /// Whoever cuts what is asked for, as far as a bur reaches, loses nothing, and whoever does nothing earns nothing.
