@@ -174,14 +174,8 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::fixtureWanted, this, &Application::holdHand);
     connect(m_window.get(), &MainWindow::momentWanted, this, &Application::showMoment);
     ui::study::ScorePage& page = m_window->scorePage();
-    connect(&m_explainer, &Explainer::noiseFound, &page, &ui::study::ScorePage::setNoise);
-    connect(&m_explainer, &Explainer::momentsProgress, &page, &ui::study::ScorePage::setMomentsProgress);
-    connect(&m_explainer, &Explainer::momentsFound, &page,
-            [&page](const lessons::Moments& moments) { page.setMoments(moments.ofCriteria); });
-    connect(&m_explainer, &Explainer::failed, this, [this, &page](const core::Error& error) {
-        page.setMomentsProgress({});
-        m_window->showError(error, Failed::Marking);
-    });
+    for (Explainer* explainer : {&m_explainer, &m_openedExplainer})
+        connectExplainer(*explainer);
     connect(&page, &ui::study::ScorePage::replayWanted, this, [this] {
         if (m_opened)
             playOpened({});
@@ -504,6 +498,8 @@ void Application::clearTable()
 {
     m_graded.reset();
     if (!m_assignment.anatomy)  // it is still being made
+    m_opened.reset();
+    m_openedExplainer.forget();
         return;
     if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
         begin(*practice, {}, false);
@@ -857,6 +853,52 @@ void Application::watchAttempt()
 
 /// Within the outline of what is to be cut, or nowhere.
 void Application::holdHand(bool wanted)
+/// What is found of an attempt that is not the one on the score page waits until it is.
+void Application::connectExplainer(Explainer& explainer)
+{
+    const auto isShown = [this, isOfOpened = &explainer == &m_openedExplainer] {
+        return m_opened.has_value() == isOfOpened;
+    };
+    ui::study::ScorePage& page = m_window->scorePage();
+    connect(&explainer, &Explainer::noiseFound, &page, [&page, isShown](const lessons::GridNoise& noise) {
+        if (isShown())
+            page.setNoise(noise);
+    });
+    connect(&explainer, &Explainer::momentsProgress, &page, [&page, isShown](double share) {
+        if (isShown())
+            page.setMomentsProgress(share);
+    });
+    connect(&explainer, &Explainer::momentsFound, &page, [&page, isShown](const lessons::Moments& moments) {
+        if (isShown())
+            page.setMoments(moments.ofCriteria);
+    });
+    connect(&explainer, &Explainer::failed, this, [this, &page, isShown](const core::Error& error) {
+        if (!isShown())
+            return;
+        page.setMomentsProgress({});
+        m_window->showError(error, Failed::Marking);
+    });
+}
+
+/// Once it is begun in earnest, the school knows of an exam: it counts as an attempt, whether or not a score comes of
+/// it.
+void Application::noteExam(const core::session::Findings& findings)
+{
+    const bool isBegun =
+        findings.process.firstCutS || (findings.practised && core::grading::isBegun(*findings.practised));
+    const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
+    if (!m_assignment.lesson->exam || !isBegun || isGraded || !m_desk || m_who.isGuest() ||
+        m_notedExam == m_ownGeneration)
+        return;
+    m_notedExam = m_ownGeneration;
+    const database::ExamStart start{database::newUid(), m_assignment.lesson->id,
+                                    QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+    // Whoever works while the school's server is away is not held up, and is not known of.
+    m_desk->ask(
+        this, [who = m_who, start](const School& school) { return database::sql::beginExam(school, who, start); },
+        [](const core::Status&) {});
+}
+
 {
     const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
     std::unique_ptr<const core::guidance::Fixture> fixture;
@@ -1009,6 +1051,7 @@ void Application::showGrade()
     m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
     tellKeeping();
 }
+    m_openedExplainer.forget();
 
 /// On the score page, where the grade it is about is shown.
 void Application::tellKeeping()
@@ -1104,6 +1147,8 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
 
 void Application::saveRecording(const QString& path)
 {
+            if (assignment)
+                m_openedExplainer.explain(*assignment, recording, work.tooth, marked->conduct);
     const auto recording = m_session.recordingSoFar();
     if (!recording)
         return;

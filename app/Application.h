@@ -102,6 +102,7 @@ private:
                                                    const lessons::ScoreSheet& sheet,
                                                    const std::optional<ui::study::Expectation>& expected) const;
     void showGrade();
+    void connectExplainer(Explainer& explainer);
     void keepGrade();
     void tellKeeping();
     void tellHistory();
@@ -199,6 +200,7 @@ private:
     bool m_playsOpened = false;                          ///< that one is played, from its score card
     Explainer m_explainer;                               ///< of m_graded
     QTimer m_journalWatch;
+    Explainer m_openedExplainer;                         ///< of m_opened
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;

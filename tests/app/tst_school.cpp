@@ -582,6 +582,13 @@ void TestSchool::openSchool(ui::admin::AdminPage::Part part) const
 void TestSchool::anAdminEntersAndChangesPeople()
 {
     start();
+    // When the points went is found out again.
+    const auto moments = [this] {
+        const auto buttons = child<ui::study::ScorePage>()->findChildren<QPushButton*>();
+        return std::count_if(buttons.begin(), buttons.end(),
+                             [](const QPushButton* button) { return button->text().contains("never removed"); });
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(moments(), 1, kPatienceMs);
     logIn("sam");
     QVERIFY(!actions().school->isVisible());
     leaveFor("admin");
