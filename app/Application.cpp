@@ -29,6 +29,7 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Classes.h"
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Logins.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -497,9 +498,9 @@ void Application::becomeGuest()
 void Application::clearTable()
 {
     m_graded.reset();
-    if (!m_assignment.anatomy)  // it is still being made
     m_opened.reset();
     m_openedExplainer.forget();
+    if (!m_assignment.anatomy)  // it is still being made
         return;
     if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
         begin(*practice, {}, false);
@@ -836,6 +837,7 @@ void Application::watchAttempt()
     const core::session::Findings findings = m_follower.findings();
     if (findings.generation != m_ownGeneration)
         return;
+    noteExam(findings);
     if (findings.practised)
         m_window->showPractised(*findings.practised);
     if (findings.infractions.size() <= m_infractionsTold)
@@ -851,8 +853,6 @@ void Application::watchAttempt()
     m_window->tellInfraction(*gravest, canTakeBack);
 }
 
-/// Within the outline of what is to be cut, or nowhere.
-void Application::holdHand(bool wanted)
 /// What is found of an attempt that is not the one on the score page waits until it is.
 void Application::connectExplainer(Explainer& explainer)
 {
@@ -899,6 +899,8 @@ void Application::noteExam(const core::session::Findings& findings)
         [](const core::Status&) {});
 }
 
+/// Within the outline of what is to be cut, or nowhere.
+void Application::holdHand(bool wanted)
 {
     const core::grading::IdealTop ideal = wanted ? m_assignment.shownIdeal() : nullptr;
     std::unique_ptr<const core::guidance::Fixture> fixture;
@@ -944,10 +946,13 @@ void Application::grade()
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
-    if (m_assignment.lesson)
-        m_window->askForecast();
-    else
+    const bool isAnother = m_graded && m_graded->generation == m_ownGeneration;
+    if (!m_assignment.lesson)
         finish({});
+    else if (isAnother)  // what is cut on and graded again is one more attempt
+        whereAllowed(m_assignment.lesson->id, [this] { m_window->askForecast(); });
+    else
+        m_window->askForecast();
 }
 
 /// Marks the work as it is now, keeps the grade and shows it.
@@ -1046,12 +1051,12 @@ void Application::keepGrade()
 void Application::showGrade()
 {
     m_opened.reset();
+    m_openedExplainer.forget();
     if (m_people)
         m_people->talkAbout({});
     m_window->showScore(m_graded->sheet, m_graded->history, m_graded->expected, m_graded->work);
     tellKeeping();
 }
-    m_openedExplainer.forget();
 
 /// On the score page, where the grade it is about is shown.
 void Application::tellKeeping()
@@ -1142,13 +1147,13 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                                    marked->mark.sheet, {attempt}, expected, work);
             m_opened = recording;
             m_people->talkAbout(attempt);
+            if (assignment)
+                m_openedExplainer.explain(*assignment, recording, work.tooth, marked->conduct);
         });
 }
 
 void Application::saveRecording(const QString& path)
 {
-            if (assignment)
-                m_openedExplainer.explain(*assignment, recording, work.tooth, marked->conduct);
     const auto recording = m_session.recordingSoFar();
     if (!recording)
         return;
@@ -1409,6 +1414,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         core::settings::feltAs(m_presets.inUse(), m_settings.hardness, m_settings.force,
                                assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
     m_window->showFeel(felt, felt);
+    m_notedExam = m_ownGeneration;  // as it was when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);

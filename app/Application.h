@@ -94,6 +94,7 @@ private:
     void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
              const QStringList& notes, bool unitInDoubt);
     void watchAttempt();
+    void noteExam(const core::session::Findings& findings);
     void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
@@ -101,8 +102,8 @@ private:
     [[nodiscard]] database::AttemptRecord recordOf(const core::session::Concluded& done,
                                                    const lessons::ScoreSheet& sheet,
                                                    const std::optional<ui::study::Expectation>& expected) const;
-    void showGrade();
     void connectExplainer(Explainer& explainer);
+    void showGrade();
     void keepGrade();
     void tellKeeping();
     void tellHistory();
@@ -199,12 +200,13 @@ private:
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
     bool m_playsOpened = false;                          ///< that one is played, from its score card
     Explainer m_explainer;                               ///< of m_graded
-    QTimer m_journalWatch;
     Explainer m_openedExplainer;                         ///< of m_opened
+    QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
+    std::uint64_t m_notedExam = 0;      ///< the generation of the exam that the school knows of
     QTimer m_demoBeat;
     std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;

@@ -14,6 +14,7 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Overview.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
@@ -297,8 +298,12 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
 {
     m_person = person;
     m_personName = fullName;
-    const auto show = [this, person, fullName,
-                       lesson](const core::Result<std::vector<database::AttemptRecord>>& found) {
+    struct Found
+    {
+        std::vector<database::AttemptRecord> attempts;
+        std::vector<database::ExamStart> withoutScore;
+    };
+    const auto show = [this, person, fullName, lesson](const core::Result<Found>& found) {
         if (!found) {
             refuse(found.error());
             return;
@@ -307,7 +312,8 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
             return;
         HistoryPage& page = m_window.historyPage();
         page.setPerson(fullName);
-        page.setHistory(QList<database::AttemptRecord>(found->begin(), found->end()));
+        page.setExamsWithoutScore({found->withoutScore.begin(), found->withoutScore.end()});
+        page.setHistory(QList<database::AttemptRecord>(found->attempts.begin(), found->attempts.end()));
         page.setLesson(lesson);
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
@@ -316,7 +322,13 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
     readLessons([this, person, show] {
         m_desk.ask(
             this,
-            [who = m_who(), person](const School& school) { return database::sql::history(school, who, person, {}); },
+            [who = m_who(), person](const School& school) -> core::Result<Found> {
+                auto attempts = database::sql::history(school, who, person, {});
+                auto withoutScore = database::sql::examsWithoutScore(school, who, person);
+                if (!attempts || !withoutScore)
+                    return tl::unexpected(attempts ? withoutScore.error() : attempts.error());
+                return Found{std::move(*attempts), std::move(*withoutScore)};
+            },
             show);
     });
 }

@@ -58,6 +58,15 @@ struct AttemptRecord
     [[nodiscard]] bool countsAsPassed() const { return givenTenths ? *givenTenths >= passMarkTenths : passed; }
 };
 
+/// An exam that was begun: something was cut, or answered.
+struct ExamStart
+{
+    std::string uid;  ///< 32 hex digits, given when it began
+    std::string lessonId;
+    std::string begunUtc;  ///< ISO 8601
+    bool operator==(const ExamStart&) const = default;
+};
+
 /// What has been reached in a lesson so far.
 struct LessonStanding
 {

@@ -107,6 +107,10 @@
         <source>the program</source>
         <translation>das Programm</translation>
     </message>
+    <message>
+        <source>began an exam</source>
+        <translation>begann eine Prüfung</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3232,6 +3236,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <extracomment>A chart of speed and accuracy</extracomment>
         <translation>Tempo</translation>
     </message>
+    <message>
+        <source>%1, begun %2</source>
+        <extracomment>%1: an exam; %2: when it was begun</extracomment>
+        <translation>%1, begonnen %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und noch %n</numerusform>
+            <numerusform>und noch %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exams that have no score: %1</source>
+        <translation>Prüfungen ohne Punktzahl: %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ListTable</name>
@@ -5315,6 +5335,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Tables (%1)</source>
         <translation>Tabellen (%1)</translation>
+    </message>
+    <message>
+        <source>The exam would be broken off</source>
+        <translation>Die Prüfung würde abgebrochen</translation>
+    </message>
+    <message>
+        <source>The exam would be broken off without a score.</source>
+        <translation>Die Prüfung würde ohne Punktzahl abgebrochen.</translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
+        <translation>Sie zählt trotzdem als Versuch. Was Sie präpariert haben, kann später nicht bewertet werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Grade it now</source>
+        <translation>Jetzt &amp;bewerten</translation>
     </message>
 </context>
 <context>

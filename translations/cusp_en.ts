@@ -107,6 +107,10 @@
         <source>the program</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>began an exam</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3224,6 +3228,22 @@ load NAME        feels a hardness preset that is kept</source>
         <extracomment>A chart of speed and accuracy</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, begun %2</source>
+        <extracomment>%1: an exam; %2: when it was begun</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exams that have no score: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ListTable</name>
@@ -5306,6 +5326,22 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Tables (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exam would be broken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exam would be broken off without a score.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Grade it now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

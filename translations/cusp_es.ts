@@ -107,6 +107,10 @@
         <source>the program</source>
         <translation>el programa</translation>
     </message>
+    <message>
+        <source>began an exam</source>
+        <translation>comenzó un examen</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3232,6 +3236,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <extracomment>A chart of speed and accuracy</extracomment>
         <translation>Ritmo</translation>
     </message>
+    <message>
+        <source>%1, begun %2</source>
+        <extracomment>%1: an exam; %2: when it was begun</extracomment>
+        <translation>%1, comenzado el %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exams that have no score: %1</source>
+        <translation>Exámenes sin puntuación: %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ListTable</name>
@@ -5315,6 +5335,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>This lesson brings its own hardness. Only the forces can be changed.</source>
         <translation>Esta lección trae su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
+    </message>
+    <message>
+        <source>The exam would be broken off</source>
+        <translation>El examen se interrumpiría</translation>
+    </message>
+    <message>
+        <source>The exam would be broken off without a score.</source>
+        <translation>El examen se interrumpiría sin puntuación.</translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
+        <translation>Cuenta igualmente como intento. Lo que ha tallado no podrá calificarse más tarde.</translation>
+    </message>
+    <message>
+        <source>&amp;Grade it now</source>
+        <translation>&amp;Calificar ahora</translation>
     </message>
 </context>
 <context>

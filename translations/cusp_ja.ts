@@ -107,6 +107,10 @@
         <source>the program</source>
         <translation>プログラム</translation>
     </message>
+    <message>
+        <source>began an exam</source>
+        <translation>試験を開始しました</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3208,6 +3212,21 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <extracomment>A chart of speed and accuracy</extracomment>
         <translation>速さ</translation>
     </message>
+    <message>
+        <source>%1, begun %2</source>
+        <extracomment>%1: an exam; %2: when it was begun</extracomment>
+        <translation>%1（%2開始）</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>ほか%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exams that have no score: %1</source>
+        <translation>採点のない試験：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ListTable</name>
@@ -5285,6 +5304,22 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
         <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
+    </message>
+    <message>
+        <source>The exam would be broken off</source>
+        <translation>試験が中断されます</translation>
+    </message>
+    <message>
+        <source>The exam would be broken off without a score.</source>
+        <translation>試験は採点されないまま中断されます。</translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. What you have cut cannot be graded later.</source>
+        <translation>それでも1回の試行として数えられます。切削したものは後から採点できません。</translation>
+    </message>
+    <message>
+        <source>&amp;Grade it now</source>
+        <translation>今すぐ採点(&amp;G)</translation>
     </message>
 </context>
 <context>

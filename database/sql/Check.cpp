@@ -68,6 +68,33 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
                    });
 }
 
+/// Both ways: a start that was taken away would give back an attempt.
+core::Status checkExamStarts(const QSqlDatabase& db, CheckReport& report)
+{
+    if (auto read = forEach(db,
+                            "SELECT u.object, u.seq FROM audit u WHERE u.action = 'exam.begin' AND NOT EXISTS (SELECT "
+                            "1 FROM exam_starts s JOIN people p ON p.id = s.person_id WHERE s.uid = substr(u.object, "
+                            "6) AND p.uid = u.actor)",
+                            kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                say(report, textOf(row, 0) + " was removed or changed; row " + textOf(row, 1) +
+                                                " of the audit tells of it");
+                            });
+        !read)
+        return read;
+    return forEach(db,
+                   "SELECT s.uid, s.lesson_id, s.begun_utc, COALESCE(u.detail, '') FROM exam_starts s LEFT JOIN audit "
+                   "u ON u.object = 'exam:' || s.uid AND u.action = 'exam.begin'",
+                   kDoing, {}, [&](const QSqlQuery& row) {
+                       const QJsonObject noted = QJsonDocument::fromJson(row.value(3).toByteArray()).object();
+                       if (noted.isEmpty())
+                           say(report, "exam:" + textOf(row, 0) + " was inserted: the audit knows nothing of it");
+                       else if (noted.value(QStringLiteral("lesson")).toString() != row.value(1).toString() ||
+                                noted.value(QStringLiteral("begun")).toString() != row.value(2).toString())
+                           say(report, "exam:" + textOf(row, 0) + " was changed after it had been noted");
+                   });
+}
+
 core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
 {
     struct Look
@@ -113,7 +140,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         return tl::unexpected(chain.error());
     for (const std::string& finding : *chain)
         say(report, "audit: " + finding);
-    for (const auto& done : {checkAttempts(db, report, progress), checkSums(db, report)})
+    for (const auto& done : {checkAttempts(db, report, progress), checkExamStarts(db, report), checkSums(db, report)})
         if (!done)
             return tl::unexpected(done.error());
     const auto head = ask(db, "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", kDoing);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "database/sql/Audit.h"
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -250,7 +251,10 @@ core::Result<std::optional<int>> attemptsLeft(const School& school, const Sessio
                           {number(session.person().value), text(lessonId)});
     if (!done)
         return tl::unexpected(done.error());
-    left = std::max(0, limit->toInt() - done->toInt());
+    const auto brokenOff = countWithoutScore(school, session.person(), lessonId);
+    if (!brokenOff)
+        return tl::unexpected(brokenOff.error());
+    left = std::max(0, limit->toInt() - done->toInt() - *brokenOff);
     return left;
 }
 

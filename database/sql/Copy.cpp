@@ -27,10 +27,11 @@ struct Table
 };
 
 /// In the order in which they refer to each other. Failed logins are forgotten, recordings go by themselves.
-constexpr std::array kTables{Table{"people", true},        Table{"classes", true},    Table{"enrolments", false},
-                             Table{"assignments", true},   Table{"settings", false},  Table{"attempts", true},
-                             Table{"score_sheets", false}, Table{"standings", false}, Table{"comments", true},
-                             Table{"overrides", true},     Table{"presets", true},    Table{"audit", false}};
+constexpr std::array kTables{Table{"people", true},       Table{"classes", true},       Table{"enrolments", false},
+                             Table{"assignments", true},  Table{"settings", false},     Table{"attempts", true},
+                             Table{"exam_starts", false}, Table{"score_sheets", false}, Table{"standings", false},
+                             Table{"comments", true},     Table{"overrides", true},     Table{"presets", true},
+                             Table{"audit", false}};
 constexpr std::array kMustBeEmpty{"people", "classes", "attempts", "presets", "audit"};
 
 /// Of rows in any order: the sum of their hashes, 256 bits as four numbers.

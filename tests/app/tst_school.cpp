@@ -11,9 +11,11 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
 #include <QSqlQuery>
@@ -28,6 +30,7 @@
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
+#include "lessons/LessonCatalog.h"
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
@@ -71,6 +74,7 @@ private slots:
     void nobodyIsOfferedAnothersWork();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
+    void anExamThatIsBrokenOffIsToldOf();
     void anAdminEntersAndChangesPeople();
     void aClassListIsSeenBeforeItIsEntered();
     void aBackupIsMadeTriedAndRestored();
@@ -458,10 +462,80 @@ void TestSchool::whatIsGivenIsDueAndLimited()
     QVERIFY(child<QLabel>("continueWords")->text().contains("Decay on 36, small"));
     click("continue");
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    // To cut on and have it graded again is another one, too.
+    child<ui::shell::MessageBar>()->dismiss();
+    toTheTooth();
+    drill(2.0);
+    actions().grade->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QVERIFY(!child<ui::study::Forecast>()->isVisible());
     // Sue's class has not been given it.
     leaveFor("sue");
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->index(0, 0).data().toString() != "Given to you", kPatienceMs);
+}
+
+/// Not to have it graded gives no attempt back.
+void TestSchool::anExamThatIsBrokenOffIsToldOf()
+{
+    const QString file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
+    QVERIFY(QDir().mkpath(QFileInfo(file).absolutePath()));
+    const auto tidy = qScopeGuard([file] { QFile::remove(file); });
+    QFile lesson(file);
+    QVERIFY(lesson.open(QIODevice::WriteOnly));
+    lesson.write(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "exam-36", "exam": true,
+                     "title": {"en": "The exam"}})");
+    lesson.close();
+    {
+        const auto database = sql::Database::open(this->file()).value();
+        const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+        const sql::School school{database->handle(), key};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
+        QVERIFY(sql::assign(school, admin, {0, ofClass, "exam-36", "", 2}));
+    }
+    start();
+    logIn("sam");
+    auto* const list = child<QListView>("lessonList");
+    QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
+    list->setCurrentIndex(list->model()->index(1, 0));
+    click("startLesson");
+    QTRY_VERIFY_WITH_TIMEOUT(!list->isVisible() && actions().grade->isEnabled(), kPatienceMs);
+    // To have looked at it is not to have begun.
+    QTest::qWait(500);
+    QCOMPARE(count("exam_starts"), 0);
+    drill(-2.0);
+    QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 1, kPatienceMs);
+    // It is begun anew, which he is told the price of, and again.
+    const auto beginAnew = [this, list] {
+        actions().lessons->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(list->isVisible() && child<QPushButton>("startLesson")->isEnabled(), kPatienceMs);
+        click("startLesson");
+        auto* question = child<QMessageBox>("workQuestion");
+        QVERIFY(question != nullptr && question->informativeText().contains("counts as an attempt"));
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::DestructiveRole)
+                button->click();
+    };
+    beginAnew();
+    QTRY_VERIFY_WITH_TIMEOUT(!list->isVisible() && actions().grade->isEnabled(), kPatienceMs);
+    QTest::qWait(500);
+    drill(-2.0);
+    QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 2, kPatienceMs);
+    beginAnew();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    m_application.reset();  // in the midst of it
+
+    start();
+    logIn("ines");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
+    const auto sam = sql::ask(sql::Database::open(this->file()).value()->handle(),
+                              "SELECT id FROM people WHERE username = 'sam'", "read");
+    emit child<ui::people::ClassPage>()->studentWanted(sam.value().toLongLong());
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
+    const QString told = child<QLabel>("examsWithoutScore")->text();
+    QVERIFY2(child<QLabel>("examsWithoutScore")->isVisible() && told.count("The exam, begun") == 2, qPrintable(told));
 }
 
 void TestSchool::aTeacherAssignsLessonsAndTakesThemBack()
@@ -508,6 +582,13 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
     QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
     emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
     openNewest();
+    // When the points went is found out again.
+    const auto moments = [this] {
+        const auto buttons = child<ui::study::ScorePage>()->findChildren<QPushButton*>();
+        return std::count_if(buttons.begin(), buttons.end(),
+                             [](const QPushButton* button) { return button->text().contains("never removed"); });
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(moments(), 1, kPatienceMs);
     auto* heat = child<ui::study::HeatMap>();
     QTRY_VERIFY_WITH_TIMEOUT(heat->height() > 100, kPatienceMs);
     QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
@@ -582,13 +663,6 @@ void TestSchool::openSchool(ui::admin::AdminPage::Part part) const
 void TestSchool::anAdminEntersAndChangesPeople()
 {
     start();
-    // When the points went is found out again.
-    const auto moments = [this] {
-        const auto buttons = child<ui::study::ScorePage>()->findChildren<QPushButton*>();
-        return std::count_if(buttons.begin(), buttons.end(),
-                             [](const QPushButton* button) { return button->text().contains("never removed"); });
-    };
-    QTRY_COMPARE_WITH_TIMEOUT(moments(), 1, kPatienceMs);
     logIn("sam");
     QVERIFY(!actions().school->isVisible());
     leaveFor("admin");

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFile>
+#include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/sql/Check.h"
+#include "database/sql/Dialect.h"
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Recordings.h"
 #include "tests/database/SchoolRig.h"
 
@@ -35,6 +39,8 @@ private slots:
     void aRecordingThatWasChangedIsNotPlayed();
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
     void classmatesAreComparedWithoutNames();
+    void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
+    void anExamThatIsBegunIsAnAttempt();
     void saysThatTheDiskIsFullAndGoesOnAfterwards();
     void saysThatAnotherProgramWrites();
 };
@@ -253,6 +259,70 @@ void TestAttempts::classmatesAreComparedWithoutNames()
     // A teacher practises among his students, and is not one of them.
     QCOMPARE(bestOfClassmates(rig.school(), rig.instructor, "class1-36", rubric).value(),
              (std::vector{700, 900, 1000}));
+}
+
+/// Whether or not a score comes of it.
+void TestAttempts::anExamThatIsBegunIsAnAttempt()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const std::string exam = "exam-36";
+    VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, exam, "", 3}));
+    const auto left = [&] { return attemptsLeft(school, rig.student, exam)->value(); };
+    const auto begin = [&](const char* at) {
+        const ExamStart start{newUid(), exam, at};
+        return beginExam(school, rig.student, start) ? start : ExamStart{};
+    };
+    const auto without = [&] { return examsWithoutScore(school, rig.instructor, rig.student.person()).value(); };
+    QCOMPARE(left(), 3);
+    // One that goes on has no score yet; when it has, it was one attempt and not two.
+    const ExamStart finished = begin("2026-11-20T10:00:00Z");
+    QVERIFY(without() == std::vector{finished});
+    QCOMPARE(left(), 2);
+    VERIFY_DONE(beginExam(school, rig.student, finished));
+    QCOMPARE(left(), 2);
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(exam, 700, "2026-11-20T10:10:00Z"), {}));
+    QVERIFY(without().empty());
+    QCOMPARE(left(), 2);
+    // Broken off, and begun anew.
+    const ExamStart brokenOff = begin("2026-11-20T11:00:00Z");
+    const ExamStart second = begin("2026-11-20T11:05:00Z");
+    QVERIFY((without() == std::vector{second, brokenOff}));
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(exam, 900, "2026-11-20T11:20:00Z"), {}));
+    QVERIFY(without() == std::vector{brokenOff});
+    QCOMPARE(left(), 0);
+    // Another lesson, and other people, are not touched by it.
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt("other", 900, "2026-11-20T11:01:00Z"), {}));
+    QVERIFY(without() == std::vector{brokenOff});
+    QCOMPARE(attemptsLeft(school, rig.classmate, exam)->value(), 3);
+    QVERIFY(examsWithoutScore(school, rig.student, rig.student.person()).value() == std::vector{brokenOff});
+    VERIFY_REFUSED(examsWithoutScore(school, rig.classmate, rig.student.person()), ErrorCode::NotAllowed);
+    VERIFY_REFUSED(beginExam(school, rig.guest, brokenOff), ErrorCode::NotAllowed);
+    // Whoever takes a start away to have his attempt back is found out.
+    QVERIFY(checkDatabase(school.db, {})->findings.empty());
+    QSqlQuery query(school.db);
+    for (const char* sql :
+         dialect::isPostgres(school.db)
+             ? std::vector{"DROP TRIGGER exam_starts_no_change ON exam_starts"}
+             : std::vector{"DROP TRIGGER exam_starts_no_update", "DROP TRIGGER exam_starts_no_delete"})
+        QVERIFY2(query.exec(QLatin1String(sql)), qPrintable(query.lastError().text()));
+    QVERIFY(query.exec(
+        QStringLiteral("DELETE FROM exam_starts WHERE uid = '%1'").arg(QString::fromStdString(brokenOff.uid))));
+    QVERIFY(query.exec(QStringLiteral("UPDATE exam_starts SET lesson_id = 'x' WHERE uid = '%1'")
+                           .arg(QString::fromStdString(second.uid))));
+    QVERIFY(query.exec("INSERT INTO exam_starts SELECT '00000000000000000000000000000000', person_id, lesson_id, "
+                       "begun_utc FROM exam_starts WHERE lesson_id = 'x'"));
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QStringList said;
+    for (const std::string& finding : report->findings)
+        said += QString::fromStdString(finding);
+    QCOMPARE(said.size(), 3);
+    said.sort();
+    QVERIFY2(said.join(u'\n').contains("was inserted") && said.join(u'\n').contains("was removed or changed") &&
+                 said.join(u'\n').contains("was changed after"),
+             qPrintable(said.join(u'\n')));
 }
 
 void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QTest>
 
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Export.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
@@ -138,6 +139,15 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
         {Operation::AddAttempt, "addAttempt",
          [&s](const Session& me, Target) { return plain(addAttempt(s, me, SchoolRig::attempt("class1-36", 500), {})); },
          false},
+        {Operation::AddAttempt, "beginExam",
+         [&s](const Session& me, Target) {
+             return beginExam(s, me, {newUid(), "exam-36", "2026-11-20T10:00:00Z"});
+         },
+         false},
+        {Operation::ReadHistory, "examsWithoutScore",
+         [&s, personOf](const Session& me, Target target) {
+             return plain(examsWithoutScore(s, me, personOf(me, target)));
+         }},
         {Operation::ReadHistory, "history",
          [&s, personOf](const Session& me, Target t) { return plain(history(s, me, personOf(me, t), {})); }},
         {Operation::ReadHistory, "standingsOf",

@@ -25,6 +25,7 @@ constexpr std::array kActions{
     std::pair{"lesson.assign", QT_TRANSLATE_NOOP("Admin", "gave a lesson to a class")},
     std::pair{"lesson.unassign", QT_TRANSLATE_NOOP("Admin", "took a lesson back")},
     std::pair{"attempt.add", QT_TRANSLATE_NOOP("Admin", "an attempt was kept")},
+    std::pair{"exam.begin", QT_TRANSLATE_NOOP("Admin", "began an exam")},
     std::pair{"attempt.comment", QT_TRANSLATE_NOOP("Admin", "commented on an attempt")},
     std::pair{"attempt.override", QT_TRANSLATE_NOOP("Admin", "gave another score")},
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},

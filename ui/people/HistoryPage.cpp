@@ -30,6 +30,7 @@ using namespace ui::shell;
 
 constexpr int kArrowPx = 14;  ///< that tells the sorting
 constexpr int kEmptyPx = 460;
+constexpr qsizetype kMostStarts = 3;  ///< that are named
 
 enum Which { Criteria, Time, Force, Speed };
 
@@ -72,6 +73,13 @@ QWidget* HistoryPage::makeList()
     head->addWidget(m_lessons);
     head->addWidget(m_count, 1);
     column->addLayout(head);
+    m_withoutScore = new QLabel(part);
+    m_withoutScore->setObjectName(QStringLiteral("examsWithoutScore"));
+    m_withoutScore->setTextFormat(Qt::PlainText);
+    m_withoutScore->setWordWrap(true);
+    m_withoutScore->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_withoutScore->hide();
+    column->addWidget(m_withoutScore);
 
     m_table = new ListTable(part);
     m_table->setObjectName(QStringLiteral("attempts"));
@@ -197,11 +205,34 @@ void HistoryPage::setHistory(const QList<database::AttemptRecord>& newestFirst)
     m_model->setAttempts(newestFirst);
     m_charted.criteria = criterionNames(newestFirst);
     fillLessons();
-    m_stack->setCurrentIndex(newestFirst.isEmpty() ? 1 : 0);
     takeLesson();
     for (int row = 0; row < m_filter->rowCount() && kept != 0; ++row)
         if (m_model->at(m_filter->mapToSource(m_filter->index(row, 0)).row()).id == kept)
             m_table->setCurrentIndex(m_filter->index(row, 0));
+}
+
+void HistoryPage::setExamsWithoutScore(const QList<database::ExamStart>& newestFirst)
+{
+    m_startsWithoutScore = newestFirst;
+    tellWithoutScore();
+}
+
+/// Of the lesson that is shown; and whether there is anything to show at all.
+void HistoryPage::tellWithoutScore()
+{
+    const auto shown = lesson();
+    QStringList starts;
+    for (const database::ExamStart& start : m_startsWithoutScore)
+        if (!shown || start.lessonId == *shown)
+            //: %1: an exam; %2: when it was begun
+            starts << tr("%1, begun %2").arg(lessonTitle(m_charted.titles, start.lessonId), when(start.begunUtc));
+    QStringList words = starts.first(std::min<qsizetype>(starts.size(), kMostStarts));
+    if (starts.size() > kMostStarts)
+        words << tr("and %n more", nullptr, static_cast<int>(starts.size() - kMostStarts));
+    m_withoutScore->setText(tr("Exams that have no score: %1").arg(words.join(QStringLiteral("; "))));
+    m_withoutScore->setToolTip(starts.size() > kMostStarts ? starts.join(u'\n') : QString());
+    m_withoutScore->setVisible(!starts.isEmpty());
+    m_stack->setCurrentIndex(m_history.isEmpty() && m_startsWithoutScore.isEmpty() ? 1 : 0);
 }
 
 void HistoryPage::setLessonTitles(const LessonTitles& titles)
@@ -278,6 +309,7 @@ void HistoryPage::takeLesson()
     if (m_filter->rowCount() > 0)
         m_table->setCurrentIndex(m_filter->index(0, 0));
     tellChosen();
+    tellWithoutScore();
     drawCharts();
     if (chosenLesson)
         emit lessonChosen(QString::fromStdString(*chosenLesson));

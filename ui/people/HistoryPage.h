@@ -40,6 +40,8 @@ public:
     void setPerson(const QString& fullName);
     /// @param newestFirst  of one person. What is chosen stays, where it is among them.
     void setHistory(const QList<database::AttemptRecord>& newestFirst);
+    /// Exams of that person that were begun, and have no score.
+    void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
     void setLessonTitles(const LessonTitles& titles);
     /// Shows one lesson's attempts only; nothing: all.
     void setLesson(const std::optional<std::string>& lessonId);
@@ -72,15 +74,18 @@ private:
     void fitColumns();
     void drawCharts();
     void tellChosen();
+    void tellWithoutScore();
 
     QString m_person;
     QList<database::AttemptRecord> m_history;
+    QList<database::ExamStart> m_startsWithoutScore;
     ChartedAttempts m_charted;  ///< those of the lesson
     HistoryModel* m_model;
     HistoryFilter* m_filter;
     QStackedWidget* m_stack;
     QComboBox* m_lessons = nullptr;
     QLabel* m_count = nullptr;
+    QLabel* m_withoutScore = nullptr;
     ListTable* m_table = nullptr;
     QPushButton* m_open = nullptr;
     QPushButton* m_replay = nullptr;

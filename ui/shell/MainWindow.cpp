@@ -1804,6 +1804,16 @@ void MainWindow::leaveWork(const std::function<void()>& what)
         what();
         return;
     }
+    if (isExamRunning() && !m_replaying) {
+        ask({"workQuestion", tr("The exam would be broken off"), tr("The exam would be broken off without a score."),
+             tr("It counts as an attempt all the same. What you have cut cannot be graded later."), tr("&Grade it now"),
+             [this] {
+                 goTo(m_room);
+                 emit gradeRequested();
+             },
+             what});
+        return;
+    }
     const auto save = [this, what] {
         m_afterSaving = what;
         askToSave();

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/ExamStarts.h"
+
+#include "database/sql/Audit.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+const std::string kBegin = "note that the exam has begun";
+const std::string kList = "list the exams that were begun";
+
+/// An attempt belongs to the last start before it ended.
+const QString kWithoutScore = QStringLiteral(
+    " FROM exam_starts s WHERE s.person_id = ? AND NOT EXISTS (SELECT 1 FROM attempts a WHERE a.person_id = "
+    "s.person_id AND a.lesson_id = s.lesson_id AND a.finished_utc >= s.begun_utc AND NOT EXISTS (SELECT 1 FROM "
+    "exam_starts n WHERE n.person_id = s.person_id AND n.lesson_id = s.lesson_id AND n.begun_utc > s.begun_utc AND "
+    "n.begun_utc <= a.finished_utc))");
+
+}  // namespace
+
+core::Status beginExam(const School& school, const Session& session, const ExamStart& start)
+{
+    if (auto who = admit(school, session, Operation::AddAttempt); !who)
+        return tl::unexpected(who.error());
+    return inTransaction(school.db, kBegin, [&]() -> core::Status {
+        const auto added =
+            ask(school.db,
+                "INSERT INTO exam_starts (uid, person_id, lesson_id, begun_utc) VALUES (?, ?, ?, ?) ON CONFLICT (uid) "
+                "DO NOTHING RETURNING uid",
+                kBegin, {text(start.uid), number(session.person().value), text(start.lessonId), text(start.begunUtc)});
+        if (!added)
+            return tl::unexpected(added.error());
+        if (added->isNull())
+            return {};
+        return note(
+            school, session.uid(), "exam.begin", "exam:" + start.uid,
+            {{"lesson", QString::fromStdString(start.lessonId)}, {"begun", QString::fromStdString(start.begunUtc)}});
+    });
+}
+
+core::Result<std::vector<ExamStart>> examsWithoutScore(const School& school, const Session& session, PersonId person)
+{
+    if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
+        return tl::unexpected(who.error());
+    std::vector<ExamStart> starts;
+    if (auto read =
+            forEach(school.db, "SELECT s.uid, s.lesson_id, s.begun_utc" + kWithoutScore + " ORDER BY s.begun_utc DESC",
+                    kList, {number(person.value)},
+                    [&](const QSqlQuery& row) {
+                        starts.push_back({textOf(row, 0), textOf(row, 1), textOf(row, 2)});
+                    });
+        !read)
+        return tl::unexpected(read.error());
+    return starts;
+}
+
+core::Result<int> countWithoutScore(const School& school, PersonId person, const std::string& lessonId)
+{
+    const auto count = ask(school.db, "SELECT COUNT(*)" + kWithoutScore + " AND s.lesson_id = ?", kList,
+                           {number(person.value), text(lessonId)});
+    if (!count)
+        return tl::unexpected(count.error());
+    return count->toInt();
+}
+
+}  // namespace database::sql

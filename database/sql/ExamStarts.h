@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/records.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Notes that the session's person has begun an exam. The same uid is noted once.
+[[nodiscard]] core::Status beginExam(const School& school, const Session& session, const ExamStart& start);
+
+/// The exams of a person that were begun and have no score, newest first: one that goes on now is among them.
+[[nodiscard]] core::Result<std::vector<ExamStart>> examsWithoutScore(const School& school, const Session& session,
+                                                                     PersonId person);
+
+/// How many there are of one lesson; asks nobody's leave.
+[[nodiscard]] core::Result<int> countWithoutScore(const School& school, PersonId person, const std::string& lessonId);
+
+}  // namespace database::sql
