@@ -322,19 +322,9 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
     m_isStopped = std::make_shared<std::atomic<bool>>(false);
     m_window.adminPage().backups().showProgress(what, 0, 0);
     using Answer = decltype(job(std::declval<const School&>(), std::declval<Work&>()));
-    inBackground(
+    m_desk.askBeside(
         this,
-        [this, place = m_place, who = m_who(), work = Work{this, what, m_isStopped, {}}, job]() mutable -> Answer {
-            database::sql::Database::Options options;
-            options.mayMigrate = false;
-            const auto open = database::sql::Database::open(place.address, options);
-            if (!open)
-                return tl::unexpected(open.error());
-            const auto key =
-                database::StationKey::readOrMake(QDir(place.stationFolder).filePath(QStringLiteral("station.key")));
-            if (!key)
-                return tl::unexpected(key.error());
-            const School school{(*open)->handle(), *key};
+        [who = m_who(), work = Work{this, what, m_isStopped, {}}, job](const School& school) mutable -> Answer {
             if (auto may = database::sql::admit(school, who, database::Operation::KeepBackups); !may)
                 return tl::unexpected(may.error());
             return job(school, work);
@@ -354,8 +344,8 @@ void AdminDesk::connectBackups()
     connect(&part, &BackupPart::backUpWanted, this, [this, failed, &part] {
         beside(
             tr("The data are being backed up …"),
-            [place = m_place](const School&, Work& work) {
-                return makeBackup(place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
+            [place = m_place](const School& school, Work& work) {
+                return makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
                                   [&work](int done, int all) { return work.tell(done, all); });
             },
             [this, failed, &part](const core::Result<QString>& made) {

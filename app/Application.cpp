@@ -268,7 +268,7 @@ void Application::openDatabase()
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     if (m_options.database.isEmpty() || address->isServer())
         QDir().mkpath(m_stationFolder);
-    m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder);
+    m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
     connect(m_desk.get(), &SchoolDesk::delivered, this, [this](const QString& uid) {
         if (m_graded && m_graded->record.uid == uid.toStdString()) {
             m_graded->keeping = Keeping::Kept;
@@ -346,10 +346,10 @@ void Application::backUpToday()
     const QDateTime now = QDateTime::currentDateTimeUtc();
     if (m_isNewSchool || !isBackupDue(*m_address, now))
         return;
-    inBackground(
+    m_desk->askBeside(
         this,
-        [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped] {
-            return makeBackup(address, folder, now, [isStopped](int, int) { return !*isStopped; });
+        [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped](const School& school) {
+            return makeBackup(school, address, folder, now, [isStopped](int, int) { return !*isStopped; });
         },
         [this](const core::Result<QString>& made) {
             if (!made && m_who.role() == database::Role::Admin)

@@ -38,11 +38,12 @@ struct WindowOptions
 {
     core::teeth::ToothSource source;  ///< the tooth to begin with
     core::teeth::BuildOptions build;
-    QString recording;        ///< play this instead of beginning with a tooth
-    QString database;         ///< a file or a server's address; empty: the user's own file
-    bool asksWho = false;     ///< begin at the login; else as a guest
-    bool showsRound = false;  ///< whoever has not seen the tour
-    QString picture;          ///< draw the tooth, or the end of the recording, into this file and quit
+    QString recording;                         ///< play this instead of beginning with a tooth
+    QString database;                          ///< a file or a server's address; empty: the user's own file
+    database::sql::Database::Options opening;  ///< for tests
+    bool asksWho = false;                      ///< begin at the login; else as a guest
+    bool showsRound = false;                   ///< whoever has not seen the tour
+    QString picture;                           ///< draw the tooth, or the end of the recording, into this file and quit
     /// A simulated hand with a simulated Falcon does the work; the student watches.
     bool simulatedDevice = false;
 };

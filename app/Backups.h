@@ -7,8 +7,9 @@
 #include "core/base/Result.h"
 #include "database/Address.h"
 #include "database/sql/Backups.h"
+#include "database/sql/School.h"
 
-/// Backups beside the work of the window: on a connection of their own, on any thread, while others write.
+/// Backups of a school that is in use: while others write, on the thread of the connection.
 namespace app {
 
 /// Whether a file has no backup of today (UTC). A server never: its administrator makes them.
@@ -17,8 +18,8 @@ namespace app {
 /// Makes a backup, thins the older ones, and throws away the attempts of this station that lay by until a backup had
 /// them. Returns its path.
 /// @param stationFolder  of this station's own files
-[[nodiscard]] core::Result<QString> makeBackup(const database::Address& address, const QString& stationFolder,
-                                               const QDateTime& nowUtc,
+[[nodiscard]] core::Result<QString> makeBackup(const database::sql::School& school, const database::Address& address,
+                                               const QString& stationFolder, const QDateTime& nowUtc,
                                                const database::sql::BackupProgress& progress = {});
 
 }  // namespace app

@@ -19,8 +19,8 @@ constexpr int kRetryMs = 10'000;
 
 }  // namespace
 
-SchoolDesk::SchoolDesk(database::Address address, QString folder)
-    : m_address(std::move(address)), m_folder(std::move(folder))
+SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options)
+    : m_address(std::move(address)), m_folder(std::move(folder)), m_options(options)
 {
     m_there.moveToThread(&m_thread);
     m_thread.setObjectName(QStringLiteral("school"));
@@ -47,20 +47,26 @@ void SchoolDesk::post(std::function<void()> job)
     QMetaObject::invokeMethod(&m_there, std::move(job), Qt::QueuedConnection);
 }
 
+core::Result<database::StationKey> SchoolDesk::keyOf(const QString& folder)
+{
+    return database::StationKey::readOrMake(QDir(folder).filePath(QStringLiteral("station.key")));
+}
+
 core::Status SchoolDesk::openDatabase()
 {
     if (!m_key) {
-        auto key = database::StationKey::readOrMake(QDir(m_folder).filePath(QStringLiteral("station.key")));
+        auto key = keyOf(m_folder);
         if (!key)
             return tl::unexpected(key.error());
         m_key = std::move(*key);
     }
-    database::sql::Database::Options options;
+    database::sql::Database::Options options = m_options;
     options.mayMigrate = !m_address.isServer();
     auto opened = database::sql::Database::open(m_address, options);
     if (!opened)
         return tl::unexpected(opened.error());
     m_database = std::move(*opened);
+    m_allowsOthers = m_database->allowsOthers();
     m_school = std::make_unique<database::sql::School>(database::sql::School{m_database->handle(), *m_key});
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <QThread>
 #include <QTimer>
 
+#include "app/Background.h"
 #include "core/base/Result.h"
 #include "core/recording/Recording.h"
 #include "database/Outbox.h"
@@ -27,7 +29,8 @@ class SchoolDesk final : public QObject
 public:
     /// @param address  of the database, which is opened by open()
     /// @param folder  of this station's own files: its key, and attempts on their way
-    SchoolDesk(database::Address address, QString folder);
+    /// @param options  for tests
+    SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options = {});
     ~SchoolDesk() override;
 
     /// What is known of the database after it was opened, or was not.
@@ -70,6 +73,31 @@ public:
         });
     }
 
+    /// The same for long work, which holds up nobody: on a connection and a thread of its own. Only where the file
+    /// allows no second connection (on a network drive) it takes its turn.
+    template <class Work, class Done>
+    void askBeside(QObject* owner, Work work, Done done)
+    {
+        using Answer = decltype(work(std::declval<const database::sql::School&>()));
+        if (!m_allowsOthers) {
+            ask(owner, std::move(work), std::move(done));
+            return;
+        }
+        inBackground(
+            owner,
+            [address = m_address, folder = m_folder, options = m_options, work = std::move(work)]() mutable -> Answer {
+                options.mayMigrate = false;
+                const auto open = database::sql::Database::open(address, options);
+                if (!open)
+                    return tl::unexpected(open.error());
+                const auto key = keyOf(folder);
+                if (!key)
+                    return tl::unexpected(key.error());
+                return work(database::sql::School{(*open)->handle(), *key});
+            },
+            std::move(done));
+    }
+
     /// Puts a graded attempt into the outbox; `kept` hears whether it is on the disk. delivered() follows when the
     /// database has it, perhaps much later.
     void keep(QObject* owner, const database::Session& session, const database::AttemptRecord& attempt,
@@ -85,6 +113,8 @@ signals:
     void damaged(const core::Error& error);
 
 private:
+    /// Any thread.
+    [[nodiscard]] static core::Result<database::StationKey> keyOf(const QString& folder);
     void post(std::function<void()> job);
     void answer(const QPointer<QObject>& owner, const Opened& done, const Opening& opening);
     // What follows runs on the desk's thread.
@@ -98,6 +128,8 @@ private:
 
     database::Address m_address;
     QString m_folder;
+    database::sql::Database::Options m_options;
+    std::atomic<bool> m_allowsOthers = true;  ///< as far as is known
     QThread m_thread;
     QObject m_there;  ///< lives on m_thread
     QTimer m_retry;

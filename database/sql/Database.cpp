@@ -171,7 +171,8 @@ core::Status Database::prepareFile(const Options& options)
     if (*version > static_cast<int>(steps->size()))
         return {};
     const FileSystem fileSystem = options.fileSystemOf(m_address.file);
-    if (fileSystem == FileSystem::Network)
+    m_allowsOthers = fileSystem == FileSystem::Local;
+    if (!m_allowsOthers)
         m_notice = head(m_address.file) +
                    "it lies on a network drive, where only one station at a time can use it and speed is that of the "
                    "network; for several stations keep the data on a PostgreSQL server";

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const Address& address() const { return m_address; }
     /// One sentence for who runs the place, such as that the file lies on a network drive; empty: nothing to say.
     [[nodiscard]] const std::string& notice() const { return m_notice; }
+    /// False on a network drive: this connection keeps out every other one, those of this program too.
+    [[nodiscard]] bool allowsOthers() const { return m_allowsOthers; }
 
     /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
     [[nodiscard]] core::Status reconnect();
@@ -63,6 +65,7 @@ private:
     Address m_address;
     QString m_connection;
     std::string m_notice;
+    bool m_allowsOthers = true;
     std::chrono::milliseconds m_patience{};
 };
 

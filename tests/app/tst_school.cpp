@@ -78,6 +78,7 @@ private slots:
     void anAdminEntersAndChangesPeople();
     void aClassListIsSeenBeforeItIsEntered();
     void aBackupIsMadeTriedAndRestored();
+    void aNetworkDriveIsForOneAndIsBackedUp();
     void whatWasDoneStandsInTheAudit();
     void onesOwnPasswordIsChanged();
     void aTeacherAssignsLessonsAndTakesThemBack();
@@ -98,7 +99,7 @@ private:
     [[nodiscard]] Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     /// The program as a student starts it: at the door.
-    void start(bool showsRound = false);
+    void start(bool showsRound = false, const sql::Database::Options& opening = {});
     void click(const char* button) const { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
     void logIn(const QString& name) const;
     /// From wherever he is.
@@ -149,9 +150,10 @@ void TestSchool::init()
     }
 }
 
-void TestSchool::start(bool showsRound)
+void TestSchool::start(bool showsRound, const sql::Database::Options& opening)
 {
     app::WindowOptions options;
+    options.opening = opening;
     options.source = {36};
     options.database = file();
     options.asksWho = true;
@@ -792,6 +794,36 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     QTRY_VERIFY_WITH_TIMEOUT(isSaid(), kPatienceMs);
     QCOMPARE(count("people"), 4);
     logIn("admin");
+}
+
+/// The one connection that such a file allows does everything.
+void TestSchool::aNetworkDriveIsForOneAndIsBackedUp()
+{
+    sql::Database::Options opening;
+    opening.fileSystemOf = [](const QString&) { return FileSystem::Network; };
+    opening.patience = std::chrono::milliseconds(200);
+    start(false, opening);
+    logIn("sam");
+    QCOMPARE(message(), QString());
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    // Nobody else gets in.
+    const auto other = sql::Database::open(file(), std::chrono::milliseconds(50));
+    QVERIFY(!other.has_value() && other.error().code == core::ErrorCode::Busy);
+    leaveFor("admin");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("network drive"), qPrintable(message()), kPatienceMs);
+    openSchool(ui::admin::AdminPage::Backups);
+    QTRY_COMPARE_WITH_TIMEOUT(sql::backupsIn(sql::backupFolder(file())).size(), 1, kPatienceMs);
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    for (const auto& [button, words] :
+         {std::pair{"backUp", "Backed up and checked"}, std::pair{"drillRestore", "It works"},
+          std::pair{"checkAll", "Nothing is wrong: 1 attempts"}}) {
+        click(button);
+        QTRY_VERIFY2_WITH_TIMEOUT(said().contains(words), qPrintable(said()), kPatienceMs);
+    }
+    m_application.reset();
+    QCOMPARE(attemptsKept(), 1);
 }
 
 void TestSchool::whatWasDoneStandsInTheAudit()

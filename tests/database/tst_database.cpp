@@ -21,6 +21,7 @@ private slots:
     void init() { QVERIFY(m_folder.emplace().isValid()); }
 
     void createsTheNewestSchemaWithItsSettings();
+    void aNetworkDriveIsForOneAtATime();
     void opensItsOwnFileAgain();
     void refusesAFolder();
     void refusesAPlaceThatIsNotThere();
@@ -78,6 +79,34 @@ void TestDatabase::createsTheNewestSchemaWithItsSettings()
     QCOMPARE(ask(**database, "PRAGMA user_version").toInt(), static_cast<int>(shippedMigrations()->size()));
     QVERIFY(ask(**database, "SELECT sql FROM sqlite_master WHERE name = 'attempts'").toString().endsWith("STRICT"));
     QCOMPARE(ask(**database, "PRAGMA integrity_check").toString(), QStringLiteral("ok"));
+}
+
+/// SQLite's write-ahead log needs memory that a network drive does not share.
+void TestDatabase::aNetworkDriveIsForOneAtATime()
+{
+    Database::Options options;
+    options.patience = 10ms;
+    const auto there = database::Address::parse(at("drive.db")).value();
+    // What lay on a disk before, and has a write-ahead log.
+    QVERIFY(Database::open(there, options).has_value());
+    options.fileSystemOf = [](const QString&) { return database::FileSystem::Network; };
+    {
+        const auto database = Database::open(there, options);
+        QVERIFY(database.has_value());
+        QVERIFY(!(*database)->allowsOthers());
+        QVERIFY((*database)->notice().find("network drive") != std::string::npos);
+        QCOMPARE(ask(**database, "PRAGMA journal_mode").toString(), QStringLiteral("delete"));
+        QCOMPARE(ask(**database, "PRAGMA locking_mode").toString(), QStringLiteral("exclusive"));
+        QCOMPARE(ask(**database, "PRAGMA synchronous").toInt(), 2);
+        QVERIFY(!QFile::exists(at("drive.db-wal")));
+        const auto second = Database::open(there, options);
+        QVERIFY(!second.has_value());
+        QVERIFY2(second.error().code == ErrorCode::Busy, second.error().detail.c_str());
+    }
+    const auto next = Database::open(at("drive.db"));
+    QVERIFY(next.has_value());
+    QVERIFY((*next)->allowsOthers());
+    QCOMPARE(ask(**next, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
 }
 
 void TestDatabase::opensItsOwnFileAgain()
