@@ -246,6 +246,17 @@
     </message>
 </context>
 <context>
+    <name>Chart</name>
+    <message>
+        <source>d MMM</source>
+        <translation>d. MMM</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <translation>MMM yyyy</translation>
+    </message>
+</context>
+<context>
     <name>Criterion</name>
     <message>
         <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
@@ -2020,6 +2031,10 @@
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
         <translation>Die Codes konnten nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Example of a class list</source>
+        <translation>Beispiel einer Klassenliste</translation>
     </message>
 </context>
 <context>

@@ -246,6 +246,17 @@
     </message>
 </context>
 <context>
+    <name>Chart</name>
+    <message>
+        <source>d MMM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Criterion</name>
     <message>
         <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
@@ -2019,6 +2030,10 @@
     </message>
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Example of a class list</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -246,6 +246,17 @@
     </message>
 </context>
 <context>
+    <name>Chart</name>
+    <message>
+        <source>d MMM</source>
+        <translation>d MMM</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <translation>MMM yyyy</translation>
+    </message>
+</context>
+<context>
     <name>Criterion</name>
     <message>
         <source>Enamel and dentin beside the decay and below it. What lies straight above the decay has to go and is not counted.</source>
@@ -2020,6 +2031,10 @@
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
         <translation>No se pudieron escribir los códigos. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>Example of a class list</source>
+        <translation>Ejemplo de una lista de clase</translation>
     </message>
 </context>
 <context>

@@ -246,6 +246,17 @@
     </message>
 </context>
 <context>
+    <name>Chart</name>
+    <message>
+        <source>d MMM</source>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>MMM yyyy</source>
+        <translation>yyyy年M月</translation>
+    </message>
+</context>
+<context>
     <name>Criterion</name>
     <message>
         <source>%1 of the decay is out</source>
@@ -2009,6 +2020,10 @@
     <message>
         <source>The codes could not be written. Choose another folder, or make room on the disk.</source>
         <translation>コードを書き込めませんでした。別のフォルダーを選ぶか、空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>Example of a class list</source>
+        <translation>クラス名簿の例</translation>
     </message>
 </context>
 <context>

@@ -151,6 +151,7 @@ QWidget* PeoplePart::makeForm()
     m_family = input("personFamily", form);
     m_role = study::choiceInput({}, form);
     m_role->setObjectName(QStringLiteral("personRole"));
+    m_role->setMinimumHeight(m_username->sizeHint().height());
     for (QWidget* one : {static_cast<QWidget*>(m_username), static_cast<QWidget*>(m_given),
                          static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_role)})
         column->addWidget(one);

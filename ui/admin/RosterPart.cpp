@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -25,10 +26,19 @@ namespace ui::admin {
 
 using namespace ui::shell;
 
+namespace {
+
+constexpr auto* kExample = "username,given_name,family_name,role,class\n"
+                           "s1001,Ada,Okafor,student,DEN101-A\n"
+                           "s1002,Jürgen,Müller,student,DEN101-A|DEN102\n"
+                           "teresa,Teresa,Rossi,instructor,DEN101-A";
+
+}  // namespace
+
 RosterPart::RosterPart(QWidget* parent)
     : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_choose(new QPushButton(this)), m_enter(new QPushButton(this)), m_save(new QPushButton(this)),
-      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_example(new QLabel(this)),
       m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
 {
     setAcceptDrops(true);
@@ -57,6 +67,14 @@ RosterPart::RosterPart(QWidget* parent)
     row->addStretch(1);
     column->addLayout(row);
     column->addWidget(m_said);
+    m_example->setText(QString::fromUtf8(kExample));
+    m_example->setObjectName(QStringLiteral("rosterExample"));
+    m_example->setTextFormat(Qt::PlainText);
+    m_example->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_example->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_example->setProperty("kind", "card");
+    m_example->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
+    column->addWidget(m_example, 0, Qt::AlignLeft);
     column->addWidget(m_table, 100);
     column->addStretch(1);  // where there is no table
     connect(m_choose, &QPushButton::clicked, this, &RosterPart::chooseFile);
@@ -77,6 +95,7 @@ void RosterPart::speak()
     for (QPushButton* one : {m_choose, m_enter, m_save})
         one->setAccessibleName(one->text());
     m_table->setAccessibleName(tr("What the class list would do"));
+    m_example->setAccessibleName(tr("Example of a class list"));
     fill();
     tell();
 }
@@ -89,6 +108,7 @@ void RosterPart::tell()
     m_enter->setVisible(!m_isDone && m_outcome.faults.empty() && !m_outcome.people.empty());
     m_save->setVisible(m_isDone && fresh > 0);
     m_table->setVisible(m_rows->rowCount() > 0);
+    m_example->setVisible(m_file.isEmpty());
     if (!m_what.isEmpty())
         m_said->setText(m_what);
     else if (m_file.isEmpty())

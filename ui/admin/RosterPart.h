@@ -54,6 +54,7 @@ private:
     QPushButton* m_enter;
     QPushButton* m_save;
     QLabel* m_said;
+    QLabel* m_example;  ///< of what such a file looks like
     QStandardItemModel* m_rows;
     people::ListTable* m_table;
 };

@@ -10,6 +10,7 @@
 #include <QBuffer>
 #include <QCategoryAxis>
 #include <QChart>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QDateTimeAxis>
 #include <QGraphicsLayout>
@@ -104,9 +105,11 @@ QAbstractAxis* axisOf(const Axis& axis, const Ink& ink, int ticks = kMostTicks)
         time->setRange(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(axis.low)),
                        QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(axis.high)));
         const double days = (axis.high - axis.low) / static_cast<double>(kDayMs);
-        time->setFormat(days < 2.0     ? QLocale().timeFormat(QLocale::ShortFormat)
-                        : days < 330.0 ? QStringLiteral("d MMM")
-                                       : QStringLiteral("MMM yyyy"));
+        time->setFormat(days < 2.0 ? QLocale().timeFormat(QLocale::ShortFormat)
+                        //: A day without its year, as QLocale::toString() takes it: "27 Nov". Japanese "M月d日"
+                        : days < 330.0 ? QCoreApplication::translate("Chart", "d MMM")
+                                       //: A month, as QLocale::toString() takes it: "Nov 2024"
+                                       : QCoreApplication::translate("Chart", "MMM yyyy"));
         time->setTickCount(5);
         dressAxis(*time, axis.title, ink);
         return time;

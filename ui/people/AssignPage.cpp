@@ -261,7 +261,6 @@ QWidget* AssignPage::makeGiven()
     QHeaderView* heads = m_table->horizontalHeader();
     heads->setSectionResizeMode(QHeaderView::ResizeToContents);
     heads->setSectionResizeMode(kLesson, QHeaderView::Stretch);
-    heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         if (const auto rows = chosen(); !rows.isEmpty())
             m_terms->setTerms({rows.front().dueUtc, rows.front().attemptLimit});

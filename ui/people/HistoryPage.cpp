@@ -385,9 +385,9 @@ void HistoryPage::fitColumns()
             heads.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) + kArrowPx;
         for (const QString& words : widest)
             px = std::max(px, metrics.horizontalAdvance(words));
-        m_table->horizontalHeader()->resizeSection(column, px + kSpace6 + kSpace2);
+        m_table->horizontalHeader()->resizeSection(column, px + kSpace6);
     };
-    fit(HistoryModel::When, {when("2026-12-28T22:58:00Z")});
+    fit(HistoryModel::When, {when("2026-12-28T22:58:00Z"), when("2026-09-20T20:00:00Z"), when("2026-08-04T04:44:00Z")});
     fit(HistoryModel::Score, {QStringLiteral("100.0")});
     fit(HistoryModel::Result, {HistoryModel::tr("passed"), HistoryModel::tr("not passed")});
     fit(HistoryModel::Time, {QStringLiteral("1:12:07")});

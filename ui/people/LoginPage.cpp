@@ -290,7 +290,7 @@ void LoginPage::refuse(const QString& sentence)
 {
     setBusy(false);
     study::showFault(m_fault, sentence);
-    QLineEdit* const again = m_again->isVisible() ? m_again : m_password;
+    QLineEdit* const again = m_old->isVisible() ? m_old : m_again->isVisible() ? m_again : m_password;
     again->setFocus();
     again->selectAll();
 }
@@ -303,6 +303,8 @@ void LoginPage::submit()
     const QString password = m_password->text();
     if (m_again->isVisibleTo(m_card) && m_again->text() != password) {
         refuse(tr("The two passwords differ. Type the second one again."));
+        m_again->setFocus();
+        m_again->selectAll();
         return;
     }
     switch (m_door) {
