@@ -25,16 +25,17 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
 {
     if (dialect::isPostgres(db))
         return {};  // the server's own business
-    for (const char* pragma : {"PRAGMA integrity_check", "PRAGMA foreign_key_check"})
-        if (auto read = forEach(db, QLatin1String(pragma), kDoing, {},
-                                [&](const QSqlQuery& row) {
-                                    if (row.value(0).toString() != u"ok")
-                                        say(report, "the file is damaged: " +
-                                                        row.value(0).toString().simplified().toStdString());
-                                });
-            !read)
-            return read;
-    return {};
+    if (auto read = forEach(db, "PRAGMA integrity_check", kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                if (row.value(0).toString() != u"ok")
+                                    say(report, "the file is damaged: " +
+                                                    row.value(0).toString().simplified().toStdString());
+                            });
+        !read)
+        return read;
+    return forEach(db, "PRAGMA foreign_key_check", kDoing, {}, [&](const QSqlQuery& row) {
+        say(report, "row " + textOf(row, 1) + " of " + textOf(row, 0) + " belongs to no row of " + textOf(row, 2));
+    });
 }
 
 core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Progress& progress)

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLegend>
 #include <QLineSeries>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 #include <QValueAxis>
@@ -115,6 +116,8 @@ QString FeedChart::words(double newtons) const
 void FeedChart::draw()
 {
     m_chart->removeAllSeries();
+    m_chart->setLocalizeNumbers(true);
+    m_chart->setLocale(QLocale());
     for (QAbstractAxis* axis : m_chart->axes()) {
         m_chart->removeAxis(axis);
         delete axis;

@@ -12,6 +12,7 @@
 #include <QGraphicsLayout>
 #include <QLegendMarker>
 #include <QLineSeries>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 #include <QValueAxis>
@@ -81,6 +82,8 @@ QString SweepChart::words(double times) const
 void SweepChart::draw()
 {
     m_chart->removeAllSeries();
+    m_chart->setLocalizeNumbers(true);
+    m_chart->setLocale(QLocale());
     for (QAbstractAxis* axis : m_chart->axes()) {
         m_chart->removeAxis(axis);
         delete axis;
