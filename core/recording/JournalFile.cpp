@@ -8,9 +8,11 @@
 #include <map>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/Bytes.h"
@@ -90,6 +92,33 @@ tl::unexpected<Error> unwritable(const fs::path& path, int number)
                                                      ".");
 }
 
+/// Whoever looks for attempts may find the file before it is locked, and take away what is empty: then it is made
+/// again. Never one that another program is making. -1: errno says why.
+int createLocked(const fs::path& path)
+{
+    constexpr int kTries = 50;
+    constexpr std::chrono::milliseconds kRest{10};
+    for (int n = 0; n < kTries; ++n) {
+        const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+        if (file < 0)
+            return file;
+        // Where files cannot be locked at all there is nobody to be kept out.
+        const bool isTaken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        struct stat made
+        {};
+        struct stat named
+        {};
+        if (!isTaken && ::fstat(file, &made) == 0 && ::stat(path.c_str(), &named) == 0 && made.st_ino == named.st_ino &&
+            made.st_dev == named.st_dev)
+            return file;
+        ::close(file);
+        if (isTaken)
+            std::this_thread::sleep_for(kRest);
+    }
+    errno = EWOULDBLOCK;
+    return -1;
+}
+
 tl::unexpected<Error> nothingIn(ErrorCode code, const std::string& what)
 {
     return unexpected(code, "The unfinished attempt cannot be taken up: " + what + ".");
@@ -108,11 +137,10 @@ Result<std::shared_ptr<JournalFile>> JournalFile::create(const fs::path& path, c
 {
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);
-    const int file = ::open(partOf(path).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-    const std::shared_ptr<JournalFile> journal(new JournalFile(path, file));
-    // Never one that another program is making.
-    if (file < 0 || (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK))
+    const int file = createLocked(partOf(path));
+    if (file < 0)
         return unwritable(path, errno);
+    const std::shared_ptr<JournalFile> journal(new JournalFile(path, file));
     Status written;
     if (::ftruncate(file, 0) != 0 || !journal->write(headBytes(soFar, begunUtcMs)))
         written = unwritable(path, errno);
@@ -317,11 +345,15 @@ LockedBytes readLocked(const fs::path& path)
     return read;
 }
 
-Result<FoundAttempt> attemptIn(LockedBytes read, const fs::path& path)
+/// A file with nothing in it stays locked by `read`.
+Result<FoundAttempt> attemptIn(LockedBytes& read, const fs::path& path)
 {
     if (!read.bytes)
         return tl::unexpected(read.bytes.error());
-    return attemptFrom(*read.bytes, path, std::move(read.lock));
+    auto found = attemptFrom(*read.bytes, path);
+    if (found)
+        found->lock = std::move(read.lock);
+    return found;
 }
 
 }  // namespace
@@ -333,9 +365,9 @@ Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
     if (part.access == Access::InUse || whole.access == Access::InUse)
         return std::nullopt;
     const bool wasThere = whole.access != Access::Missing;
-    auto found = attemptIn(std::move(whole), path);
+    auto found = attemptIn(whole, path);
     if (part.access == Access::Ours) {
-        auto newer = attemptIn(std::move(part), path);
+        auto newer = attemptIn(part, path);
         std::error_code ignored;
         if (newer && (!found || newer->recording.events() >= found->recording.events())) {
             if (const int file = ::open(partOf(path).c_str(), O_RDONLY | O_CLOEXEC); file >= 0) {

@@ -67,6 +67,7 @@ private slots:
     void anotherToothPutsItAway();
     void comesBackAndGoesOn();
     void nobodyElseFindsAnAttemptAtWork();
+    void whoeverLooksTakesNothingThatIsBeingMade();
     void cutAnywhereGivesTheLongestWholePart();
     void flippedBitsAreNeverBelieved();
     void strangersAreRefused_data();
@@ -252,6 +253,35 @@ void TestJournal::nobodyElseFindsAnAttemptAtWork()
     QVERIFY(recording::findAttempt(path)->has_value());
     const auto gone = recording::findAttempt(m_path / "none.cuspjournal");
     QVERIFY(gone && !*gone);
+}
+
+/// As when somebody logs in with work on the table: the journal begins, and what was left unfinished is looked for.
+void TestJournal::whoeverLooksTakesNothingThatIsBeingMade()
+{
+    support::Rig rig;
+    JournalLoop idle(*rig.session, m_path);
+    rig.open(block());
+    rig.send(SetDrill{true});
+    cut(rig, idle, 200);
+    idle.putAway();
+    const recording::Recording soFar = *rig.session->recordingSoFar();
+    std::atomic<bool> goOn = true;
+    std::thread looker([this, &goOn] {
+        while (goOn)
+            for (const fs::path& path : files())
+                static_cast<void>(recording::findAttempt(path));
+    });
+    int kept = 0;
+    for (int n = 0; n < 300; ++n) {
+        const fs::path path = m_path / (std::to_string(n) + ".cuspjournal");
+        const auto made = recording::JournalFile::create(path, soFar, 1);
+        kept += made && (*made)->sync() && fs::exists(path) ? 1 : 0;
+        if (made)
+            (*made)->remove();
+    }
+    goOn = false;
+    looker.join();
+    QCOMPARE(kept, 300);
 }
 
 void TestJournal::cutAnywhereGivesTheLongestWholePart()
