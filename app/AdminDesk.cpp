@@ -179,8 +179,9 @@ void AdminDesk::tellPeople(const std::function<void()>& then)
                                     QList<database::SchoolClass>(found->classes.begin(), found->classes.end()));
             ui::admin::NamesByUid names;
             for (const Person& person : m_people)
-                names[person.uid] =
-                    QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
+                names[person.uid] = person.fullName().empty()
+                                        ? QString::fromStdString(person.username)
+                                        : QString::fromStdString(person.fullName() + " (" + person.username + ")");
             page.audit().setNames(names);
             if (then)
                 then();

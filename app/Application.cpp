@@ -65,6 +65,7 @@ constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
 constexpr int kOpenWatchMs = 10'000;
+constexpr int kExamRetryMs = 10'000;
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -334,7 +335,10 @@ void Application::restore()
     m_desk->restore(this, m_backup, [this](const SchoolDesk::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
-        if (opening.status)
+        if (!opening.status)
+            m_window->sayAtDoor(tr("The backup was not restored; nothing has been changed. %1")
+                                    .arg(ui::text::errorText(opening.status.error(), Failed::ReadingSchool)));
+        else
             m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it.")
                                     .arg(QLocale().toString(made, QLocale::ShortFormat)));
     });
@@ -887,16 +891,29 @@ void Application::noteExam(const core::session::Findings& findings)
     const bool isBegun =
         findings.process.firstCutS || (findings.practised && core::grading::isBegun(*findings.practised));
     const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
-    if (!m_assignment.lesson->exam || !isBegun || isGraded || !m_desk || m_who.isGuest() ||
-        m_notedExam == m_ownGeneration)
+    if (!m_assignment.lesson->exam || !isBegun || isGraded || !m_desk || m_who.isGuest())
         return;
-    m_notedExam = m_ownGeneration;
-    const database::ExamStart start{database::newUid(), m_assignment.lesson->id,
-                                    QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
-    // Whoever works while the school's server is away is not held up, and is not known of.
+    if (m_begunExam.generation != m_ownGeneration)
+        m_begunExam = {m_ownGeneration,
+                       {database::newUid(), m_assignment.lesson->id,
+                        QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()},
+                       false};
+    if (std::exchange(m_begunExam.isTold, true))
+        return;
+    // Nobody is held up where the school's server is away: it is told when it is back.
     m_desk->ask(
-        this, [who = m_who, start](const School& school) { return database::sql::beginExam(school, who, start); },
-        [](const core::Status&) {});
+        this,
+        [who = m_who, start = m_begunExam.start](const School& school) {
+            return database::sql::beginExam(school, who, start);
+        },
+        [this, generation = m_ownGeneration](const core::Status& told) {
+            if (told)
+                return;
+            QTimer::singleShot(kExamRetryMs, this, [this, generation] {
+                if (m_begunExam.generation == generation)
+                    m_begunExam.isTold = false;
+            });
+        });
 }
 
 /// Within the outline of what is to be cut, or nowhere.
@@ -946,6 +963,7 @@ void Application::grade()
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
+    m_toMark = m_follower.conclude();  // to think about one's work takes no time from it
     const bool isAnother = m_graded && m_graded->generation == m_ownGeneration;
     if (!m_assignment.lesson)
         finish({});
@@ -955,11 +973,11 @@ void Application::grade()
         m_window->askForecast();
 }
 
-/// Marks the work as it is now, keeps the grade and shows it.
+/// Marks the work as it was when the grade was asked for, keeps the grade and shows it.
 void Application::finish(const std::optional<ui::study::Expectation>& expected)
 {
-    const auto done = m_follower.conclude();
-    if (!done)
+    const auto done = std::exchange(m_toMark, {});
+    if (!done || done->findings.generation != m_ownGeneration)
         return;
     const core::session::Findings& found = done->findings;
     const lessons::Conduct conduct{found.process, static_cast<int>(found.infractions.size()), found.aids,
@@ -1147,6 +1165,8 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                                    marked->mark.sheet, {attempt}, expected, work);
             m_opened = recording;
             m_people->talkAbout(attempt);
+            m_window->scorePage().setPerson(attempt.person == m_who.person() ? QString()
+                                                                             : m_people->nameOfTalkedAbout());
             if (assignment)
                 m_openedExplainer.explain(*assignment, recording, work.tooth, marked->conduct);
         });
@@ -1414,7 +1434,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         core::settings::feltAs(m_presets.inUse(), m_settings.hardness, m_settings.force,
                                assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
     m_window->showFeel(felt, felt);
-    m_notedExam = m_ownGeneration;  // as it was when it began
+    m_begunExam = {m_ownGeneration, {}, true};  // it was told when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);

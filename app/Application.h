@@ -197,6 +197,7 @@ private:
         core::recording::Recording recording;
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
     };
+    std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
     bool m_playsOpened = false;                          ///< that one is played, from its score card
@@ -207,7 +208,14 @@ private:
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
-    std::uint64_t m_notedExam = 0;      ///< the generation of the exam that the school knows of
+    /// The exam that was begun last, and whether the school has been told.
+    struct BegunExam
+    {
+        std::uint64_t generation = 0;
+        database::ExamStart start;
+        bool isTold = false;
+    };
+    BegunExam m_begunExam;
     QTimer m_demoBeat;
     std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;

@@ -4,13 +4,13 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
-#include <QStandardPaths>
 #include <QTimer>
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Overview.h"
 #include "ui/report/Printing.h"
+#include "ui/shell/Folders.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/Texts.h"
 
@@ -86,8 +86,7 @@ QString CardDesk::titleOf(const ScoreCard& card) const
 void CardDesk::save()
 {
     auto* dialog =
-        new QFileDialog(&m_window, tr("Save the score card"),
-                        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("PDF (*.pdf)"));
+        new QFileDialog(&m_window, tr("Save the score card"), ui::shell::documentsFolder(), tr("PDF (*.pdf)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));

@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QPointer>
-#include <QStandardPaths>
 
 #include "app/Background.h"
 #include "database/sql/Attempts.h"
@@ -20,6 +19,7 @@
 #include "ui/people/HistoryPage.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/report/Printing.h"
+#include "ui/shell/Folders.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/EveryLanguage.h"
@@ -45,6 +45,18 @@ std::map<std::string, QString> criteriaOf(const lessons::Lesson& lesson)
         names[rule.id] = text::criterionName(criterion);
     }
     return names;
+}
+
+/// Students with the same name have their login's behind it, so that nobody takes one for the other.
+database::ClassOverview toldApart(database::ClassOverview overview)
+{
+    std::map<std::string, int> bearers;
+    for (const database::MatrixStudent& student : overview.students)
+        ++bearers[student.fullName];
+    for (database::MatrixStudent& student : overview.students)
+        if (bearers[student.fullName] > 1)
+            student.fullName += " (" + student.username + ")";
+    return overview;
 }
 
 /// What a class is to do, and how far it is.
@@ -126,16 +138,19 @@ void PeopleDesk::readLessons(const std::function<void()>& then)
 void PeopleDesk::tellLessons()
 {
     std::vector<ui::people::LessonOffer> offers;
+    std::map<std::string, QString> criteria;
     m_titles.clear();
     for (const lessons::CatalogEntry& entry : m_catalog) {
         if (entry.isFaulty())
             continue;
         const lessons::Lesson& one = *entry.read.lesson;
+        criteria.merge(criteriaOf(one));
         const QString title = ui::study::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
         offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task)});
     }
     m_window.historyPage().setLessonTitles(m_titles);
+    m_window.historyPage().setCriterionNames(criteria);
     m_window.classPage().setLessonTitles(m_titles);
     m_window.assignPage().setLessons(offers);
     if (const lessons::Lesson* shown = lesson(m_results.lessonId))
@@ -224,9 +239,11 @@ void PeopleDesk::tellTalk()
         [this, id = m_talkedAbout->id](const core::Result<database::AttemptTalk>& talk) {
             if (!m_talkedAbout || m_talkedAbout->id != id)
                 return;
-            if (talk)
+            if (talk) {
                 m_window.scorePage().talk().setTalk(*talk);
-            else
+                m_window.scorePage().setGiven(talk->overrides.empty() ? std::nullopt
+                                                                      : talk->overrides.back().givenTenths);
+            } else
                 refuse(talk.error());
         });
 }
@@ -236,8 +253,7 @@ void PeopleDesk::connectReport()
     ClassPage& classes = m_window.classPage();
     connect(&classes, &ClassPage::pdfWanted, this, [this, &classes] {
         auto* dialog =
-            new QFileDialog(&m_window, tr("Save the class report"),
-                            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("PDF (*.pdf)"));
+            new QFileDialog(&m_window, tr("Save the class report"), ui::shell::documentsFolder(), tr("PDF (*.pdf)"));
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->setAcceptMode(QFileDialog::AcceptSave);
         dialog->setDefaultSuffix(QStringLiteral("pdf"));
@@ -441,7 +457,7 @@ void PeopleDesk::tellOverview(database::ClassId ofClass)
                 m_window.assignPage().setAssignments(now->overview, given);
             if (page.chosenClass() != ofClass)
                 return;
-            m_overview = now->overview;
+            m_overview = toldApart(now->overview);
             m_given = given;
             page.setOverview(m_overview);
             page.setAssignments(m_given);
@@ -495,6 +511,9 @@ void PeopleDesk::fetch(
         [this, use](const core::Result<Found>& found) {
             if (found)
                 use(found->attempt, found->recording);
+            else if (found.error().code == core::ErrorCode::FileMissing)
+                m_window.showMessage(tr("The recording of this attempt is not there, so it cannot be shown again. Its "
+                                        "score and its figures are in the list."));
             else
                 refuse(found.error());
         });

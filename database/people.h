@@ -70,6 +70,8 @@ struct RosterPerson
 {
     std::string username;
     std::string fullName;
+    Role role = Role::Student;
+    std::vector<std::string> classes;  ///< that the list names
     bool isNew = false;
     std::string code;  ///< of a new one: it lets him in once, and is kept nowhere else
 };
@@ -77,6 +79,7 @@ struct RosterOutcome
 {
     std::vector<RosterFault> faults;  ///< any: nothing was entered
     std::vector<RosterPerson> people;
+    std::vector<std::string> newClasses;  ///< that nobody had before
 };
 
 }  // namespace database

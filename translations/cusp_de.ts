@@ -37,23 +37,23 @@
     </message>
     <message>
         <source>added a class</source>
-        <translation>hat einen Kurs angelegt</translation>
+        <translation>hat eine Klasse angelegt</translation>
     </message>
     <message>
         <source>renamed a class</source>
-        <translation>hat einen Kurs umbenannt</translation>
+        <translation>hat eine Klasse umbenannt</translation>
     </message>
     <message>
         <source>put somebody into a class</source>
-        <translation>hat jemanden in einen Kurs aufgenommen</translation>
+        <translation>hat jemanden in eine Klasse aufgenommen</translation>
     </message>
     <message>
         <source>took somebody out of a class</source>
-        <translation>hat jemanden aus einem Kurs genommen</translation>
+        <translation>hat jemanden aus einer Klasse genommen</translation>
     </message>
     <message>
         <source>gave a lesson to a class</source>
-        <translation>hat einem Kurs eine Lektion aufgegeben</translation>
+        <translation>hat einer Klasse eine Lektion aufgegeben</translation>
     </message>
     <message>
         <source>took a lesson back</source>
@@ -254,6 +254,14 @@
     <message>
         <source>MMM yyyy</source>
         <translation>MMM yyyy</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <extracomment>Bars of a chart that there is no room for</extracomment>
+        <translation>
+            <numerusform>und noch %n</numerusform>
+            <numerusform>und noch %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1378,7 +1386,7 @@
     </message>
     <message>
         <source>This is no class list: %1</source>
-        <translation>Das ist keine Kursliste: %1</translation>
+        <translation>Das ist keine Klassenliste: %1</translation>
     </message>
     <message>
         <source>It was stopped.</source>
@@ -1538,6 +1546,10 @@
         <source>Your password was changed.</source>
         <translation>Ihr Passwort wurde geändert.</translation>
     </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1604,6 +1616,10 @@
         <source>The printer did not take the report.</source>
         <translation>Der Drucker hat den Bericht nicht angenommen.</translation>
     </message>
+    <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation>Die Aufzeichnung dieses Versuchs ist nicht da, darum kann er nicht noch einmal gezeigt werden. Punktzahl und Zahlen stehen in der Liste.</translation>
+    </message>
 </context>
 <context>
     <name>app::PresetDesk</name>
@@ -1644,7 +1660,7 @@
     </message>
     <message>
         <source>Class list</source>
-        <translation>Kursliste</translation>
+        <translation>Klassenliste</translation>
     </message>
     <message>
         <source>Backups</source>
@@ -1796,6 +1812,10 @@
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <translation>Was nach dieser Sicherung eingetragen wurde, wird fehlen; Versuche dieses Computers werden wieder eingebracht, und die jetzige Datei bleibt daneben erhalten.</translation>
     </message>
+    <message>
+        <source>Keep what there is</source>
+        <translation>Alles lassen, wie es ist</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
@@ -1805,7 +1825,7 @@
     </message>
     <message>
         <source>Search: a name, a class, a role</source>
-        <translation>Suche: ein Name, ein Kurs, eine Rolle</translation>
+        <translation>Suche: ein Name, eine Klasse, eine Rolle</translation>
     </message>
     <message>
         <source>Name to log in with</source>
@@ -1821,7 +1841,7 @@
     </message>
     <message>
         <source>Name of a class</source>
-        <translation>Name eines Kurses</translation>
+        <translation>Name einer Klasse</translation>
     </message>
     <message>
         <source>People</source>
@@ -1841,7 +1861,7 @@
     </message>
     <message>
         <source>Classes</source>
-        <translation>Kurse</translation>
+        <translation>Klassen</translation>
     </message>
     <message>
         <source>Last login</source>
@@ -1861,7 +1881,7 @@
     </message>
     <message>
         <source>Add a class of this name</source>
-        <translation>Einen Kurs dieses Namens anlegen</translation>
+        <translation>Eine Klasse dieses Namens anlegen</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -1869,7 +1889,7 @@
     </message>
     <message>
         <source>Give this name to the class that is chosen above</source>
-        <translation>Dem oben gewählten Kurs diesen Namen geben</translation>
+        <translation>Der oben gewählten Klasse diesen Namen geben</translation>
     </message>
     <message>
         <source>Reset password</source>
@@ -1885,7 +1905,7 @@
     </message>
     <message>
         <source>Rename the class</source>
-        <translation>Den Kurs umbenennen</translation>
+        <translation>Die Klasse umbenennen</translation>
     </message>
     <message>
         <source>Copy the one-time code</source>
@@ -1939,7 +1959,7 @@
     <name>ui::admin::RosterPart</name>
     <message>
         <source>A class list is a CSV file with the columns username, given_name, family_name, role and class. Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is entered before you have seen what it would do.</source>
-        <translation>Eine Kursliste ist eine CSV-Datei mit den Spalten username, given_name, family_name, role und class. Die Rolle kann fehlen; mehrere Kurse trennt ein senkrechter Strich. Wählen Sie sie, oder legen Sie sie hier ab: Nichts wird eingetragen, bevor Sie gesehen haben, was geschähe.</translation>
+        <translation>Eine Klassenliste ist eine CSV-Datei mit den Spalten username, given_name, family_name, role und class. Die Rolle kann fehlen; mehrere Klassen trennt ein senkrechter Strich. Wählen Sie sie, oder legen Sie sie hier ab: Nichts wird eingetragen, bevor Sie gesehen haben, was geschähe.</translation>
     </message>
     <message>
         <source>Choose a file …</source>
@@ -1955,7 +1975,7 @@
     </message>
     <message>
         <source>What the class list would do</source>
-        <translation>Was die Kursliste bewirken würde</translation>
+        <translation>Was die Klassenliste bewirken würde</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
@@ -2010,11 +2030,11 @@
     </message>
     <message>
         <source>Choose a class list</source>
-        <translation>Eine Kursliste wählen</translation>
+        <translation>Eine Klassenliste wählen</translation>
     </message>
     <message>
         <source>Class lists (*.csv);;All files (*)</source>
-        <translation>Kurslisten (*.csv);;Alle Dateien (*)</translation>
+        <translation>Klassenlisten (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the one-time codes</source>
@@ -2035,6 +2055,19 @@
     <message>
         <source>Example of a class list</source>
         <translation>Beispiel einer Klassenliste</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>%1 (new)</source>
+        <extracomment>%1: a class that would be added</extracomment>
+        <translation>%1 (neu)</translation>
     </message>
 </context>
 <context>
@@ -3118,6 +3151,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>After the first graded attempt you see here time against points.</source>
         <translation>Nach dem ersten bewerteten Versuch sehen Sie hier Zeit gegen Punkte.</translation>
     </message>
+    <message numerus="yes">
+        <source>Of the last %n attempt(s), each in those where it counts</source>
+        <translation>
+            <numerusform>Des letzten %n Versuchs, soweit es darin zählt</numerusform>
+            <numerusform>Der letzten %n Versuche, jedes in denen, wo es zählt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -3266,6 +3306,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Exams that have no score: %1</source>
         <translation>Prüfungen ohne Punktzahl: %1</translation>
+    </message>
+    <message>
+        <source>See what cost points, and where</source>
+        <translation>Sehen, was Punkte gekostet hat und wo</translation>
     </message>
 </context>
 <context>
@@ -4805,10 +4849,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Jede Einstellung mit ihrem Bereich</translation>
     </message>
     <message>
-        <source>Log in, or lock this place and let somebody else log in</source>
-        <translation>Anmelden, oder diesen Platz sperren und jemand anderen anmelden lassen</translation>
-    </message>
-    <message>
         <source>Log in</source>
         <translation>Anmelden</translation>
     </message>
@@ -4842,7 +4882,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>People, class lists, backups and the audit</source>
-        <translation>Personen, Kurslisten, Sicherungen und das Protokoll</translation>
+        <translation>Personen, Klassenlisten, Sicherungen und das Protokoll</translation>
+    </message>
+    <message>
+        <source>Log in; or lock this place, change your password, let somebody else log in</source>
+        <translation>Anmelden; oder diesen Platz sperren, das Kennwort ändern, jemand anderen anmelden lassen</translation>
     </message>
 </context>
 <context>
@@ -6729,12 +6773,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Der Zeitpunkt jedes verlorenen Punkts wird gesucht</translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation>Ihre Versuche</translation>
-    </message>
-    <message>
         <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name %1 is a person, %2 a lesson</extracomment>
         <translation>Bewertung: %1</translation>
     </message>
     <message>
@@ -6913,6 +6953,26 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Print …</source>
         <translation>Drucken …</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Grade of %1: %2</source>
+        <translation>Bewertung von %1: %2</translation>
+    </message>
+    <message>
+        <source>Expected by the student: %1 points.</source>
+        <translation>Vom Studierenden erwartet: %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>Passed, as the teacher decided</source>
+        <translation>Bestanden, wie die Lehrkraft entschied</translation>
+    </message>
+    <message>
+        <source>Not passed, as the teacher decided</source>
+        <translation>Nicht bestanden, wie die Lehrkraft entschied</translation>
     </message>
 </context>
 <context>

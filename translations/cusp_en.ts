@@ -255,6 +255,14 @@
         <source>MMM yyyy</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <extracomment>Bars of a chart that there is no room for</extracomment>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Criterion</name>
@@ -1538,6 +1546,10 @@
         <source>Your password was changed.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1602,6 +1614,10 @@
     </message>
     <message>
         <source>The printer did not take the report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1794,6 +1810,10 @@
     </message>
     <message>
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what there is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2034,6 +2054,19 @@
     </message>
     <message>
         <source>Example of a class list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (new)</source>
+        <extracomment>%1: a class that would be added</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3110,6 +3143,13 @@ load NAME        feels a hardness preset that is kept</source>
         <source>After the first graded attempt you see here time against points.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Of the last %n attempt(s), each in those where it counts</source>
+        <translation>
+            <numerusform>Of the last %n attempt, as far as it counts there</numerusform>
+            <numerusform>Of the last %n attempts, each in those where it counts</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -3257,6 +3297,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Exams that have no score: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See what cost points, and where</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4797,10 +4841,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log in, or lock this place and let somebody else log in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Log in</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4834,6 +4874,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>People, class lists, backups and the audit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log in; or lock this place, change your password, let somebody else log in</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6721,12 +6765,8 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name %1 is a person, %2 a lesson</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6904,6 +6944,26 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Print …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grade of %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected by the student: %1 points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed, as the teacher decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed, as the teacher decided</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -255,6 +255,14 @@
         <source>MMM yyyy</source>
         <translation>MMM yyyy</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <extracomment>Bars of a chart that there is no room for</extracomment>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Criterion</name>
@@ -1538,6 +1546,10 @@
         <source>Your password was changed.</source>
         <translation>Su contraseña se ha cambiado.</translation>
     </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1603,6 +1615,10 @@
     <message>
         <source>The printer did not take the report.</source>
         <translation>La impresora no aceptó el informe.</translation>
+    </message>
+    <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation>La grabación de este intento no está, por lo que no se puede volver a mostrar. Su puntuación y sus cifras están en la lista.</translation>
     </message>
 </context>
 <context>
@@ -1795,6 +1811,10 @@
     <message>
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <translation>Faltará lo registrado después de esta copia; los intentos de este ordenador se vuelven a incorporar y el archivo actual se conserva a su lado.</translation>
+    </message>
+    <message>
+        <source>Keep what there is</source>
+        <translation>Dejarlo como está</translation>
     </message>
 </context>
 <context>
@@ -2035,6 +2055,19 @@
     <message>
         <source>Example of a class list</source>
         <translation>Ejemplo de una lista de clase</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rol</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Clases</translation>
+    </message>
+    <message>
+        <source>%1 (new)</source>
+        <extracomment>%1: a class that would be added</extracomment>
+        <translation>%1 (nueva)</translation>
     </message>
 </context>
 <context>
@@ -3118,6 +3151,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>After the first graded attempt you see here time against points.</source>
         <translation>Tras el primer intento calificado verá aquí el tiempo frente a los puntos.</translation>
     </message>
+    <message numerus="yes">
+        <source>Of the last %n attempt(s), each in those where it counts</source>
+        <translation>
+            <numerusform>Del último %n intento, si cuenta en él</numerusform>
+            <numerusform>De los últimos %n intentos, cada uno en los que cuenta</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -3266,6 +3306,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Exams that have no score: %1</source>
         <translation>Exámenes sin puntuación: %1</translation>
+    </message>
+    <message>
+        <source>See what cost points, and where</source>
+        <translation>Ver qué costó puntos y dónde</translation>
     </message>
 </context>
 <context>
@@ -4789,10 +4833,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Elegir, probar y cambiar cómo se nota el fresado</translation>
     </message>
     <message>
-        <source>Log in, or lock this place and let somebody else log in</source>
-        <translation>Iniciar sesión, o bloquear este puesto y dejar que otra persona inicie sesión</translation>
-    </message>
-    <message>
         <source>Log in</source>
         <translation>Iniciar sesión</translation>
     </message>
@@ -4843,6 +4883,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>People, class lists, backups and the audit</source>
         <translation>Personas, listas, copias de seguridad y el registro</translation>
+    </message>
+    <message>
+        <source>Log in; or lock this place, change your password, let somebody else log in</source>
+        <translation>Iniciar sesión; o bloquear este puesto, cambiar la contraseña, dejar que entre otra persona</translation>
     </message>
 </context>
 <context>
@@ -6729,12 +6773,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Buscando el momento de cada punto perdido</translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation>Sus intentos</translation>
-    </message>
-    <message>
         <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name %1 is a person, %2 a lesson</extracomment>
         <translation>Calificación: %1</translation>
     </message>
     <message>
@@ -6913,6 +6953,26 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Print …</source>
         <translation>Imprimir …</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Intentos</translation>
+    </message>
+    <message>
+        <source>Grade of %1: %2</source>
+        <translation>Calificación de %1: %2</translation>
+    </message>
+    <message>
+        <source>Expected by the student: %1 points.</source>
+        <translation>Esperado por el estudiante: %1 puntos.</translation>
+    </message>
+    <message>
+        <source>Passed, as the teacher decided</source>
+        <translation>Aprobado por decisión del docente</translation>
+    </message>
+    <message>
+        <source>Not passed, as the teacher decided</source>
+        <translation>No aprobado por decisión del docente</translation>
     </message>
 </context>
 <context>

@@ -255,6 +255,13 @@
         <source>MMM yyyy</source>
         <translation>yyyy年M月</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <extracomment>Bars of a chart that there is no room for</extracomment>
+        <translation>
+            <numerusform>ほか%n件</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Criterion</name>
@@ -1530,6 +1537,10 @@
         <source>Your password was changed.</source>
         <translation>パスワードを変更しました。</translation>
     </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1595,6 +1606,10 @@
     <message>
         <source>The printer did not take the report.</source>
         <translation>プリンターが報告書を受け付けませんでした。</translation>
+    </message>
+    <message>
+        <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation>この試行の記録がないため、再表示できません。得点と数値は一覧にあります。</translation>
     </message>
 </context>
 <context>
@@ -1786,6 +1801,10 @@
     <message>
         <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <translation>このバックアップより後に登録されたものは失われます。このコンピューターの試行は再び取り込まれ、現在のファイルは横に残ります。</translation>
+    </message>
+    <message>
+        <source>Keep what there is</source>
+        <translation>今のままにする</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +2043,19 @@
     <message>
         <source>Example of a class list</source>
         <translation>クラス名簿の例</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>役割</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>クラス</translation>
+    </message>
+    <message>
+        <source>%1 (new)</source>
+        <extracomment>%1: a class that would be added</extracomment>
+        <translation>%1（新規）</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3127,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>After the first graded attempt you see here time against points.</source>
         <translation>最初の採点が済むと、時間と点数の関係がここに表示されます。</translation>
     </message>
+    <message numerus="yes">
+        <source>Of the last %n attempt(s), each in those where it counts</source>
+        <translation>
+            <numerusform>直近%n回の試行のうち、それぞれが数えられるもの</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -3241,6 +3279,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Exams that have no score: %1</source>
         <translation>採点のない試験：%1</translation>
+    </message>
+    <message>
+        <source>See what cost points, and where</source>
+        <translation>何がどこで減点になったかを見る</translation>
     </message>
 </context>
 <context>
@@ -4739,10 +4781,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>ログイン</translation>
     </message>
     <message>
-        <source>Log in, or lock this place and let somebody else log in</source>
-        <translation>ログインします。またはこの席をロックして別の人に替わります</translation>
-    </message>
-    <message>
         <source>Full screen</source>
         <translation>全画面</translation>
     </message>
@@ -4814,6 +4852,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>People, class lists, backups and the audit</source>
         <translation>人、クラス名簿、バックアップ、監査記録</translation>
+    </message>
+    <message>
+        <source>Log in; or lock this place, change your password, let somebody else log in</source>
+        <translation>ログイン、またはこの席のロック、パスワードの変更、別の人のログイン</translation>
     </message>
 </context>
 <context>
@@ -6727,10 +6769,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>失点した時点を調べています</translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation>あなたの試行</translation>
-    </message>
-    <message>
         <source>Log in and keep it</source>
         <translation>ログインして保存</translation>
     </message>
@@ -6740,7 +6778,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Grade: %1</source>
-        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name</extracomment>
+        <extracomment>%1 is a lesson, &quot;Tooth 36&quot; or a file name %1 is a person, %2 a lesson</extracomment>
         <translation>成績：%1</translation>
     </message>
     <message>
@@ -6872,6 +6910,26 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Print …</source>
         <translation>印刷 …</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>Grade of %1: %2</source>
+        <translation>%1さんの評価：%2</translation>
+    </message>
+    <message>
+        <source>Expected by the student: %1 points.</source>
+        <translation>学生の予想：%1点</translation>
+    </message>
+    <message>
+        <source>Passed, as the teacher decided</source>
+        <translation>合格（教員の判断）</translation>
+    </message>
+    <message>
+        <source>Not passed, as the teacher decided</source>
+        <translation>不合格（教員の判断）</translation>
     </message>
 </context>
 <context>

@@ -208,6 +208,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
     for (const database::RosterPerson& person : outcome.people)
         people += QJsonObject{{"username", QString::fromStdString(person.username)},
                               {"name", QString::fromStdString(person.fullName)},
+                              {"role", QString::fromUtf8(database::roleName(person.role).data())},
                               {"new", person.isNew},
                               {"code", QString::fromStdString(person.code)}};
     if (parser.isSet(QStringLiteral("json"))) {
@@ -222,6 +223,8 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                   .arg(dryRun ? QStringLiteral("This would be entered") : QStringLiteral("Entered"))
                   .arg(fresh)
                   .arg(static_cast<qint64>(outcome.people.size()) - fresh));
+    for (const std::string& name : outcome.newClasses)
+        printText(QStringLiteral("new class: %1\n").arg(printable(QString::fromStdString(name))));
     if (!dryRun && !parser.isSet(QStringLiteral("codes")))
         for (const database::RosterPerson& person : outcome.people)
             if (person.isNew)

@@ -139,10 +139,15 @@ core::Result<Known> known(const School& school, const std::string& username)
     return found;
 }
 
-core::Result<RosterPerson> take(const School& school, const Session& session, const Line& line, const Known& before)
+core::Result<RosterPerson> take(const School& school, const Session& session, const Line& line, const Known& before,
+                                std::vector<std::string>& newClasses)
 {
-    RosterPerson result{
-        line.who.username, trimmed(line.who.givenName + ' ' + line.who.familyName), !before.isThere, {}};
+    RosterPerson result{line.who.username,
+                        trimmed(line.who.givenName + ' ' + line.who.familyName),
+                        before.isThere ? before.person.role : line.who.role,
+                        line.classes,
+                        !before.isThere,
+                        {}};
     PersonId id = before.person.id;
     if (!before.isThere) {
         const auto entered = enter(school, session.uid(), line.who, {});
@@ -166,6 +171,11 @@ core::Result<RosterPerson> take(const School& school, const Session& session, co
             return tl::unexpected(noted.error());
     }
     for (const std::string& name : line.classes) {
+        const auto isThere = ask(school.db, "SELECT 1 FROM classes WHERE name = ?", kDoing, {text(name)});
+        if (!isThere)
+            return tl::unexpected(isThere.error());
+        if (isThere->isNull())
+            newClasses.push_back(name);
         const auto ofClass = classNamed(school, session.uid(), name);
         if (!ofClass)
             return tl::unexpected(ofClass.error());
@@ -216,7 +226,7 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
                                               "\" here; a class list does not change what somebody is"});
                 continue;
             }
-            auto person = take(school, session, line, *before);
+            auto person = take(school, session, line, *before, outcome.newClasses);
             if (person)
                 outcome.people.push_back(std::move(*person));
             else if (person.error().code == ErrorCode::OutOfRange)
@@ -233,8 +243,10 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
     if (!done)
         for (RosterPerson& person : outcome.people)
             person.code.clear();
-    if (!outcome.faults.empty())
+    if (!outcome.faults.empty()) {
         outcome.people.clear();
+        outcome.newClasses.clear();
+    }
     std::sort(outcome.faults.begin(), outcome.faults.end(),
               [](const RosterFault& a, const RosterFault& b) { return a.line < b.line; });
     return outcome;

@@ -74,7 +74,7 @@ private:
                 const auto made = classNamed(m_school, m_admin.uid(),
                                              QStringLiteral("Class %1").arg(k / m_size.classSize + 1).toStdString());
                 const auto teacher =
-                    enter(m_school, m_admin.uid(), {teacherName, "Tess", "Teacher", Role::Instructor}, {});
+                    enter(m_school, m_admin.uid(), {teacherName, "Tess", teacherName, Role::Instructor}, {});
                 if (!made || !teacher)
                     return tl::unexpected(made ? teacher.error() : made.error());
                 ofClass = *made;

@@ -38,8 +38,6 @@ QList<AttemptRecord> attempts(int count)
         one.meanForceMn = 900 - 6 * std::min(k, 60);
         one.peakForceMn = 2600 - 20 * std::min(k, 60);
         one.criteria = {{"depth", 100, 300}, {"outline", 40, 400}, {"walls", 20 + k % 3, 300}};
-        one.scoreSheetJson = R"({"criteria":[{"id":"depth","title":{"en":"Pulpal floor"},"measure":"m"},)"
-                             R"({"id":"outline","title":{"en":"Outline"},"measure":"o"}]})";
         one.recordingHash = k == 0 ? "" : "abc";
         made << one;
     }
@@ -96,6 +94,7 @@ void TestHistoryPage::init()
     m_window = std::make_unique<QWidget>();
     m_actions = new ui::shell::Actions(m_window.get());
     m_page = new HistoryPage(*m_actions, m_window.get());
+    m_page->setCriterionNames({{"depth", "Pulpal floor"}, {"outline", "Outline"}});
     m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
     m_window->resize(1280, 800);
     m_page->resize(1280, 800);
@@ -249,7 +248,7 @@ void TestHistoryPage::criteriaHaveTheirNames()
     QCOMPARE(bars.size(), 3);
     QCOMPARE(bars[0].name, QString("Pulpal floor"));
     QCOMPARE(bars[0].words, QString("Pulpal floor: 33 % of its points lost"));
-    QCOMPARE(bars[2].name, QString("Walls"));  // of which no sheet speaks
+    QCOMPARE(bars[2].name, QString("Walls"));  // of which no lesson speaks
 }
 
 void TestHistoryPage::thousandsOfRows()

@@ -195,7 +195,8 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
         {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "2026-05-04T10:20:30Z", {{1}}}},
         {{{1}, "[···]", 1, 1}});
     school.people().showCode("[···]", "[···]");
-    school.roster().showOutcome({{}, {{"[···]", "[···]", true, "[···]"}}}, "[···]", true);
+    school.roster().showOutcome({{}, {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]"}}, {}},
+                                "[···]", true);
     school.backups().setDatabase("[···]", false);
     school.backups().setBackups({{"[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), 1024}});
     school.backups().finish("[···]", {"[···]"});

@@ -63,6 +63,7 @@ void AdminPage::show(Part part)
 {
     m_choice->button(part)->setChecked(true);
     m_stack->setCurrentIndex(part);
+    m_stack->currentWidget()->setFocus();
     emit partOpened(part);
 }
 

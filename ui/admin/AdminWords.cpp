@@ -5,6 +5,8 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 
 namespace ui::admin {
 namespace {
@@ -32,6 +34,9 @@ constexpr std::array kActions{
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
 };
+
+/// As much of "attempt:8614f873a47d..." as tells it from others.
+constexpr qsizetype kObjectLetters = 40;
 
 /// "person:1f..." is told by name.
 QString named(const QString& what, const NamesByUid& names)
@@ -77,7 +82,21 @@ QString actorWords(const database::AuditRow& row, const NamesByUid& names)
 
 QString objectWords(const database::AuditRow& row, const NamesByUid& names)
 {
-    return named(QString::fromStdString(row.object), names);
+    return named(QString::fromStdString(row.object), names).left(kObjectLetters);
+}
+
+QString detailWords(const database::AuditRow& row, const NamesByUid& names)
+{
+    const QJsonObject noted = QJsonDocument::fromJson(QByteArray::fromStdString(row.detail)).object();
+    QStringList words;
+    for (auto it = noted.begin(); it != noted.end(); ++it) {
+        if (it.key().endsWith(QStringLiteral("digest")) || it.value().isNull() || it.value() == QString())
+            continue;
+        const QString value = it.value().isBool() ? QString() : it.value().toVariant().toString();
+        const auto person = names.find(value.toStdString());
+        words << (it.key() + u' ' + (person == names.end() ? value : person->second)).trimmed();
+    }
+    return words.join(QStringLiteral(", "));
 }
 
 }  // namespace ui::admin

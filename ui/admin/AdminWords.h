@@ -20,6 +20,8 @@ namespace ui::admin {
 using NamesByUid = std::map<std::string, QString>;
 /// Who did it, and to what, by name where there is one.
 [[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);
+/// What else was noted, in a line; without what only the check reads.
+[[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
 
 }  // namespace ui::admin

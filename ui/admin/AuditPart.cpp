@@ -111,10 +111,10 @@ void AuditPart::fill()
         {tr("No."), tr("When"), tr("Who"), tr("What"), tr("Whom or what"), tr("Details")});
     for (const database::AuditRow& row : m_audit) {
         QList<QStandardItem*> items;
-        for (const QString& words :
-             {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names), actionWords(row.action),
-              objectWords(row, m_names), QString::fromStdString(row.detail == "{}" ? std::string() : row.detail)})
+        for (const QString& words : {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names),
+                                     actionWords(row.action), objectWords(row, m_names), detailWords(row, m_names)})
             items << new QStandardItem(words);
+        items.back()->setToolTip(QString::fromStdString(row.detail));
         m_rows->appendRow(items);
     }
     m_table->resizeColumnsToContents();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -12,6 +13,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStandardItemModel>
+#include <QStyleHints>
 #include <QVBoxLayout>
 
 #include "ui/people/ListTable.h"
@@ -32,8 +34,8 @@ constexpr int kBarSteps = 1000;
 BackupPart::BackupPart(QWidget* parent)
     : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_backUp(new QPushButton(this)), m_drill(new QPushButton(this)), m_check(new QPushButton(this)),
-      m_restore(new QPushButton(this)), m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
-      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+      m_restore(new QPushButton(this)), m_keep(new QPushButton(this)), m_stop(new QPushButton(this)),
+      m_bar(new QProgressBar(this)), m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
       m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
 {
     m_words->setTextFormat(Qt::PlainText);
@@ -75,7 +77,18 @@ BackupPart::BackupPart(QWidget* parent)
     column->addWidget(m_said);
     column->addWidget(m_findings, 100);
     column->addWidget(m_table, 200);
-    column->addWidget(m_restore, 0, Qt::AlignLeft);
+    auto* last = new QHBoxLayout;
+    m_keep->setObjectName(QStringLiteral("keepPresent"));
+    m_keep->setAutoDefault(false);
+    last->addWidget(m_restore);
+    last->addWidget(m_keep);
+    last->addStretch(1);
+    column->addLayout(last);
+    connect(m_keep, &QPushButton::clicked, this, [this] {
+        m_isSure = false;
+        m_said->clear();
+        tell();
+    });
     column->addStretch(1);  // of a server there is no table
     m_restore->setAutoDefault(false);
     m_stop->setAutoDefault(false);
@@ -101,7 +114,8 @@ void BackupPart::speak()
     m_check->setToolTip(brokenIntoLines(
         tr("Look at every page, every attempt and the whole audit for what was changed, removed or inserted")));
     m_stop->setText(tr("Stop"));
-    for (QPushButton* one : {m_backUp, m_drill, m_check, m_stop})
+    m_keep->setText(tr("Keep what there is"));
+    for (QPushButton* one : {m_backUp, m_drill, m_check, m_stop, m_keep})
         one->setAccessibleName(one->text());
     m_bar->setAccessibleName(tr("Progress"));
     m_findings->setAccessibleName(tr("What the check found"));
@@ -130,6 +144,7 @@ void BackupPart::tell()
     m_restore->setEnabled(!m_isBusy && !chosen().isEmpty());
     m_restore->setText(m_isSure ? tr("Yes: log everybody out and restore it") : tr("Restore the chosen backup …"));
     m_restore->setAccessibleName(m_restore->text());
+    m_keep->setVisible(m_isSure && !m_isServer);
 }
 
 void BackupPart::fill()
@@ -192,7 +207,11 @@ void BackupPart::finish(const QString& sentence, const QStringList& findings)
 /// Once more, since everybody is logged out; what lies there now is kept beside it.
 void BackupPart::restore()
 {
+    // The second click of a double click is no answer.
+    if (m_isSure && m_sinceAsked.elapsed() < 2 * QGuiApplication::styleHints()->mouseDoubleClickInterval())
+        return;
     if (!std::exchange(m_isSure, true)) {
+        m_sinceAsked.start();
         m_said->setText(
             tr("What was entered after this backup will be missing; attempts of this computer are brought in "
                "again, and the present file is kept beside it."));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <QList>
 #include <QString>
 #include <QStringList>
@@ -64,12 +65,14 @@ private:
     bool m_isServer = false;
     bool m_isBusy = false;
     bool m_isSure = false;  ///< asked once more whether to restore
+    QElapsedTimer m_sinceAsked;
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
     QPushButton* m_drill;
     QPushButton* m_check;
     QPushButton* m_restore;
+    QPushButton* m_keep;  ///< beside it, while it asks whether one is sure
     QPushButton* m_stop;
     QProgressBar* m_bar;
     QLabel* m_said;

@@ -39,6 +39,7 @@ enum DataRole { kId = Qt::UserRole + 1, kSortBy };
 
 constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
+constexpr int kTickPx = 28;
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
@@ -201,6 +202,9 @@ QWidget* PeoplePart::makeForm()
     const auto addClass = [this] {
         if (const QString name = m_className->text().trimmed(); !name.isEmpty())
             emit classWanted(name);
+        // Whoever adds a class while he enters somebody means him to be in it.
+        m_classAdded = m_className->text().trimmed().toStdString();
+        m_className->clear();
     };
     connect(m_addClass, &QPushButton::clicked, this, addClass);
     connect(m_className, &QLineEdit::returnPressed, this, addClass);
@@ -350,10 +354,13 @@ void PeoplePart::showForm()
         item->setData(kId, QVariant::fromValue<qint64>(one.id.value));
         const bool belongs = person != nullptr ? std::find(person->classes.begin(), person->classes.end(), one.id) !=
                                                      person->classes.end()
-                                               : ticked.contains(one.id.value);
+                                               : ticked.contains(one.id.value) || one.name == m_classAdded;
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setSizeHint({0, kTickPx});
         item->setCheckState(belongs ? Qt::Checked : Qt::Unchecked);
     }
+    if (std::any_of(m_classes.begin(), m_classes.end(), [this](const auto& one) { return one.name == m_classAdded; }))
+        m_classAdded.clear();
     m_save->setText(person == nullptr ? tr("Enter the person") : tr("Save the changes"));
     m_save->setAccessibleName(m_save->text());
     m_reset->setVisible(person != nullptr);

@@ -90,6 +90,7 @@ private:
     QLabel* m_code = nullptr;
     QPushButton* m_copy = nullptr;
     QString m_codeOf;
+    std::string m_classAdded;  ///< just now: it is ticked when it is there
 };
 
 }  // namespace ui::admin

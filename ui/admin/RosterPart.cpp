@@ -13,11 +13,12 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QStandardItemModel>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include "database/Codes.h"
+#include "ui/admin/AdminWords.h"
 #include "ui/people/ListTable.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
@@ -141,10 +142,28 @@ void RosterPart::fill()
             add({QString::number(fault.line), QString::fromStdString(fault.column),
                  QString::fromStdString(fault.what)});
     } else {
-        m_rows->setHorizontalHeaderLabels({tr("Login"), tr("Name"), tr("State"), tr("One-time code")});
-        for (const database::RosterPerson& person : m_outcome.people)
-            add({QString::fromStdString(person.username), QString::fromStdString(person.fullName),
-                 person.isNew ? tr("new") : tr("known"), QString::fromStdString(person.code)});
+        // What it would do, and when that is done the codes.
+        QStringList heads{tr("Login"), tr("Name"), tr("Role"), tr("Classes"), tr("State")};
+        if (m_isDone)
+            heads << tr("One-time code");
+        m_rows->setHorizontalHeaderLabels(heads);
+        const auto named = [this](const std::string& name) {
+            const bool isNew = !m_isDone && std::find(m_outcome.newClasses.begin(), m_outcome.newClasses.end(), name) !=
+                                                m_outcome.newClasses.end();
+            //: %1: a class that would be added
+            return isNew ? tr("%1 (new)").arg(QString::fromStdString(name)) : QString::fromStdString(name);
+        };
+        for (const database::RosterPerson& person : m_outcome.people) {
+            QStringList classes;
+            for (const std::string& name : person.classes)
+                classes << named(name);
+            QStringList words{QString::fromStdString(person.username), QString::fromStdString(person.fullName),
+                              roleWord(person.role), classes.join(QStringLiteral(", ")),
+                              person.isNew ? tr("new") : tr("known")};
+            if (m_isDone)
+                words << QString::fromStdString(person.code);
+            add(words);
+        }
     }
     m_table->resizeColumnsToContents();
 }
@@ -167,9 +186,8 @@ void RosterPart::refuse(const QString& sentence)
 
 void RosterPart::chooseFile()
 {
-    auto* dialog = new QFileDialog(this, tr("Choose a class list"),
-                                   QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
-                                   tr("Class lists (*.csv);;All files (*)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Choose a class list"), documentsFolder(), tr("Class lists (*.csv);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::fileChosen);
@@ -178,9 +196,7 @@ void RosterPart::chooseFile()
 
 void RosterPart::saveCodes()
 {
-    auto* dialog =
-        new QFileDialog(this, tr("Save the one-time codes"),
-                        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("Tables (*.csv)"));
+    auto* dialog = new QFileDialog(this, tr("Save the one-time codes"), documentsFolder(), tr("Tables (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QCoreApplication>
+
 namespace ui::charts {
 namespace {
 
@@ -52,6 +54,26 @@ Frame frame(const Histogram& histogram)
 }
 
 }  // namespace
+
+Chart fitted(const Chart& chart, int rows)
+{
+    const auto* const bars = std::get_if<Bars>(&chart.content);
+    if (bars == nullptr || bars->bars.size() <= rows)
+        return chart;
+    Bars few = *bars;
+    const qsizetype shown = std::max(1, rows - 1);
+    QStringList left;
+    for (qsizetype k = shown; k < bars->bars.size(); ++k)
+        left << bars->bars[k].words;
+    few.bars.resize(shown);
+    const auto count = static_cast<int>(left.size());
+    //: Bars of a chart that there is no room for
+    const QString rest = QCoreApplication::translate("Chart", "and %n more", nullptr, count);
+    few.bars << Bars::Bar{rest, 0.0, left.join(QStringLiteral("; "))};
+    Chart made = chart;
+    made.content = few;
+    return made;
+}
 
 QList<Dot> stopsOf(const Chart& chart)
 {

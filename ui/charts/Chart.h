@@ -130,6 +130,9 @@ struct Chart
     bool operator==(const Chart&) const = default;
 };
 
+/// As much of it as so many rows show: of more bars the first ones, and a row that says how many are left out.
+[[nodiscard]] Chart fitted(const Chart& chart, int rows);
+
 /// Everything at which one can stop, from left to right, of bars from top to bottom; in the chart's own coordinates.
 /// Bar k lies at height -k.
 [[nodiscard]] QList<Dot> stopsOf(const Chart& chart);

@@ -142,15 +142,28 @@ int ChartPanel::ticks() const
     return ticksFor(m_view->height());
 }
 
+/// A bar's name is drawn whole, or Qt leaves dots of it.
+int ChartPanel::rows() const
+{
+    constexpr int kRowPx = 21;
+    constexpr int kAxisPx = 56;
+    return std::max(3, (m_view->height() - kAxisPx) / kRowPx);
+}
+
 void ChartPanel::redraw()
 {
     m_save->setIcon(lineIcon(QStringLiteral("save"), palette()));
     QChart* const old = m_view->chart();
     m_ticks = ticks();
+    m_rows = rows();
+    m_shown = fitted(m_chart, m_rows);
+    m_stops = stopsOf(m_shown);
+    if (m_stop && *m_stop >= m_stops.size())
+        m_stop.reset();
     m_drawn = new QChart;
     m_drawn->setAnimationOptions(QChart::NoAnimation);
     if (!m_stops.isEmpty())
-        draw(m_chart, inkOf(palette()), *m_drawn, m_ticks);
+        draw(m_shown, inkOf(palette()), *m_drawn, m_ticks);
     m_view->setChart(m_drawn);
     delete old;
     m_ring = new QGraphicsEllipseItem(m_drawn);
@@ -163,7 +176,7 @@ void ChartPanel::redraw()
 
 QPointF ChartPanel::placeOf(const Dot& dot) const
 {
-    const Frame frame = frameOf(m_chart);
+    const Frame frame = frameOf(m_shown);
     const QRectF plot = m_drawn->plotArea();
     return {plot.left() + plot.width() * (dot.x - frame.xLow) / (frame.xHigh - frame.xLow),
             plot.bottom() - plot.height() * (dot.y - frame.yLow) / (frame.yHigh - frame.yLow)};
@@ -339,7 +352,7 @@ void ChartPanel::changeEvent(QEvent* event)
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    if (ticks() != m_ticks)
+    if (ticks() != m_ticks || rows() != m_rows)
         redraw();
     tell();
 }

@@ -54,6 +54,7 @@ protected:
 
 private:
     void redraw();
+    [[nodiscard]] int rows() const;
     /// How many ticks the upright axis has room for.
     [[nodiscard]] int ticks() const;
     void tell();
@@ -64,12 +65,14 @@ private:
     [[nodiscard]] std::optional<qsizetype> nearest(const QPointF& at) const;
 
     Chart m_chart;
+    Chart m_shown;  ///< what of it there is room for
     QList<Dot> m_stops;
     std::optional<qsizetype> m_stop;
     QLabel* m_title;
     QLabel* m_note;
     QToolButton* m_save;
     int m_ticks = 0;  ///< that were drawn
+    int m_rows = 0;
     QChart* m_drawn = nullptr;
     QChartView* m_view;
     QGraphicsEllipseItem* m_ring = nullptr;

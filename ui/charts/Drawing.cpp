@@ -41,6 +41,7 @@ constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
 constexpr std::array kStrokes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
 constexpr qint64 kDayMs = 86'400'000;
+constexpr double kAloneHalf = 0.3;  ///< of an attempt
 
 /// Whoever draws: the chart that is filled, its axes, and the colours.
 struct Board
@@ -161,7 +162,13 @@ void draw(const Curve& curve, Board& board)
     const Frame frame{curve.x.low, curve.x.high, curve.y.low, curve.y.high};
     if (!curve.band.slices.isEmpty()) {
         QList<QPointF> low, middle, high;
-        for (const Slice& slice : curve.band.slices) {
+        QList<Slice> slices = curve.band.slices;
+        if (slices.size() == 1) {  // a place alone has no width to be seen by
+            slices << slices.front();
+            slices.front().x -= kAloneHalf;
+            slices.back().x += kAloneHalf;
+        }
+        for (const Slice& slice : slices) {
             low << QPointF(slice.x, slice.low);
             middle << QPointF(slice.x, slice.middle);
             high << QPointF(slice.x, slice.high);

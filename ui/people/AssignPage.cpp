@@ -16,6 +16,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
@@ -332,6 +333,12 @@ QWidget* AssignPage::makeFeet()
         m_isUndoing = true;
         take(back);
     });
+    auto* undo = new QShortcut(QKeySequence::Undo, this);
+    undo->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(undo, &QShortcut::activated, this, [this] {
+        if (m_undo->isVisible())
+            m_undo->click();
+    });
     row->addWidget(m_said, 1);
     row->addWidget(m_undo);
     part->setMinimumHeight(m_undo->sizeHint().height());
@@ -524,6 +531,10 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
         return;
     }
     m_isAsking = true;
+    // Buttons that rest meanwhile hand the keyboard on to whatever comes next.
+    m_hadFocus = m_assign->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
+    if (m_hadFocus)
+        m_table->setFocus();
     tellChosen();
     emit changeWanted(changes);
 }
@@ -544,9 +555,8 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
     };
     m_said->setText(m_saying());
     // Who has just pressed a button that rests now goes on with the one beside the words.
-    const bool hadFocus = m_assign->hasFocus() || m_takeBack->hasFocus() || focusWidget() == nullptr;
     m_undo->setVisible(!m_last.isEmpty());
-    if (!m_last.isEmpty() && hadFocus)
+    if (!m_last.isEmpty() && std::exchange(m_hadFocus, false))
         m_undo->setFocus();
     announce(*m_said);
     tellChosen();

@@ -91,6 +91,7 @@ private:
     QList<AssignmentChange> m_last;  ///< can be undone
     bool m_isUndoing = false;
     bool m_isAsking = false;  ///< the answer is still to come
+    bool m_hadFocus = false;  ///< what was pressed to ask
 
     QLabel* m_offersTitle = nullptr;
     QLineEdit* m_search = nullptr;

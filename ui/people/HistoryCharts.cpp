@@ -180,7 +180,9 @@ Chart criteriaChart(const ChartedAttempts& attempts)
     std::stable_sort(bars.bars.begin(), bars.bars.end(),
                      [](const Bars::Bar& a, const Bars::Bar& b) { return a.value > b.value; });
     return {Words::tr("What costs points"),
-            Words::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over)),
+            attempts.isOneLesson ? Words::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over))
+                                 : Words::tr("Of the last %n attempt(s), each in those where it counts", nullptr,
+                                             static_cast<int>(over)),
             Words::tr("After the first graded attempt you see here which criterion costs most."), bars};
 }
 

@@ -92,10 +92,7 @@ QWidget* HistoryPage::makeList()
     QHeaderView* columns = m_table->horizontalHeader();
     columns->setSectionResizeMode(QHeaderView::Interactive);
     columns->setSectionResizeMode(HistoryModel::Lesson, QHeaderView::Stretch);
-    connect(m_table, &QTableView::activated, this, [this] {
-        if (chosen() != 0)
-            emit attemptOpenWanted(chosen());
-    });
+    connect(m_table, &QTableView::activated, this, [this] { m_open->click(); });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::tellChosen);
     column->addWidget(m_table, 1);
 
@@ -203,7 +200,6 @@ void HistoryPage::setHistory(const QList<database::AttemptRecord>& newestFirst)
     const std::int64_t kept = chosen();
     m_history = newestFirst;
     m_model->setAttempts(newestFirst);
-    m_charted.criteria = criterionNames(newestFirst);
     fillLessons();
     takeLesson();
     for (int row = 0; row < m_filter->rowCount() && kept != 0; ++row)
@@ -240,6 +236,12 @@ void HistoryPage::setLessonTitles(const LessonTitles& titles)
     m_charted.titles = titles;
     m_model->setTitles(titles);
     fillLessons();
+    drawCharts();
+}
+
+void HistoryPage::setCriterionNames(const std::map<std::string, QString>& names)
+{
+    m_charted.criteria = names;
     drawCharts();
 }
 
@@ -325,11 +327,13 @@ void HistoryPage::tellChosen()
 {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
     const auto* attempt = rows.isEmpty() ? nullptr : &m_model->at(m_filter->mapToSource(rows.front()).row());
-    m_open->setEnabled(attempt != nullptr);
-    m_replay->setEnabled(attempt != nullptr && !attempt->recordingHash.empty());
-    m_replay->setToolTip(attempt != nullptr && attempt->recordingHash.empty()
-                             ? tr("Of this attempt no recording was kept.")
-                             : tr("See again how it was done"));
+    const bool isRecorded = attempt != nullptr && !attempt->recordingHash.empty();
+    for (QPushButton* button : {m_open, m_replay})
+        button->setEnabled(isRecorded);
+    const QString missing = tr("Of this attempt no recording was kept.");
+    const bool isMissing = attempt != nullptr && !isRecorded;
+    m_open->setToolTip(isMissing ? missing : tr("See what cost points, and where"));
+    m_replay->setToolTip(isMissing ? missing : tr("See again how it was done"));
 }
 
 void HistoryPage::drawCharts()
@@ -370,7 +374,6 @@ void HistoryPage::retell()
     fitColumns();
     fillLessons();
     m_count->setText(tr("%n attempt(s)", nullptr, static_cast<int>(m_charted.newestFirst.size())));
-    m_charted.criteria = criterionNames(m_history);
     tellChosen();
     drawCharts();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ public:
     /// Exams of that person that were begun, and have no score.
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
     void setLessonTitles(const LessonTitles& titles);
+    /// What criteria are called, by their ids; of the lessons that are known.
+    void setCriterionNames(const std::map<std::string, QString>& names);
     /// Shows one lesson's attempts only; nothing: all.
     void setLesson(const std::optional<std::string>& lessonId);
     /// How the class did at the lesson that is shown. Empty until it is known, and of too few people.

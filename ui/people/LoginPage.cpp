@@ -50,8 +50,15 @@ LoginPage::LoginPage(QWidget* parent)
     m_column->addWidget(m_title);
     m_column->addWidget(m_words);
     m_column->addSpacing(kSpace2);
-    for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again})
+    for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again}) {
+        auto* caption = new QLabel(m_card);
+        caption->setFont(typeface(kSmall));
+        caption->setForegroundRole(QPalette::PlaceholderText);
+        caption->setBuddy(input);
+        m_captions[input] = caption;
+        m_column->addWidget(caption);
         m_column->addWidget(input);
+    }
     m_column->addWidget(m_fault);
     m_column->addSpacing(kSpace2);
     m_go->setProperty("kind", "filled");
@@ -183,6 +190,8 @@ void LoginPage::arrange()
     m_other->setVisible(m_door == Door::NewPassword || m_door == Door::Locked || m_door == Door::OwnPassword);
     m_change->setVisible(m_door == Door::Locked);
     m_guest->setVisible(m_door == Door::Login || isNew);
+    for (const auto& [input, caption] : m_captions)
+        caption->setVisible(input->isVisibleTo(m_card));
 }
 
 void LoginPage::setLockedBy(const QString& username)
@@ -231,8 +240,8 @@ void LoginPage::speak()
     m_change->setText(tr("Change my password"));
     m_change->setAccessibleName(m_change->text());
     m_guest->setText(m_door == Door::NewSchool ? tr("Practise now") : tr("Practise without login"));
-    const auto name = [](QLineEdit* input, const QString& words) {
-        input->setPlaceholderText(words);
+    const auto name = [this](QLineEdit* input, const QString& words) {
+        m_captions[input]->setText(words);
         input->setAccessibleName(words);
     };
     name(m_name, tr("Name to log in with"));
@@ -278,6 +287,8 @@ void LoginPage::offerBackup(const QDateTime& made)
 void LoginPage::setBusy(bool busy)
 {
     m_isBusy = busy;
+    if (busy)
+        setFocus();  // else it would go to the next button, and a second Return would press that
     for (QWidget* input :
          {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_given), static_cast<QWidget*>(m_family),
           static_cast<QWidget*>(m_old), static_cast<QWidget*>(m_change), static_cast<QWidget*>(m_password),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+
 #include <QDateTime>
 #include <QString>
 #include <QWidget>
@@ -75,6 +77,7 @@ private:
     QLineEdit* m_old;
     QLineEdit* m_password;
     QLineEdit* m_again;
+    std::map<QLineEdit*, QLabel*> m_captions;  ///< above each
     QLabel* m_fault;
     QPushButton* m_go;
     QPushButton* m_other;

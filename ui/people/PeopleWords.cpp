@@ -2,12 +2,8 @@
 #include "ui/people/PeopleWords.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QLocale>
 
-#include "lessons/LocalText.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {
@@ -18,8 +14,6 @@ struct Words
     Q_DECLARE_TR_FUNCTIONS(ui::people::Words)
 };
 
-/// Sheets further back than this have no criterion that the newer ones lack.
-constexpr qsizetype kSheetsRead = 30;
 constexpr qint64 kWeekDays = 7;
 constexpr qint64 kMonthsFromDays = 300;  ///< so long ago, the month is enough
 
@@ -79,27 +73,6 @@ QString clock(std::int64_t ms)
     const std::int64_t hours = ms / 3'600'000;
     const QString rest = text::duration(static_cast<double>(ms % 3'600'000) / 1000.0);
     return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest, 5, QLatin1Char('0')) : rest;
-}
-
-std::map<std::string, QString> criterionNames(const QList<database::AttemptRecord>& newestFirst)
-{
-    std::map<std::string, QString> names;
-    for (qsizetype k = 0; k < std::min(kSheetsRead, newestFirst.size()); ++k) {
-        const QJsonObject sheet =
-            QJsonDocument::fromJson(QByteArray::fromStdString(newestFirst[k].scoreSheetJson)).object();
-        for (const QJsonValue entry : sheet.value(QStringLiteral("criteria")).toArray()) {
-            const QJsonObject line = entry.toObject();
-            lessons::Criterion criterion;
-            criterion.measure = line.value(QStringLiteral("measure")).toString().toStdString();
-            const QJsonObject title = line.value(QStringLiteral("title")).toObject();
-            for (auto it = title.begin(); it != title.end(); ++it)
-                criterion.title[it.key().toStdString()] = it.value().toString().toStdString();
-            if (!criterion.title.empty())
-                names.emplace(line.value(QStringLiteral("id")).toString().toStdString(),
-                              text::criterionName(criterion));
-        }
-    }
-    return names;
 }
 
 QString criterionName(const std::map<std::string, QString>& names, const std::string& id)

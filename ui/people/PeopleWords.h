@@ -32,9 +32,6 @@ using LessonTitles = QHash<QString, QString>;
 /// "12:07"; hours where there are: "1:12:07".
 [[nodiscard]] QString clock(std::int64_t ms);
 
-/// Names of criteria, from the newest score sheet that has each; an id of which no sheet speaks is not there.
-/// @param newestFirst  attempts with their score sheets
-[[nodiscard]] std::map<std::string, QString> criterionNames(const QList<database::AttemptRecord>& newestFirst);
 /// The name, or the id made readable.
 [[nodiscard]] QString criterionName(const std::map<std::string, QString>& names, const std::string& id);
 

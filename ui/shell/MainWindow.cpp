@@ -25,7 +25,6 @@
 #include <QSaveFile>
 #include <QScreen>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QTimer>
 
 #include "core/drilling/Bur.h"
@@ -48,6 +47,7 @@
 #include "ui/settings/SettingsPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Memory.h"
@@ -452,6 +452,8 @@ void MainWindow::changeAccount()
 {
     if (isAtDoor())
         goBack();
+    else if (m_who.isGuest() && m_isGraded && ownWork() == m_workGraded && m_pages->currentWidget() == m_scorePage)
+        emit keepWanted();  // his grade is what he logs in for
     else if (m_who.isGuest())
         // Who logs in begins with a clean table.
         leaveWork([this] {
@@ -518,6 +520,9 @@ void MainWindow::backToScore()
 
 void MainWindow::leaveAll()
 {
+    // What one lesson showed to one person is not for the next.
+    if (m_actions->idealColours->isChecked())
+        m_viewMenu->colourAgainstIdeal(false);
     m_behindDoor = m_room;
     m_lessonsPage->setUnfinished({}, {});
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::General})
@@ -1933,7 +1938,7 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
     if (kind == FileKind::Reference && folder.isEmpty() && QDir().mkpath(lessons::teachersFolder()))
         folder = lessons::teachersFolder();
     if (!QFileInfo(folder).isDir())
-        folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        folder = documentsFolder();
     auto* dialog = new QFileDialog(this, title, folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (newName.isEmpty()) {

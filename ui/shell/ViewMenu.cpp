@@ -132,7 +132,6 @@ void ViewMenu::read()
     };
     m_actions.burLight->setChecked(isOn("light", true));  // as on every turbine of today
     m_actions.depthColours->setChecked(isOn("depth"));
-    m_actions.idealColours->setChecked(isOn("ideal"));
     m_actions.burColour->setChecked(isOn("margin"));
     m_actions.handPlace->setChecked(isOn("hand"));
     m_actions.neighbours->setChecked(isOn("neighbours"));
@@ -183,7 +182,6 @@ void ViewMenu::take()
     };
     keep("light", now.look.burLight);
     keep("depth", now.look.depthColours == render::DepthColours::BelowOriginal);
-    keep("ideal", now.look.depthColours == render::DepthColours::AgainstIdeal);
     keep("margin", now.showsMargin);
     keep("hand", now.showsHand);
     keep("neighbours", now.showsNeighbours);

@@ -404,7 +404,7 @@ QWidget* ScorePage::makeHistory()
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
     QLabel* title = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
-    text::inEveryLanguage(title, [title] { title->setText(tr("Your attempts")); });
+    text::inEveryLanguage(title, [title] { title->setText(tr("Attempts")); });
     column->addWidget(title);
     m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
@@ -491,6 +491,8 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
                          const std::optional<ScoredWork>& scored)
 {
     m_work = work;
+    m_person.clear();
+    m_given = history.isEmpty() ? std::nullopt : history.front().givenTenths;
     m_sheet = sheet;
     m_expectation = expected;
     m_isShown = true;
@@ -512,6 +514,22 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     speak();
 }
 
+void ScorePage::setPerson(const QString& fullName)
+{
+    m_person = fullName;
+    speak();
+}
+
+void ScorePage::setGiven(std::optional<int> tenths)
+{
+    if (m_given == tenths)
+        return;
+    m_given = tenths;
+    if (!m_history.isEmpty())
+        m_history.front().givenTenths = tenths;
+    speak();
+}
+
 void ScorePage::setWork(const QString& work)
 {
     m_work = work;
@@ -526,9 +544,12 @@ void ScorePage::speak()
         return;
     }
     //: %1 is a lesson, "Tooth 36" or a file name
-    setTitle(tr("Grade: %1").arg(m_work));
+    //: %1 is a person, %2 a lesson
+    setTitle(m_person.isEmpty() ? tr("Grade: %1").arg(m_work) : tr("Grade of %1: %2").arg(m_person, m_work));
     m_expected->setVisible(m_expectation.has_value());
-    if (m_expectation)
+    if (m_expectation && !m_person.isEmpty())
+        m_expected->setText(tr("Expected by the student: %1 points.").arg(text::points(m_expectation->tenths)));
+    else if (m_expectation)
         m_expected->setText((expectation(m_expectation->tenths, m_sheet.totalTenths) + u' ' +
                              expectedWorst(m_expectation->worst, m_sheet))
                                 .trimmed());
@@ -538,9 +559,12 @@ void ScorePage::speak()
         how += u' ' + tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
     m_rubric->setText(how);
     const Tones tone = tones(palette());
-    m_total->setText(text::points(m_sheet.totalTenths), tr("of 100"));
-    const bool passed = m_sheet.passed();
-    m_verdict->setText(passed                       ? tr("Passed")
+    const int total = m_given.value_or(m_sheet.totalTenths);
+    m_total->setText(text::points(total), tr("of 100"));
+    const bool passed = m_given ? *m_given >= m_sheet.passMarkTenths : m_sheet.passed();
+    m_verdict->setText(passed && m_given            ? tr("Passed, as the teacher decided")
+                       : passed                     ? tr("Passed")
+                       : m_given                    ? tr("Not passed, as the teacher decided")
                        : m_sheet.failedCritically() ? tr("Not passed: harm done")
                                                     : tr("Not passed yet"));
     m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
@@ -548,7 +572,7 @@ void ScorePage::speak()
                                         : m_sheet.failedCritically() ? tone.harm
                                                                      : tone.attention,
                                         26, devicePixelRatioF()));
-    m_bar->setScore(m_sheet.totalTenths, m_sheet.passMarkTenths);
+    m_bar->setScore(total, m_sheet.passMarkTenths);
     m_conduct->setVisible(m_scored && m_scored->measured.process);
     if (m_scored && m_scored->measured.process)
         m_conduct->setConduct(*m_scored->measured.process, m_scored->infractions, m_scored->aids);

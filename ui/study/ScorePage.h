@@ -55,6 +55,10 @@ public:
     /// @param history  newest first, this attempt included
     /// @param expected  what the student had expected, where that was asked
     /// @param scored   what was marked; nothing: no pictures
+    /// Whose work it is, after setScore(); empty: one's own.
+    void setPerson(const QString& fullName);
+    /// A teacher's score counts in place of the machine's, which stays beneath; nothing: the machine's.
+    void setGiven(std::optional<int> tenths);
     void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                   const std::optional<ScoredWork>& scored);
@@ -127,6 +131,8 @@ private:
     // What is shown, so that it can be said again in another language.
     bool m_isShown = false;
     QString m_work;
+    QString m_person;            ///< empty: one's own
+    std::optional<int> m_given;  ///< tenths, by a teacher
     std::optional<Expectation> m_expectation;
     std::optional<::lessons::GridNoise> m_noiseNow;
     std::optional<::lessons::ClassStanding> m_standing;
