@@ -224,11 +224,10 @@ void AdminDesk::connectPeople()
                 return;
             m_desk.ask(
                 this,
-                [who = m_who(), person, classes,
-                 present = before->classes](const School& school) -> core::Result<bool> {
-                    if (auto done = database::sql::changePerson(school, who, person); !done)
+                [who = m_who(), person, classes, asItWas = *before](const School& school) -> core::Result<bool> {
+                    if (auto done = database::sql::changePerson(school, who, person, asItWas); !done)
                         return tl::unexpected(done.error());
-                    if (auto put = belong(school, who, person.id, classes, present); !put)
+                    if (auto put = belong(school, who, person.id, classes, asItWas.classes); !put)
                         return tl::unexpected(put.error());
                     return true;
                 },
@@ -373,9 +372,10 @@ void AdminDesk::connectBackups()
     connect(&part, &BackupPart::checkWanted, this, [this, failed, &part] {
         beside(
             tr("Everything is looked at …"),
-            [](const School& school, Work& work) {
+            [isServer = m_place.address.isServer()](const School& school, Work& work) {
                 return database::sql::checkDatabase(
-                    school.db, {}, [&work](const char*, std::int64_t rows) { static_cast<void>(work.tell(rows, 0)); });
+                    school.db, {}, [&work](const char*, std::int64_t rows) { static_cast<void>(work.tell(rows, 0)); },
+                    isServer ? std::string() : school.key.publicHex());
             },
             [failed, &part](const core::Result<database::sql::CheckReport>& report) {
                 if (!report)

@@ -132,6 +132,14 @@ void SchoolDesk::open(QObject* owner, const Opened& done)
 void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& done)
 {
     post([this, guard = QPointer<QObject>(owner), backup, done] {
+        if (*m_besides > 0) {
+            Opening busy = tryToOpen();
+            busy.status = core::unexpected(ErrorCode::Busy, "database " + m_address.file.toStdString() +
+                                                                ": a backup or a check of it goes on; try again when "
+                                                                "it has ended");
+            answer(guard, done, busy);
+            return;
+        }
         m_school.reset();
         m_database.reset();
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());

@@ -8,6 +8,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QScopeGuard>
 #include <QThread>
 #include <QTimer>
 
@@ -83,9 +84,12 @@ public:
             ask(owner, std::move(work), std::move(done));
             return;
         }
+        ++*m_besides;
         inBackground(
             owner,
-            [address = m_address, folder = m_folder, options = m_options, work = std::move(work)]() mutable -> Answer {
+            [address = m_address, folder = m_folder, options = m_options, besides = m_besides,
+             work = std::move(work)]() mutable -> Answer {
+                const auto ended = qScopeGuard([besides] { --*besides; });
                 options.mayMigrate = false;
                 const auto open = database::sql::Database::open(address, options);
                 if (!open)
@@ -129,6 +133,8 @@ private:
     database::Address m_address;
     QString m_folder;
     database::sql::Database::Options m_options;
+    /// How much long work goes on beside.
+    std::shared_ptr<std::atomic<int>> m_besides = std::make_shared<std::atomic<int>>(0);
     std::atomic<bool> m_allowsOthers = true;  ///< as far as is known
     QThread m_thread;
     QObject m_there;  ///< lives on m_thread

@@ -55,6 +55,12 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
     }
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
+    // A copy or a careless hand may have opened it to others.
+    constexpr QFile::Permissions kOthers =
+        QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther | QFile::WriteOther | QFile::ExeOther;
+    if ((file.permissions() & kOthers) && !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))
+        return tl::unexpected(refused(ErrorCode::FileUnreadable, path,
+                                      "others may read it, and that cannot be changed; let only its owner read it"));
     const QByteArray bytes = file.read(kSeedBytes + 1);
     if (bytes.size() != kSeedBytes)
         return tl::unexpected(refused(ErrorCode::WrongKind, path,

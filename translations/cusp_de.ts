@@ -4885,8 +4885,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Personen, Klassenlisten, Sicherungen und das Protokoll</translation>
     </message>
     <message>
-        <source>Log in; or lock this place, change your password, let somebody else log in</source>
-        <translation>Anmelden; oder diesen Platz sperren, das Kennwort ändern, jemand anderen anmelden lassen</translation>
+        <source>Log in; lock this place or change your password</source>
+        <translation>Anmelden; diesen Platz sperren oder das Kennwort ändern</translation>
     </message>
 </context>
 <context>

@@ -4877,7 +4877,7 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log in; or lock this place, change your password, let somebody else log in</source>
+        <source>Log in; lock this place or change your password</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4885,8 +4885,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Personas, listas, copias de seguridad y el registro</translation>
     </message>
     <message>
-        <source>Log in; or lock this place, change your password, let somebody else log in</source>
-        <translation>Iniciar sesión; o bloquear este puesto, cambiar la contraseña, dejar que entre otra persona</translation>
+        <source>Log in; lock this place or change your password</source>
+        <translation>Iniciar sesión; bloquear este puesto o cambiar la contraseña</translation>
     </message>
 </context>
 <context>

@@ -4854,8 +4854,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>人、クラス名簿、バックアップ、監査記録</translation>
     </message>
     <message>
-        <source>Log in; or lock this place, change your password, let somebody else log in</source>
-        <translation>ログイン、またはこの席のロック、パスワードの変更、別の人のログイン</translation>
+        <source>Log in; lock this place or change your password</source>
+        <translation>ログイン、この席のロック、パスワードの変更</translation>
     </message>
 </context>
 <context>

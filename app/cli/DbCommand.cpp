@@ -112,7 +112,8 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
-    return answer(parser, QStringLiteral("%1 is ready, with schema %2.").arg(address.shown()).arg(*version),
+    return answer(parser,
+                  QStringLiteral("%1 is ready, with schema %2.").arg(address.shown(), QString::number(*version)),
                   {{"database", address.shown()}, {"schema", *version}, {"admin", admin}});
 }
 
@@ -124,7 +125,8 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     std::vector<std::string> witnesses;
     for (const QString& code : parser.values(QStringLiteral("witness")))
         witnesses.push_back(code.toStdString());
-    const auto report = database::sql::checkDatabase(open->school->db, witnesses);
+    const auto report = database::sql::checkDatabase(
+        open->school->db, witnesses, {}, address.isServer() ? std::string() : open->school->key.publicHex());
     if (!report)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
@@ -213,7 +215,7 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
-    return answer(parser, QStringLiteral("%1 has schema %2.").arg(address.shown()).arg(*version),
+    return answer(parser, QStringLiteral("%1 has schema %2.").arg(address.shown(), QString::number(*version)),
                   {{"database", address.shown()}, {"schema", *version}});
 }
 

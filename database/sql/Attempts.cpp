@@ -156,6 +156,9 @@ core::Result<AttemptId> insert(const School& school, PersonId person, const std:
             return tl::unexpected(hash.error());
         kept.recordingHash = *hash;
     }
+    // A recording on its way holds nobody up.
+    if (auto turn = takeTurn(school); !turn)
+        return tl::unexpected(turn.error());
     auto added = ask(school.db, kInsert, kAdd, valuesOf(kept, person));
     if (!added)
         return tl::unexpected(added.error());
@@ -475,7 +478,7 @@ core::Status overrideScore(const School& school, const Session& session, Attempt
     if (!words)
         return tl::unexpected(words.error());
     const std::string doing = "give another score";
-    return inTransaction(school.db, doing, [&]() -> core::Status {
+    return inTurn(school, doing, [&]() -> core::Status {
         const auto uid = uidOf(school, id);
         if (!uid)
             return tl::unexpected(uid.error());
@@ -508,7 +511,7 @@ core::Result<std::int64_t> addComment(const School& school, const Session& sessi
     if (!words)
         return tl::unexpected(words.error());
     const std::string doing = "add the comment";
-    return inTransaction(school.db, doing, [&]() -> core::Result<std::int64_t> {
+    return inTurn(school, doing, [&]() -> core::Result<std::int64_t> {
         const auto uid = uidOf(school, id);
         if (!uid)
             return tl::unexpected(uid.error());
@@ -526,7 +529,9 @@ core::Result<std::int64_t> addComment(const School& school, const Session& sessi
                  um(2), comment.momentMs ? QVariant(number(*comment.momentMs)) : QVariant()});
         if (!added)
             return tl::unexpected(added.error());
-        if (auto noted = note(school, session.uid(), "attempt.comment", "attempt:" + *uid); !noted)
+        if (auto noted = note(school, session.uid(), "attempt.comment", "attempt:" + *uid,
+                              {{"digest", QString::fromStdString(digestOf(*words))}});
+            !noted)
             return tl::unexpected(noted.error());
         return added->toLongLong();
     });

@@ -253,6 +253,13 @@ core::Status AuditBatch::seal()
                     text(m_school.key.publicHex())});
 }
 
+core::Status takeTurn(const School& school)
+{
+    if (!dialect::isPostgres(school.db))
+        return {};
+    return execute(school.db, "SELECT seq FROM audit_seal WHERE id = 1" + dialect::forUpdate(school.db), kNote);
+}
+
 core::Status note(const School& school, const std::string& actor, const std::string& action, const std::string& object,
                   const QJsonObject& detail)
 {

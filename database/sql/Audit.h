@@ -13,6 +13,7 @@
 #include "core/base/Result.h"
 #include "database/records.h"
 #include "database/sql/School.h"
+#include "database/sql/Statement.h"
 
 /// What was done here, by whom, in rows of which each holds the hash of the one before; the newest is signed by the
 /// station that wrote it. Who changes, removes, inserts or reorders rows breaks the chain where he did it; who cuts its
@@ -45,6 +46,23 @@ private:
 /// Adds a row, inside the transaction of what it tells of: they are kept together or not at all.
 [[nodiscard]] core::Status note(const School& school, const std::string& actor, const std::string& action,
                                 const std::string& object, const QJsonObject& detail = {});
+
+/// Inside a transaction, before it reads what it will change: waits until no other one that notes something goes on. On
+/// a server two of them would otherwise each decide by what was there before the other (two admins who disable each
+/// other), or wait for each other for ever. A file lets one write at a time anyway.
+[[nodiscard]] core::Status takeTurn(const School& school);
+
+/// A transaction that takes its turn first.
+/// @param work  returns a core::Result or core::Status
+template <class Work>
+auto inTurn(const School& school, const std::string& doing, Work work) -> decltype(work())
+{
+    return inTransaction(school.db, doing, [&]() -> decltype(work()) {
+        if (auto turn = takeTurn(school); !turn)
+            return tl::unexpected(turn.error());
+        return work();
+    });
+}
 
 /// Number and hash of the newest row; 0 and empty where nothing was noted.
 struct AuditHead

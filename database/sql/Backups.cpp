@@ -333,7 +333,7 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
 
 core::Status noteRestored(const School& school, const QString& backup)
 {
-    return inTransaction(school.db, "note the restoring", [&] {
+    return inTurn(school, "note the restoring", [&] {
         return note(school, "system", "backup.restored",
                     "backup:" + QFileInfo(backup).completeBaseName().toStdString());
     });

@@ -6,6 +6,7 @@
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Noted.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -28,8 +29,8 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
     if (auto read = forEach(db, "PRAGMA integrity_check", kDoing, {},
                             [&](const QSqlQuery& row) {
                                 if (row.value(0).toString() != u"ok")
-                                    say(report, "the file is damaged: " +
-                                                    row.value(0).toString().simplified().toStdString());
+                                    say(report,
+                                        "the file is damaged: " + row.value(0).toString().simplified().toStdString());
                             });
         !read)
         return read;
@@ -107,16 +108,17 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
          {Look{
               "SELECT a.uid FROM attempts a LEFT JOIN score_sheets s ON s.attempt_id = a.id WHERE s.attempt_id IS NULL",
               "has no score sheet"},
-          Look{
-              "SELECT s.person_id || ' in ' || s.lesson_id FROM standings s LEFT JOIN (SELECT person_id, lesson_id, "
-              "COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best FROM attempts GROUP BY person_id, lesson_id) "
-              "a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id WHERE a.n IS NULL OR a.n <> s.attempts OR "
-              "a.best <> s.best_tenths",
-              "has a standing that its attempts do not add up to"},
-          Look{"SELECT a.uid FROM attempts a JOIN (SELECT attempt_id, MAX(id) id FROM overrides GROUP BY attempt_id) n "
-               "ON n.attempt_id = a.id JOIN overrides o ON o.id = n.id WHERE COALESCE(o.given_tenths, -1) <> "
-               "COALESCE(a.given_tenths, -1)",
-               "has another score than its last override gave"}})
+          Look{"SELECT s.person_id || ' in ' || s.lesson_id FROM standings s LEFT JOIN (SELECT person_id, lesson_id, "
+               "COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best, MAX(CASE WHEN given_tenths IS NULL THEN "
+               "passed WHEN given_tenths >= pass_mark_tenths THEN 1 ELSE 0 END) passed FROM attempts GROUP BY "
+               "person_id, "
+               "lesson_id) "
+               "a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id WHERE a.n IS NULL OR a.n <> s.attempts OR "
+               "a.best <> s.best_tenths OR a.passed <> s.passed",
+               "has a standing that its attempts do not add up to"},
+          Look{"SELECT DISTINCT a.person_id || ' in ' || a.lesson_id FROM attempts a WHERE a.person_id IS NOT NULL AND "
+               "NOT EXISTS (SELECT 1 FROM standings s WHERE s.person_id = a.person_id AND s.lesson_id = a.lesson_id)",
+               "has attempts and no standing"}})
         if (auto read = forEach(db, QLatin1String(look.sql), kDoing, {},
                                 [&](const QSqlQuery& row) { say(report, textOf(row, 0) + ' ' + look.what); });
             !read)
@@ -124,10 +126,24 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
     return {};
 }
 
+/// Anybody can make a key and sign with it.
+core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, CheckReport& report)
+{
+    const auto signer = ask(db, "SELECT station_key FROM audit_seal WHERE id = 1 AND seq > 0", kDoing);
+    if (!signer)
+        return tl::unexpected(signer.error());
+    const std::string key = signer->toString().toStdString();
+    if (!stationKey.empty() && !key.empty() && key != stationKey)
+        say(report, "the head of the audit was signed with the key " + key.substr(0, 16) +
+                        ", which is not this computer's; if the file was not written by Cusp on another computer, "
+                        "somebody has rewritten it");
+    return {};
+}
+
 }  // namespace
 
 core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                        const Progress& progress)
+                                        const Progress& progress, const std::string& stationKey)
 {
     CheckReport report;
     if (auto done = checkPages(db, report); !done)
@@ -141,7 +157,9 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         return tl::unexpected(chain.error());
     for (const std::string& finding : *chain)
         say(report, "audit: " + finding);
-    for (const auto& done : {checkAttempts(db, report, progress), checkExamStarts(db, report), checkSums(db, report)})
+    for (const auto& done : {checkAttempts(db, report, progress), checkExamStarts(db, report), checkSums(db, report),
+                             compareWithAudit(db, [&report](const std::string& sentence) { say(report, sentence); }),
+                             checkSigner(db, stationKey, report)})
         if (!done)
             return tl::unexpected(done.error());
     const auto head = ask(db, "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", kDoing);

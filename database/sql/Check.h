@@ -22,11 +22,14 @@ struct CheckReport
 };
 
 /// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the
-/// audit says it was when it was kept, whether one was removed or inserted, score sheets and standings. Does not write.
+/// audit says it was when it was kept, whether one was removed or inserted, overrides, comments, what people are and
+/// classes were given, score sheets and standings. Does not write.
 /// @param witnesses  audit codes of printed reports
+/// @param stationKey  of the only computer that may have written it, 64 hex digits; empty: there are several
 /// @param progress  what is looked at, and how many rows of it so far
 [[nodiscard]] core::Result<CheckReport>
 checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-              const std::function<void(const char* what, std::int64_t rows)>& progress = {});
+              const std::function<void(const char* what, std::int64_t rows)>& progress = {},
+              const std::string& stationKey = {});
 
 }  // namespace database::sql

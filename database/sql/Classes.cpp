@@ -122,7 +122,7 @@ core::Result<ClassId> addClass(const School& school, const Session& session, con
 {
     if (auto who = admit(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
-    return inTransaction(school.db, kChange, [&]() -> core::Result<ClassId> {
+    return inTurn(school, kChange, [&]() -> core::Result<ClassId> {
         const auto checked = checkedName(name);
         if (!checked)
             return tl::unexpected(checked.error());
@@ -139,7 +139,7 @@ core::Status renameClass(const School& school, const Session& session, ClassId i
     const auto checked = checkedName(name);
     if (!checked)
         return tl::unexpected(checked.error());
-    return inTransaction(school.db, kChange, [&]() -> core::Status {
+    return inTurn(school, kChange, [&]() -> core::Status {
         if (auto is = expectFreeName(school, *checked, id); !is)
             return is;
         if (auto renamed = execute(school.db, "UPDATE classes SET name = ? WHERE id = ?", kChange,
@@ -154,7 +154,7 @@ core::Status enrol(const School& school, const Session& session, ClassId id, Per
 {
     if (auto who = admit(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
-    return inTransaction(school.db, kChange, [&]() -> core::Status {
+    return inTurn(school, kChange, [&]() -> core::Status {
         if (belongs)
             return putInto(school, session.uid(), id, person);
         const auto uid = ask(school.db,
@@ -197,7 +197,7 @@ core::Status assign(const School& school, const Session& session, const ClassAss
     if (auto who = admitToClass(school, session, Operation::Assign, assignment.classId); !who)
         return tl::unexpected(who.error());
     const std::string doing = "assign the lesson";
-    return inTransaction(school.db, doing, [&]() -> core::Status {
+    return inTurn(school, doing, [&]() -> core::Status {
         if (auto put = execute(school.db,
                                "INSERT INTO assignments (class_id, lesson_id, due_utc, attempt_limit, created_by, "
                                "created_utc) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (class_id, lesson_id) DO UPDATE SET "
@@ -219,7 +219,7 @@ core::Status unassign(const School& school, const Session& session, ClassId id, 
     if (auto who = admitToClass(school, session, Operation::Assign, id); !who)
         return tl::unexpected(who.error());
     const std::string doing = "take the lesson back";
-    return inTransaction(school.db, doing, [&]() -> core::Status {
+    return inTurn(school, doing, [&]() -> core::Status {
         if (auto gone = execute(school.db, "DELETE FROM assignments WHERE class_id = ? AND lesson_id = ?", doing,
                                 {number(id.value), text(lessonId)});
             !gone)

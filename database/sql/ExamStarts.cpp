@@ -23,7 +23,7 @@ core::Status beginExam(const School& school, const Session& session, const ExamS
 {
     if (auto who = admit(school, session, Operation::AddAttempt); !who)
         return tl::unexpected(who.error());
-    return inTransaction(school.db, kBegin, [&]() -> core::Status {
+    return inTurn(school, kBegin, [&]() -> core::Status {
         const auto added =
             ask(school.db,
                 "INSERT INTO exam_starts (uid, person_id, lesson_id, begun_utc) VALUES (?, ?, ?, ?) ON CONFLICT (uid) "

@@ -73,7 +73,7 @@ core::Result<std::chrono::milliseconds> waitFor(const School& school, const std:
 
 core::Status noteFailure(const School& school, const std::string& hash)
 {
-    return inTransaction(school.db, kLogIn, [&]() -> core::Status {
+    return inTurn(school, kLogIn, [&]() -> core::Status {
         if (auto counted = execute(school.db,
                                    "INSERT INTO failed_logins (name_hash, failures, last_ms) VALUES (?, 1, ?) "
                                    "ON CONFLICT (name_hash) DO UPDATE SET failures = failed_logins.failures + 1, "
@@ -202,11 +202,13 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
     const std::string doing = "enter the first admin";
     if (auto fit = checkPassword(password, who.username); !fit)
         return tl::unexpected(fit.error());
+    if (looksLikeCode(password))
+        return core::unexpected(ErrorCode::OutOfRange, "the password looks like a one-time code; choose another one");
     const auto hash = hashPassword(password, cost);
     const auto decoy = hashPassword(newUid(), cost);
     if (!hash || !decoy)
         return tl::unexpected(hash ? decoy.error() : hash.error());
-    auto entered = inTransaction(school.db, doing, [&]() -> core::Status {
+    auto entered = inTurn(school, doing, [&]() -> core::Status {
         const auto fresh = isNew(school);
         if (!fresh)
             return tl::unexpected(fresh.error());
@@ -243,7 +245,7 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     if (wantsRehash(account->passwordHash, *cost))
         rehashed = hashPassword(password, *cost).value_or(std::string());
     const auto doing = kLogIn;
-    auto entered = inTransaction(school.db, doing, [&]() -> core::Status {
+    auto entered = inTurn(school, doing, [&]() -> core::Status {
         const qlonglong id = person.id.value;
         if (!rehashed.empty())
             if (auto raised =
@@ -281,7 +283,7 @@ core::Result<Session> Logins::redeem(const School& school, const std::string& us
     auto account = tryAccount(school, username, code, true);
     if (!account)
         return tl::unexpected(account.error());
-    auto set = inTransaction(school.db, "set the password", [&]() -> core::Status {
+    auto set = inTurn(school, "set the password", [&]() -> core::Status {
         // Two stations at once: the code is good for one of them.
         const auto still = ask(school.db, "SELECT reset_hash FROM people WHERE id = ?" + dialect::forUpdate(school.db),
                                "set the password", {static_cast<qlonglong>(account->person->id.value)});
@@ -302,8 +304,7 @@ core::Status Logins::logout(const School& school, const Session& session)
 {
     if (session.isGuest())
         return {};
-    return inTransaction(school.db, "log out",
-                         [&] { return note(school, session.uid(), "logout", "person:" + session.uid()); });
+    return inTurn(school, "log out", [&] { return note(school, session.uid(), "logout", "person:" + session.uid()); });
 }
 
 core::Status Logins::changePassword(const School& school, const Session& session, const std::string& old,
@@ -318,7 +319,7 @@ core::Status Logins::changePassword(const School& school, const Session& session
     auto account = tryAccount(school, session.username(), old, false);
     if (!account)
         return tl::unexpected(account.error());
-    return inTransaction(school.db, "set the password", [&]() -> core::Status {
+    return inTurn(school, "set the password", [&]() -> core::Status {
         if (auto done = setPassword(school, *account->person, newPassword); !done)
             return done;
         return note(school, session.uid(), "password.change", "person:" + session.uid());

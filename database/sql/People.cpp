@@ -170,7 +170,7 @@ core::Result<Entered> addPerson(const School& school, const Session& session, co
 {
     if (auto may = admit(school, session, Operation::AddPerson); !may)
         return tl::unexpected(may.error());
-    return inTransaction(school.db, "enter the person", [&]() -> core::Result<Entered> {
+    return inTurn(school, "enter the person", [&]() -> core::Result<Entered> {
         auto person = enter(school, session.uid(), who, {});
         if (!person)
             return tl::unexpected(person.error());
@@ -181,17 +181,27 @@ core::Result<Entered> addPerson(const School& school, const Session& session, co
     });
 }
 
-core::Status changePerson(const School& school, const Session& session, const Person& person)
+core::Status changePerson(const School& school, const Session& session, const Person& wanted,
+                          const std::optional<Person>& asItWas)
 {
     if (auto may = admit(school, session, Operation::ChangePerson); !may)
         return tl::unexpected(may.error());
-    if (auto fit = checkNames({person.username, person.givenName, person.familyName, person.role}); !fit)
+    if (auto fit = checkNames({wanted.username, wanted.givenName, wanted.familyName, wanted.role}); !fit)
         return fit;
-    const qlonglong id = person.id.value;
-    return inTransaction(school.db, "change the person", [&]() -> core::Status {
+    const qlonglong id = wanted.id.value;
+    return inTurn(school, "change the person", [&]() -> core::Status {
         const auto before = personBy(school, QStringLiteral("id"), id);
         if (!before)
             return tl::unexpected(before.error());
+        Person person = wanted;
+        const auto keepOthers = [&](auto field) {
+            if (asItWas && wanted.*field == (*asItWas).*field)
+                person.*field = (*before).*field;
+        };
+        keepOthers(&Person::givenName);
+        keepOthers(&Person::familyName);
+        keepOthers(&Person::role);
+        keepOthers(&Person::disabled);
         if (before->role == Role::Admin && (person.disabled || person.role != Role::Admin))
             if (auto left = expectAnotherAdmin(school, person.id); !left)
                 return left;
@@ -217,7 +227,7 @@ core::Result<std::string> resetPassword(const School& school, const Session& ses
 {
     if (auto may = admit(school, session, Operation::ResetPassword); !may)
         return tl::unexpected(may.error());
-    return inTransaction(school.db, "set a one-time code", [&]() -> core::Result<std::string> {
+    return inTurn(school, "set a one-time code", [&]() -> core::Result<std::string> {
         const auto who = personBy(school, QStringLiteral("id"), static_cast<qlonglong>(person.value));
         if (!who)
             return tl::unexpected(who.error());

@@ -22,7 +22,9 @@ struct Entered
 
 /// Names, role and whether disabled; the uid and the username stay. The last admin who can log in cannot be disabled or
 /// made something else.
-[[nodiscard]] core::Status changePerson(const School& school, const Session& session, const Person& person);
+/// @param asItWas  when the change was thought of: what has not been changed since then stays as others have set it
+[[nodiscard]] core::Status changePerson(const School& school, const Session& session, const Person& person,
+                                        const std::optional<Person>& asItWas = {});
 
 /// Takes the password away and returns a one-time code in its place, good for Logins::kCodeLife. Failed logins are
 /// forgiven.

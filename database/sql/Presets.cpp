@@ -27,7 +27,7 @@ core::Status addPreset(const School& school, const Session& session, const KeptP
     if (auto who = admit(school, session, Operation::AddPreset); !who)
         return tl::unexpected(who.error());
     const std::string doing = "keep the preset";
-    return inTransaction(school.db, doing, [&]() -> core::Status {
+    return inTurn(school, doing, [&]() -> core::Status {
         const auto there = ask(school.db, "SELECT hash FROM presets WHERE name = ? AND version = ?", doing,
                                {text(preset.name), preset.version});
         if (!there)

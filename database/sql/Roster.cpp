@@ -158,8 +158,7 @@ core::Result<RosterPerson> take(const School& school, const Session& session, co
         if (!code)
             return tl::unexpected(code.error());
         result.code = std::move(*code);
-    } else if (!result.fullName.empty() &&
-               (before.person.givenName != line.who.givenName || before.person.familyName != line.who.familyName)) {
+    } else if (before.person.givenName != line.who.givenName || before.person.familyName != line.who.familyName) {
         if (auto renamed =
                 execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kDoing,
                         {text(line.who.givenName), text(line.who.familyName), static_cast<qlonglong>(id.value)});
@@ -215,7 +214,7 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
     for (auto row = rows->begin() + 1; row != rows->end(); ++row)
         if (auto line = reader.read(*row))
             lines.push_back(std::move(*line));
-    auto done = inTransaction(school.db, kDoing, [&]() -> core::Status {
+    auto done = inTurn(school, kDoing, [&]() -> core::Status {
         for (const Line& line : lines) {
             const auto before = known(school, line.who.username);
             if (!before)
@@ -226,7 +225,14 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
                                               "\" here; a class list does not change what somebody is"});
                 continue;
             }
-            auto person = take(school, session, line, *before, outcome.newClasses);
+            Line whole = line;
+            if (before->isThere) {  // what the list does not say stays
+                if (whole.who.givenName.empty())
+                    whole.who.givenName = before->person.givenName;
+                if (whole.who.familyName.empty())
+                    whole.who.familyName = before->person.familyName;
+            }
+            auto person = take(school, session, whole, *before, outcome.newClasses);
             if (person)
                 outcome.people.push_back(std::move(*person));
             else if (person.error().code == ErrorCode::OutOfRange)

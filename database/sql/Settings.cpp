@@ -52,7 +52,7 @@ core::Status changeSetting(const School& school, const Session& session, const s
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
         return fit;
-    return inTransaction(school.db, kKeep, [&]() -> core::Status {
+    return inTurn(school, kKeep, [&]() -> core::Status {
         if (auto kept = putSetting(school, "", name, value); !kept)
             return kept;
         return note(school, session.uid(), "setting.change", "setting:" + name,

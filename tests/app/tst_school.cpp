@@ -580,17 +580,20 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
     toTheTooth();
     drill(-2.0);
     grade("first grade");
-    leaveFor("ines");
-    actions().classes->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
-    openNewest();
     // When the points went is found out again.
     const auto moments = [this] {
         const auto buttons = child<ui::study::ScorePage>()->findChildren<QPushButton*>();
         return std::count_if(buttons.begin(), buttons.end(),
                              [](const QPushButton* button) { return button->text().contains("never removed"); });
     };
+    actions().attempts->trigger();
+    openNewest();
+    QTRY_COMPARE_WITH_TIMEOUT(moments(), 1, kPatienceMs);
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
     QTRY_COMPARE_WITH_TIMEOUT(moments(), 1, kPatienceMs);
     auto* heat = child<ui::study::HeatMap>();
     QTRY_VERIFY_WITH_TIMEOUT(heat->height() > 100, kPatienceMs);

@@ -3,6 +3,7 @@
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
 #include "tests/database/SchoolRig.h"
 
@@ -22,6 +23,9 @@ private slots:
     void theDatabaseItselfRefusesChanges();
     void namesTheRow_data();
     void namesTheRow();
+    void whatStandsElsewhereIsAsItWasNoted_data();
+    void whatStandsElsewhereIsAsItWasNoted();
+    void whoeverElseSignsIsNamed();
     void namesOfPeopleAreNotInIt();
 
 private:
@@ -140,6 +144,97 @@ void TestAudit::namesTheRow()
         sentences += QString::fromStdString(sentence);
     QVERIFY2(sentences.join('\n').contains(finding), qPrintable(sentences.join('\n')));
     QVERIFY2(sentences.size() == findings, qPrintable(sentences.join('\n')));
+}
+
+void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::addColumn<QString>("deed");
+    QTest::addColumn<QString>("finding");
+    for (const bool onServer : {false, true}) {
+        const auto row = [onServer](const char* name) -> QTestData& {
+            return QTest::addRow("%s %s", name, onServer ? "postgresql" : "sqlite") << onServer;
+        };
+        row("nothing") << QString() << QString();
+        row("a score nobody gave") << "UPDATE attempts SET given_tenths = 1000 WHERE given_tenths IS NULL"
+                                   << "another score than the audit says";
+        row("a score that was given") << "UPDATE attempts SET given_tenths = 999 WHERE given_tenths = 900"
+                                      << "another score than the audit says";
+        row("a score taken back") << "UPDATE attempts SET given_tenths = NULL WHERE given_tenths = 900"
+                                  << "another score than the audit says";
+        row("an override slipped in")
+            << "INSERT INTO overrides (attempt_id, author_id, given_utc, given_tenths, reason) SELECT attempt_id, "
+               "author_id, given_utc, 1000, reason FROM overrides"
+            << "an override of attempt";
+        row("a comment slipped in")
+            << "INSERT INTO comments (attempt_id, author_id, written_utc, words) SELECT attempt_id, author_id, "
+               "written_utc, 'well done' FROM comments"
+            << "a comment of attempt";
+        row("a comment changed") << "UPDATE comments SET words = 'well done'"
+                                 << "a comment of attempt";
+        row("a comment gone") << "DELETE FROM comments"
+                              << "a comment of attempt";
+        row("a role") << "UPDATE people SET role = 'admin' WHERE username = 's1001'"
+                      << "is admin, the audit says student";
+        row("let in again") << "UPDATE people SET disabled = 0 WHERE username = 's2001'"
+                            << "and it was not noted";
+        row("a limit") << "UPDATE assignments SET attempt_limit = 0"
+                       << "is not what the audit says";
+        row("an assignment gone") << "DELETE FROM assignments"
+                                  << "was removed";
+        row("standings gone") << "DELETE FROM standings"
+                              << "has attempts and no standing";
+        row("a standing passed") << "UPDATE standings SET passed = 1 WHERE passed = 0"
+                                 << "do not add up to";
+    }
+}
+
+void TestAudit::whatStandsElsewhereIsAsItWasNoted()
+{
+    QFETCH(QString, deed);
+    QFETCH(QString, finding);
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const AttemptId first = addAttempt(school, rig.student, SchoolRig::attempt("class1-36", 700), {}).value();
+    VERIFY_DONE(addAttempt(school, rig.classmate, SchoolRig::attempt("class1-36", 600), {}));
+    VERIFY_DONE(overrideScore(school, rig.instructor, first, 800, "neat"));
+    VERIFY_DONE(overrideScore(school, rig.instructor, first, 900, "very neat"));
+    VERIFY_DONE(addComment(school, rig.instructor, first, {"too deep", {}, {}}));
+    VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
+    VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
+    VERIFY_DONE(unassign(school, rig.instructor, rig.first, "class1-37"));
+    Person far = findPerson(school, rig.admin, "s2001").value();
+    far.disabled = true;
+    VERIFY_DONE(changePerson(school, rig.admin, far));
+    if (!deed.isEmpty()) {
+        QSqlQuery query(school.db);
+        QVERIFY2(query.exec(deed) && query.numRowsAffected() > 0, qPrintable(query.lastError().text()));
+    }
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QStringList said;
+    for (const std::string& one : report->findings)
+        said += QString::fromStdString(one);
+    if (deed.isEmpty())
+        QVERIFY2(said.isEmpty(), qPrintable(said.join(u'\n')));
+    else
+        QVERIFY2(said.join(u'\n').contains(finding), qPrintable(said.join(u'\n')));
+}
+
+/// The chain and its signature are whole, and still it is not this computer's.
+void TestAudit::whoeverElseSignsIsNamed()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const std::string own = rig.school().key.publicHex();
+    QVERIFY(checkDatabase(rig.school().db, {}, {}, own)->findings.empty());
+    const School stranger{rig.school().db, StationKey::make()};
+    VERIFY_DONE(addAttempt(stranger, rig.student, SchoolRig::attempt("class1-36", 1000), {}));
+    QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
+    const auto report = checkDatabase(rig.school().db, {}, {}, own);
+    QCOMPARE(report->findings.size(), std::size_t{1});
+    QVERIFY(report->findings.front().find("not this computer's") != std::string::npos);
 }
 
 void TestAudit::namesOfPeopleAreNotInIt()

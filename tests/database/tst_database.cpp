@@ -4,6 +4,7 @@
 #include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
+#include <sys/stat.h>
 
 #include "database/sql/Database.h"
 #include "database/sql/Dialect.h"
@@ -22,6 +23,7 @@ private slots:
 
     void createsTheNewestSchemaWithItsSettings();
     void aNetworkDriveIsForOneAtATime();
+    void aSecondConnectionTakesNoLockAway();
     void opensItsOwnFileAgain();
     void refusesAFolder();
     void refusesAPlaceThatIsNotThere();
@@ -107,6 +109,28 @@ void TestDatabase::aNetworkDriveIsForOneAtATime()
     QVERIFY(next.has_value());
     QVERIFY((*next)->allowsOthers());
     QCOMPARE(ask(**next, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
+}
+
+/// To close any descriptor of a file drops the locks of the whole program on it: another program that ended then took
+/// the write-ahead log away beneath this one.
+void TestDatabase::aSecondConnectionTakesNoLockAway()
+{
+    const auto first = Database::open(at("held.db"));
+    QVERIFY(first.has_value());
+    QCOMPARE(ask(**first, "SELECT count(*) FROM attempts").toInt(), 0);
+    struct stat info
+    {};
+    QCOMPARE(stat(QFile::encodeName(at("held.db")).constData(), &info), 0);
+    const QByteArray inode = ':' + QByteArray::number(static_cast<qulonglong>(info.st_ino)) + ' ';
+    const auto locks = [&] { return bytes("/proc/locks").count(inode); };
+    const auto held = locks();
+    if (held == 0)
+        QSKIP("this system does not tell of its locks");
+    QVERIFY(Database::open(at("held.db")).has_value());
+    QCOMPARE(locks(), held);
+    // Nor does whoever asks whether the file is a database of ours.
+    QVERIFY(!Database::open(m_folder->path()).has_value());
+    QCOMPARE(locks(), held);
 }
 
 void TestDatabase::opensItsOwnFileAgain()

@@ -215,6 +215,15 @@ void TestLogins::whoIsDisabledIsStoppedAtOnce()
     Person sam = findPerson(rig.school(), rig.admin, "s1001").value();
     sam.disabled = true;
     VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
+    // Two admins at one person: what only the other has changed stays as he set it.
+    Person asItWas = sam;
+    asItWas.disabled = false;
+    Person renamed = asItWas;
+    renamed.givenName = "Samuel";
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, renamed, asItWas));
+    QVERIFY(findPerson(rig.school(), rig.admin, sam.username)->disabled);
+    QCOMPARE(findPerson(rig.school(), rig.admin, sam.username)->givenName, std::string("Samuel"));
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
     VERIFY_REFUSED(standingsOf(rig.school(), rig.student, rig.student.person()), ErrorCode::NotAllowed);
     // And who is no instructor any more loses what they may.
     Person ines = findPerson(rig.school(), rig.admin, "teach").value();

@@ -338,9 +338,12 @@ void PeoplePart::choose(qint64 person)
 void PeoplePart::showForm()
 {
     const Person* const person = chosen();
+    // What is being typed outlives news of what others have entered.
+    const bool isTyped =
+        std::exchange(m_inForm, m_chosen) == m_chosen && (m_given->isModified() || m_family->isModified());
     m_title->setText(person == nullptr ? tr("New person") : QString::fromStdString(person->fullName()));
     m_username->setReadOnly(person != nullptr);
-    if (person != nullptr) {
+    if (person != nullptr && !isTyped) {
         m_username->setText(QString::fromStdString(person->username));
         m_given->setText(QString::fromStdString(person->givenName));
         m_family->setText(QString::fromStdString(person->familyName));
@@ -352,9 +355,9 @@ void PeoplePart::showForm()
     for (const database::SchoolClass& one : m_classes) {
         auto* item = new QListWidgetItem(QString::fromStdString(one.name), m_classList);
         item->setData(kId, QVariant::fromValue<qint64>(one.id.value));
-        const bool belongs = person != nullptr ? std::find(person->classes.begin(), person->classes.end(), one.id) !=
-                                                     person->classes.end()
-                                               : ticked.contains(one.id.value) || one.name == m_classAdded;
+        const bool belongs = person != nullptr && !isTyped ? std::find(person->classes.begin(), person->classes.end(),
+                                                                       one.id) != person->classes.end()
+                                                           : ticked.contains(one.id.value) || one.name == m_classAdded;
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setSizeHint({0, kTickPx});
         item->setCheckState(belongs ? Qt::Checked : Qt::Unchecked);

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sql/Noted.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "database/Passwords.h"
+#include "database/sql/Dialect.h"
+#include "database/sql/Statement.h"
+
+namespace database::sql {
+namespace {
+
+using Say = std::function<void(const std::string&)>;
+
+const std::string kDoing = "check it";
+constexpr int kMachines = -1;  ///< no score of a teacher
+
+/// What a teacher said of an attempt.
+struct Opinion
+{
+    std::string author;  ///< uid
+    std::optional<int> tenths;
+    std::string digest;  ///< of the words; empty: not noted
+};
+/// By the uid of the attempt, in the order of saying.
+using Opinions = std::map<std::string, std::vector<Opinion>>;
+
+struct Standing
+{
+    std::string role;
+    bool disabled = false;
+};
+
+struct Given
+{
+    std::string due;
+    int limit = 0;
+};
+
+/// All that the audit says of other tables.
+struct Noted
+{
+    Opinions overrides;
+    Opinions comments;
+    std::map<std::string, Standing> people;                                           ///< by uid
+    std::map<std::pair<std::string, std::string>, std::optional<Given>> assignments;  ///< by class and lesson
+};
+
+std::string textIn(const QJsonObject& detail, const char* key)
+{
+    return detail.value(QLatin1String(key)).toString().toStdString();
+}
+
+std::string afterColon(const std::string& object)
+{
+    return object.substr(object.find(':') + 1);
+}
+
+void take(Noted& noted, const std::string& actor, const std::string& action, const std::string& object,
+          const QJsonObject& detail)
+{
+    const std::string id = afterColon(object);
+    if (action == "attempt.override") {
+        const QJsonValue given = detail.value(QStringLiteral("given_tenths"));
+        noted.overrides[id].push_back(
+            {actor, given.isDouble() ? std::optional(given.toInt()) : std::nullopt, textIn(detail, "reason_digest")});
+    } else if (action == "attempt.comment") {
+        noted.comments[id].push_back({actor, {}, textIn(detail, "digest")});
+    } else if (action == "lesson.assign") {
+        noted.assignments[{id, textIn(detail, "lesson")}] =
+            Given{textIn(detail, "due"), detail.value(QStringLiteral("limit")).toInt()};
+    } else if (action == "lesson.unassign") {
+        noted.assignments[{id, textIn(detail, "lesson")}].reset();
+    } else {
+        Standing& person = noted.people[id];
+        if (detail.contains(QStringLiteral("role")))
+            person.role = textIn(detail, "role");
+        if (detail.contains(QStringLiteral("disabled")))
+            person.disabled = detail.value(QStringLiteral("disabled")).toBool();
+    }
+}
+
+core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opinions& expected, const std::string& what,
+                             const Say& say)
+{
+    std::map<std::string, std::size_t> seen;
+    if (auto read =
+            forEach(db, QLatin1String(sql), kDoing, {},
+                    [&](const QSqlQuery& row) {
+                        const std::string attempt = textOf(row, 0);
+                        const std::size_t n = seen[attempt]++;
+                        const auto found = expected.find(attempt);
+                        const Opinion* const noted =
+                            found != expected.end() && n < found->second.size() ? &found->second[n] : nullptr;
+                        const int tenths = row.isNull(2) ? kMachines : row.value(2).toInt();
+                        if (noted == nullptr)
+                            say(what + " of attempt " + attempt + " was inserted: the audit knows nothing of it");
+                        else if (noted->author != textOf(row, 1) || noted->tenths.value_or(kMachines) != tenths ||
+                                 (!noted->digest.empty() && noted->digest != digestOf(textOf(row, 3))))
+                            say(what + " of attempt " + attempt + " was changed after it had been noted");
+                    });
+        !read)
+        return read;
+    for (const auto& [attempt, opinions] : expected)
+        if (opinions.size() > seen[attempt])
+            say(what + " of attempt " + attempt + " was removed");
+    return {};
+}
+
+/// What counts instead of the machine's score is what was given last.
+core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, const Say& say)
+{
+    std::map<std::string, int> given;
+    if (auto read = forEach(db, "SELECT uid, given_tenths FROM attempts WHERE given_tenths IS NOT NULL", kDoing, {},
+                            [&](const QSqlQuery& row) { given[textOf(row, 0)] = row.value(1).toInt(); });
+        !read)
+        return read;
+    const auto differs = [&](const std::string& attempt) {
+        say("attempt " + attempt + " has another score than the audit says was given to it");
+    };
+    for (const auto& [attempt, tenths] : given)
+        if (const auto found = overrides.find(attempt);
+            found == overrides.end() || found->second.back().tenths.value_or(kMachines) != tenths)
+            differs(attempt);
+    for (const auto& [attempt, opinions] : overrides)
+        if (opinions.back().tenths && given.count(attempt) == 0)
+            differs(attempt);
+    return {};
+}
+
+core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
+{
+    if (auto read = forEach(db, "SELECT uid, role, disabled FROM people", kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                const auto found = expected.find(textOf(row, 0));
+                                if (found == expected.end()) {
+                                    say("person " + textOf(row, 0) + " was inserted: the audit knows nothing of him");
+                                    return;
+                                }
+                                if (found->second.role != textOf(row, 1))
+                                    say("person " + textOf(row, 0) + " is " + textOf(row, 1) + ", the audit says " +
+                                        found->second.role);
+                                if (found->second.disabled != (row.value(2).toInt() != 0))
+                                    say("person " + textOf(row, 0) + " was disabled or enabled, and it was not noted");
+                                expected.erase(found);
+                            });
+        !read)
+        return read;
+    for (const auto& [uid, person] : expected)
+        say("person " + uid + " was removed");
+    return {};
+}
+
+core::Status compareAssignments(const QSqlDatabase& db,
+                                std::map<std::pair<std::string, std::string>, std::optional<Given>> expected,
+                                const Say& say)
+{
+    if (auto read = forEach(db, "SELECT class_id, lesson_id, due_utc, attempt_limit FROM assignments", kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                const auto found = expected.find({textOf(row, 0), textOf(row, 1)});
+                                const bool isNoted = found != expected.end() && found->second;
+                                if (!isNoted || found->second->due != textOf(row, 2) ||
+                                    found->second->limit != row.value(3).toInt())
+                                    say("what class " + textOf(row, 0) + " was given of " + textOf(row, 1) +
+                                        " is not what the audit says");
+                                if (found != expected.end())
+                                    expected.erase(found);
+                            });
+        !read)
+        return read;
+    for (const auto& [key, given] : expected)
+        if (given)
+            say("that class " + key.first + " was given " + key.second + " was removed");
+    return {};
+}
+
+core::Status checkGuards(const QSqlDatabase& db, const Say& say)
+{
+    const bool onServer = dialect::isPostgres(db);
+    std::set<std::string> there;
+    if (auto read = forEach(db,
+                            onServer ? "SELECT tgname FROM pg_trigger WHERE NOT tgisinternal AND tgenabled <> 'D'"
+                                     : "SELECT name FROM sqlite_master WHERE type = 'trigger'",
+                            kDoing, {}, [&](const QSqlQuery& row) { there.insert(textOf(row, 0)); });
+        !read)
+        return read;
+    for (const std::string table : {"audit", "overrides", "presets", "exam_starts"}) {
+        const bool isGuarded = onServer
+                                   ? there.count(table + "_no_change") > 0
+                                   : there.count(table + "_no_update") > 0 && there.count(table + "_no_delete") > 0;
+        if (!isGuarded)
+            say("the table " + table + " is no longer guarded against changes");
+    }
+    return {};
+}
+
+}  // namespace
+
+core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
+{
+    Noted noted;
+    if (auto read = forEach(db,
+                            "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
+                            "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change') "
+                            "ORDER BY seq",
+                            kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                take(noted, textOf(row, 0), textOf(row, 1), textOf(row, 2),
+                                     QJsonDocument::fromJson(row.value(3).toByteArray()).object());
+                            });
+        !read)
+        return read;
+    for (const auto& done :
+         {compareOpinions(db,
+                          "SELECT a.uid, p.uid, o.given_tenths, o.reason FROM overrides o JOIN attempts a ON a.id = "
+                          "o.attempt_id JOIN people p ON p.id = o.author_id ORDER BY o.id",
+                          noted.overrides, "an override", say),
+          compareOpinions(db,
+                          "SELECT a.uid, p.uid, NULL, c.words FROM comments c JOIN attempts a ON a.id = c.attempt_id "
+                          "JOIN people p ON p.id = c.author_id ORDER BY c.id",
+                          noted.comments, "a comment", say),
+          compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
+          compareAssignments(db, noted.assignments, say), checkGuards(db, say)})
+        if (!done)
+            return done;
+    return {};
+}
+
+}  // namespace database::sql

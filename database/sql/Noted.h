@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <QSqlDatabase>
+
+#include "core/base/Result.h"
+
+namespace database::sql {
+
+/// Compares with the audit what it notes of other tables: overrides, comments, what people are, what classes were
+/// given; and looks whether what may only grow is still guarded.
+/// @param say  a sentence for each thing that is not as it was noted
+[[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db, const std::function<void(const std::string&)>& say);
+
+}  // namespace database::sql
