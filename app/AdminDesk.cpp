@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QPointer>
 
 #include "app/Background.h"
 #include "app/Backups.h"
@@ -73,7 +75,7 @@ QString why(const core::Error& error)
 /// What goes on beside the window.
 struct AdminDesk::Work
 {
-    AdminDesk* desk = nullptr;
+    QPointer<AdminDesk> desk;  ///< may go before the work ends
     QString what;
     std::shared_ptr<std::atomic<bool>> isStopped;
     QElapsedTimer since;
@@ -84,9 +86,10 @@ struct AdminDesk::Work
         if (!since.isValid() || since.elapsed() > kProgressMs) {
             since.start();
             QMetaObject::invokeMethod(
-                desk,
+                qApp,
                 [desk = desk, what = what, done, all] {
-                    desk->m_window.adminPage().backups().showProgress(what, done, all);
+                    if (desk)
+                        desk->m_window.adminPage().backups().showProgress(what, done, all);
                 },
                 Qt::QueuedConnection);
         }

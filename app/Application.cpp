@@ -326,6 +326,7 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     m_isOnNetworkDrive = !opening.notice.empty();
     backUpToday();
     const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
+    tellMayEdit();
     if (m_window->isAtDoor() && wasNew != opening.isNew)
         m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);
 }
@@ -452,6 +453,7 @@ void Application::enter(const database::Session& who)
     if (!keeps && m_assignment.anatomy)
         clearTable();
     m_window->setWho(who);
+    tellMayEdit();
     tellIdleLimit();
     keepJournal();
     if (keeps)
@@ -478,13 +480,23 @@ void Application::leave()
             },
             [](const core::Result<bool>&) {});
     stopJournal(false);
+    ++m_loading;  // what was being made for him opens for nobody else
+    m_window->stopBusy();
     m_who = {};
     m_byHand.reset();
     m_presets.refresh();
     m_window->leaveAll();
     m_window->setWho(m_who);
+    tellMayEdit();
     clearTable();
     m_window->askWho(ui::people::Door::Login);
+}
+
+/// Where there is a school its lessons, and its exams, are changed by who teaches.
+void Application::tellMayEdit()
+{
+    const bool teaches = m_who.role() == database::Role::Instructor || m_who.role() == database::Role::Admin;
+    m_window->setMayEdit(!m_desk || m_isNewSchool || teaches);
 }
 
 void Application::becomeGuest()
@@ -619,10 +631,12 @@ void Application::showLessons()
         std::map<std::string, ui::study::Standing> standings;
         std::map<std::string, ui::study::Given> given;
     };
-    const auto show = [this](const Found& found) {
+    const auto show = [this, who = m_who](const Found& found) {
         inBackground(
             this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
-            [this, found](std::vector<lessons::CatalogEntry>& entries) {
+            [this, found, who](std::vector<lessons::CatalogEntry>& entries) {
+                if (m_who != who)
+                    return;
                 m_window->setLessons(std::move(entries), found.standings, found.given);
                 tellUnfinished();  // who put the offer away finds it here again
             });
@@ -664,7 +678,9 @@ void Application::showLessons()
             }
             return found;
         },
-        [this, show](const core::Result<Found>& found) {
+        [this, show, who = m_who](const core::Result<Found>& found) {
+            if (m_who != who)
+                return;
             if (!found)
                 m_window->showError(found.error(), Failed::ReadingSchool);
             show(found.value_or(Found{}));
@@ -1050,7 +1066,10 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
 /// The grade that is shown goes into the outbox, and from there into the database.
 void Application::keepGrade()
 {
-    m_graded->keeping = !m_desk ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
+    // A guest could do an exam as often as he likes, and log in for the best; and the simulated hand is nobody's.
+    const bool isNobodys =
+        m_options.simulatedDevice || (m_who.isGuest() && m_assignment.lesson && m_assignment.lesson->exam);
+    m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
         return;
@@ -1374,7 +1393,9 @@ void Application::offerUnfinished()
             }
             return search;
         },
-        [this](Search& search) {
+        [this, who = m_who](Search& search) {
+            if (m_who != who)  // the search was for somebody who has left
+                return;
             if (search.failure)
                 m_window->showError(*search.failure, Failed::ResumingAttempt);
             m_unfinished = std::move(search.found);

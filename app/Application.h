@@ -79,6 +79,7 @@ private:
     void enter(const database::Session& who);
     void leave();
     void becomeGuest();
+    void tellMayEdit();
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
     void whereAllowed(const std::string& lessonId, const std::function<void()>& go);

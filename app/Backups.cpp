@@ -28,7 +28,8 @@ core::Result<QString> makeBackup(const database::sql::School& school, const data
     if (!made)
         return made;
     for (const QString& file : database::sql::tooMany(database::sql::backupsIn(folder)) + arrived)
-        QFile::remove(file);
+        if (file != *made)
+            QFile::remove(file);
     return made;
 }
 

@@ -197,8 +197,7 @@ void PeopleDesk::sayInTalk(Work work)
 {
     if (!m_talkedAbout)
         return;
-    m_desk.ask(
-        this,
+    askAs(
         [who = m_who(), id = database::AttemptId{m_talkedAbout->id},
          work = std::move(work)](const School& school) -> core::Result<bool> {
             if (auto done = work(school, who, id); !done)
@@ -231,21 +230,18 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
 
 void PeopleDesk::tellTalk()
 {
-    m_desk.ask(
-        this,
-        [who = m_who(), id = database::AttemptId{m_talkedAbout->id}](const School& school) {
-            return database::sql::readTalk(school, who, id);
-        },
-        [this, id = m_talkedAbout->id](const core::Result<database::AttemptTalk>& talk) {
-            if (!m_talkedAbout || m_talkedAbout->id != id)
-                return;
-            if (talk) {
-                m_window.scorePage().talk().setTalk(*talk);
-                m_window.scorePage().setGiven(talk->overrides.empty() ? std::nullopt
-                                                                      : talk->overrides.back().givenTenths);
-            } else
-                refuse(talk.error());
-        });
+    askAs([who = m_who(), id = database::AttemptId{m_talkedAbout->id}](
+              const School& school) { return database::sql::readTalk(school, who, id); },
+          [this, id = m_talkedAbout->id](const core::Result<database::AttemptTalk>& talk) {
+              if (!m_talkedAbout || m_talkedAbout->id != id)
+                  return;
+              if (talk) {
+                  m_window.scorePage().talk().setTalk(*talk);
+                  m_window.scorePage().setGiven(talk->overrides.empty() ? std::nullopt
+                                                                        : talk->overrides.back().givenTenths);
+              } else
+                  refuse(talk.error());
+          });
 }
 
 void PeopleDesk::connectReport()
@@ -280,28 +276,27 @@ void PeopleDesk::connectReport()
 /// With the head of the audit as it is now, so that paper and database can be compared.
 void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
 {
-    m_desk.ask(
-        this, [](const School& school) { return database::sql::auditHead(school); },
-        [this, use](const core::Result<database::sql::AuditHead>& head) {
-            if (!head) {
-                refuse(head.error());
-                return;
-            }
-            ui::report::ClassReport report;
-            report.className = QString::fromStdString(m_overview.name);
-            report.teacher = QString::fromStdString(m_who().fullName());
-            report.overview = m_overview;
-            report.given = m_given;
-            report.titles = m_titles;
-            report.results = m_results;
-            if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
-                report.passMarkTenths = known->rubric.passMarkTenths;
-                report.criteria = criteriaOf(*known);
-            }
-            report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
-                            QDateTime::currentDateTime()};
-            use(report);
-        });
+    askAs([](const School& school) { return database::sql::auditHead(school); },
+          [this, use](const core::Result<database::sql::AuditHead>& head) {
+              if (!head) {
+                  refuse(head.error());
+                  return;
+              }
+              ui::report::ClassReport report;
+              report.className = QString::fromStdString(m_overview.name);
+              report.teacher = QString::fromStdString(m_who().fullName());
+              report.overview = m_overview;
+              report.given = m_given;
+              report.titles = m_titles;
+              report.results = m_results;
+              if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
+                  report.passMarkTenths = known->rubric.passMarkTenths;
+                  report.criteria = criteriaOf(*known);
+              }
+              report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
+                              QDateTime::currentDateTime()};
+              use(report);
+          });
 }
 
 void PeopleDesk::refuse(const core::Error& error)
@@ -336,8 +331,7 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
         m_window.openHistory();
     };
     readLessons([this, person, show] {
-        m_desk.ask(
-            this,
+        askAs(
             [who = m_who(), person](const School& school) -> core::Result<Found> {
                 auto attempts = database::sql::history(school, who, person, {});
                 auto withoutScore = database::sql::examsWithoutScore(school, who, person);
@@ -357,8 +351,7 @@ void PeopleDesk::tellClassAt(const QString& lesson)
         std::vector<database::BandPoint> band;
         std::optional<database::LessonMedians> medians;
     };
-    m_desk.ask(
-        this,
+    askAs(
         [who = m_who(), person = m_person, id = lesson.toStdString()](const School& school) -> core::Result<Found> {
             auto band = database::sql::classBand(school, who, person, id);
             auto medians = database::sql::classMedians(school, who, person, id);
@@ -392,36 +385,31 @@ void PeopleDesk::openClasses()
         m_window.openClasses();
     };
     readLessons([this, show] {
-        m_desk.ask(
-            this, [who = m_who()](const School& school) { return database::sql::listClasses(school, who); }, show);
+        askAs([who = m_who()](const School& school) { return database::sql::listClasses(school, who); }, show);
     });
 }
 
 void PeopleDesk::openAssign()
 {
     readLessons([this] {
-        m_desk.ask(
-            this,
-            [who = m_who(), ofClass = m_window.classPage().chosenClass()](const School& school) {
-                return readClass(school, who, ofClass);
-            },
-            [this](const core::Result<ClassNow>& now) {
-                if (!now) {
-                    refuse(now.error());
-                    return;
-                }
-                m_window.assignPage().setAssignments(
-                    now->overview, QList<database::ClassAssignment>(now->given.begin(), now->given.end()));
-                m_window.openAssign();
-            });
+        askAs([who = m_who(), ofClass = m_window.classPage().chosenClass()](
+                  const School& school) { return readClass(school, who, ofClass); },
+              [this](const core::Result<ClassNow>& now) {
+                  if (!now) {
+                      refuse(now.error());
+                      return;
+                  }
+                  m_window.assignPage().setAssignments(
+                      now->overview, QList<database::ClassAssignment>(now->given.begin(), now->given.end()));
+                  m_window.openAssign();
+              });
     });
 }
 
 /// Those before one that is refused have been done.
 void PeopleDesk::changeAssignments(const QList<ui::people::AssignmentChange>& changes)
 {
-    m_desk.ask(
-        this,
+    askAs(
         [who = m_who(), changes](const School& school) -> core::Result<bool> {
             for (const ui::people::AssignmentChange& change : changes) {
                 const core::Status done = change.after ? database::sql::assign(school, who, *change.after)
@@ -444,45 +432,41 @@ void PeopleDesk::changeAssignments(const QList<ui::people::AssignmentChange>& ch
 
 void PeopleDesk::tellOverview(database::ClassId ofClass)
 {
-    m_desk.ask(
-        this, [who = m_who(), ofClass](const School& school) { return readClass(school, who, ofClass); },
-        [this, ofClass](const core::Result<ClassNow>& now) {
-            ClassPage& page = m_window.classPage();
-            if (!now) {
-                refuse(now.error());
-                return;
-            }
-            const QList<database::ClassAssignment> given(now->given.begin(), now->given.end());
-            if (m_window.assignPage().ofClass() == ofClass)
-                m_window.assignPage().setAssignments(now->overview, given);
-            if (page.chosenClass() != ofClass)
-                return;
-            m_overview = toldApart(now->overview);
-            m_given = given;
-            page.setOverview(m_overview);
-            page.setAssignments(m_given);
-            if (!page.chosenLesson().isEmpty())
-                tellResults(page.chosenLesson());
-        });
+    askAs([who = m_who(), ofClass](const School& school) { return readClass(school, who, ofClass); },
+          [this, ofClass](const core::Result<ClassNow>& now) {
+              ClassPage& page = m_window.classPage();
+              if (!now) {
+                  refuse(now.error());
+                  return;
+              }
+              const QList<database::ClassAssignment> given(now->given.begin(), now->given.end());
+              if (m_window.assignPage().ofClass() == ofClass)
+                  m_window.assignPage().setAssignments(now->overview, given);
+              if (page.chosenClass() != ofClass)
+                  return;
+              m_overview = toldApart(now->overview);
+              m_given = given;
+              page.setOverview(m_overview);
+              page.setAssignments(m_given);
+              if (!page.chosenLesson().isEmpty())
+                  tellResults(page.chosenLesson());
+          });
 }
 
 void PeopleDesk::tellResults(const QString& lesson)
 {
     const database::ClassId ofClass = m_window.classPage().chosenClass();
-    m_desk.ask(
-        this,
-        [who = m_who(), ofClass, id = lesson.toStdString()](const School& school) {
-            return database::sql::lessonResults(school, who, ofClass, id);
-        },
-        [this, ofClass, lesson](const core::Result<database::LessonResults>& results) {
-            ClassPage& page = m_window.classPage();
-            if (!results || page.chosenClass() != ofClass || page.chosenLesson() != lesson)
-                return;
-            m_results = *results;
-            const lessons::Lesson* known = this->lesson(m_results.lessonId);
-            page.setResults(*results, known != nullptr ? known->rubric.passMarkTenths : 0,
-                            known != nullptr ? criteriaOf(*known) : std::map<std::string, QString>());
-        });
+    askAs([who = m_who(), ofClass, id = lesson.toStdString()](
+              const School& school) { return database::sql::lessonResults(school, who, ofClass, id); },
+          [this, ofClass, lesson](const core::Result<database::LessonResults>& results) {
+              ClassPage& page = m_window.classPage();
+              if (!results || page.chosenClass() != ofClass || page.chosenLesson() != lesson)
+                  return;
+              m_results = *results;
+              const lessons::Lesson* known = this->lesson(m_results.lessonId);
+              page.setResults(*results, known != nullptr ? known->rubric.passMarkTenths : 0,
+                              known != nullptr ? criteriaOf(*known) : std::map<std::string, QString>());
+          });
 }
 
 void PeopleDesk::fetch(
@@ -493,8 +477,7 @@ void PeopleDesk::fetch(
         database::AttemptRecord attempt;
         core::recording::Recording recording;
     };
-    m_desk.ask(
-        this,
+    askAs(
         [who = m_who(), id = database::AttemptId{attempt}](const School& school) -> core::Result<Found> {
             auto record = database::sql::openAttempt(school, who, id);
             if (!record)

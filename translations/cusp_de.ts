@@ -111,6 +111,10 @@
         <source>began an exam</source>
         <translation>begann eine Prüfung</translation>
     </message>
+    <message>
+        <source>found the audit changed</source>
+        <translation>fand das Protokoll verändert</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -5410,6 +5414,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>&amp;Grade it now</source>
         <translation>Jetzt &amp;bewerten</translation>
+    </message>
+    <message>
+        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
+        <translation>Lektionen ändern Lehrkräfte: Melden Sie sich als solche an. Um die Lektion zu machen, wählen Sie sie in der Liste.</translation>
     </message>
 </context>
 <context>

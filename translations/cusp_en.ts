@@ -111,6 +111,10 @@
         <source>began an exam</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>found the audit changed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -5401,6 +5405,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>&amp;Grade it now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

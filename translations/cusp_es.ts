@@ -111,6 +111,10 @@
         <source>began an exam</source>
         <translation>comenzó un examen</translation>
     </message>
+    <message>
+        <source>found the audit changed</source>
+        <translation>encontró el registro alterado</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -5410,6 +5414,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>&amp;Grade it now</source>
         <translation>&amp;Calificar ahora</translation>
+    </message>
+    <message>
+        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
+        <translation>Las lecciones las cambian los docentes: inicie sesión como tal. Para hacer la lección, elíjala en la lista.</translation>
     </message>
 </context>
 <context>

@@ -111,6 +111,10 @@
         <source>began an exam</source>
         <translation>試験を開始しました</translation>
     </message>
+    <message>
+        <source>found the audit changed</source>
+        <translation>監査記録の改変を検出</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -5377,6 +5381,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>&amp;Grade it now</source>
         <translation>今すぐ採点(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
+        <translation>課題を変更できるのは教員です。教員としてログインしてください。課題を行うには一覧から選んでください。</translation>
     </message>
 </context>
 <context>

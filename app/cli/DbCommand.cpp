@@ -167,7 +167,7 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
         return failedWithBackups(made.error(), address);
     QJsonArray gone;
     for (const QString& file : database::sql::tooMany(database::sql::backupsIn(folder)))
-        if (QFile::remove(file))
+        if (file != *made && QFile::remove(file))
             gone += file;
     return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
                   {{"backup", *made}, {"removed", gone}});

@@ -53,6 +53,7 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     OpenSchool open;
     database::sql::Database::Options options;
     options.mayMigrate = how != Opening::AsItIs;
+    options.mayCreate = mayCreate;
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());

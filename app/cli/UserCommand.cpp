@@ -6,6 +6,7 @@
 
 #include <QDateTime>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QSaveFile>
@@ -189,7 +190,17 @@ constexpr std::array kParts{
          "lets a person no longer log in; what he did stays", addEnable, disableUser},
 };
 
-int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& outcome, bool dryRun)
+/// What is written must not take the place of the school itself.
+core::Status expectOther(const QCommandLineParser& parser, const QString& path)
+{
+    const auto address = databaseAddress(parser);
+    if (address && !address->isServer() && QFileInfo::exists(path) && QFileInfo(path) == QFileInfo(address->file))
+        return core::unexpected(ErrorCode::OutOfRange,
+                                path.toStdString() + " is the school's database itself; choose another file");
+    return {};
+}
+
+int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& outcome, bool dryRun, bool tellsCodes)
 {
     const auto fresh = std::count_if(outcome.people.begin(), outcome.people.end(),
                                      [](const database::RosterPerson& person) { return person.isNew; });
@@ -225,7 +236,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                   .arg(static_cast<qint64>(outcome.people.size()) - fresh));
     for (const std::string& name : outcome.newClasses)
         printText(QStringLiteral("new class: %1\n").arg(printable(QString::fromStdString(name))));
-    if (!dryRun && !parser.isSet(QStringLiteral("codes")))
+    if (!dryRun && tellsCodes)
         for (const database::RosterPerson& person : outcome.people)
             if (person.isNew)
                 printText(QStringLiteral("%1 %2\n")
@@ -291,18 +302,23 @@ int importCommand(const QStringList& arguments)
     if (!desk)
         return failed(desk.error());
     const bool dryRun = parser.isSet(QStringLiteral("dry-run"));
+    if (auto fit = expectOther(parser, parser.value(QStringLiteral("codes"))); !fit)
+        return failed(fit.error());
     const auto outcome = database::sql::importRoster(*desk->open.school, desk->session,
                                                      {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun);
     if (!outcome)
         return failed({outcome.error().code, words.back().toStdString() + ": " + outcome.error().detail});
-    if (!dryRun && outcome->faults.empty() && parser.isSet(QStringLiteral("codes")))
+    const bool hasCodes =
+        std::any_of(outcome->people.begin(), outcome->people.end(), [](const auto& person) { return person.isNew; });
+    const bool toFile = parser.isSet(QStringLiteral("codes"));
+    if (!dryRun && outcome->faults.empty() && toFile && hasCodes)
         if (const auto written = database::writeCodes(parser.value(QStringLiteral("codes")), outcome->people);
             !written) {
             // The people are entered: their codes must not be lost.
-            tellRoster(parser, *outcome, dryRun);
+            tellRoster(parser, *outcome, dryRun, true);
             return failed(written.error());
         }
-    return tellRoster(parser, *outcome, dryRun);
+    return tellRoster(parser, *outcome, dryRun, !toFile);
 }
 
 int exportCommand(const QStringList& arguments)
@@ -322,6 +338,8 @@ int exportCommand(const QStringList& arguments)
         return failed(desk.error());
     const QString path = parser.value(QStringLiteral("csv"));
     const bool toStdout = path == u"-";
+    if (auto fit = expectOther(parser, path); !fit)
+        return failed(fit.error());
     QSaveFile file(path);
     if (!toStdout && !file.open(QIODevice::WriteOnly))
         return failed({ErrorCode::FileUnwritable, "the file " + path.toStdString() + " cannot be written (" +

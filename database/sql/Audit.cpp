@@ -31,6 +31,9 @@ AuditRow rowOf(const QSqlQuery& query)
             textOf(query, 6)};
 }
 
+/// Noted where the chain was found to end otherwise than was signed.
+const std::string kBroken = "audit.broken";
+
 std::string wordsOf(const AuditHead& head)
 {
     return "cusp audit " + std::to_string(head.seq) + ' ' + head.hash;
@@ -56,6 +59,8 @@ public:
     {
         const std::string before = m_last.hash;
         witness(row);
+        if (row.action == kBroken)
+            say(named(row) + " tells that the rows before it did not end as they had been signed");
         if (row.seq != m_last.seq + 1)
             tellMissing(m_last.seq + 1, row.seq - 1);  // what stood before this row is not known
         else if (!isAs(row, row.seq + m_shift, before) && !explain(row))
@@ -200,12 +205,21 @@ std::string AuditHead::code() const
 core::Status AuditBatch::begin()
 {
     bool isThere = false;
+    bool isSound = false;
     if (auto read = forEach(
-            m_school.db, "SELECT seq, hash FROM audit_seal WHERE id = 1" + dialect::forUpdate(m_school.db), kNote, {},
+            m_school.db,
+            "SELECT s.seq, s.hash, s.signature, s.station_key, COALESCE(a.hash, ''), (SELECT COALESCE(MAX(seq), 0) "
+            "FROM audit) FROM audit_seal s LEFT JOIN audit a ON a.seq = s.seq WHERE s.id = 1" +
+                QString(dialect::isPostgres(m_school.db) ? " FOR UPDATE OF s" : ""),
+            kNote, {},
             [&](const QSqlQuery& row) {
                 m_seq = row.value(0).toLongLong();
                 m_hash = textOf(row, 1);
                 isThere = true;
+                isSound =
+                    m_seq == row.value(5).toLongLong() && m_hash == textOf(row, 4) &&
+                    (m_seq == 0 || StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)));
+                m_seq = std::max(m_seq, static_cast<std::int64_t>(row.value(5).toLongLong()));
             });
         !read)
         return read;
@@ -216,7 +230,8 @@ core::Status AuditBatch::begin()
     m_insert.emplace(m_school.db);
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
-    return {};
+    // To sign on as if nothing had happened would make good what somebody has done to the chain.
+    return isSound ? core::Status() : note("system", kBroken, "audit");
 }
 
 core::Status AuditBatch::note(const std::string& actor, const std::string& action, const std::string& object,

@@ -212,7 +212,10 @@ QString newestSound(const QString& databaseFile)
 
 QString backupFolder(const QString& databaseFile)
 {
-    return QFileInfo(databaseFile).absoluteDir().filePath(QStringLiteral("backups"));
+    // Two schools in one folder keep theirs apart.
+    const QFileInfo file(databaseFile);
+    return file.absoluteDir().filePath(file.fileName() == u"cusp.sqlite" ? QStringLiteral("backups")
+                                                                         : file.fileName() + "-backups");
 }
 
 core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
@@ -314,7 +317,7 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     if (target.exists()) {
         const QString stem = QStringLiteral("replaced-%1-").arg(nowUtc.toString(kStamp)) + target.fileName();
         replaced = target.absoluteDir().filePath(stem);
-        for (const char* end : {"", "-wal", "-shm"})
+        for (const char* end : {"", "-wal", "-shm", "-journal"})
             if (QFile::exists(databaseFile + QLatin1String(end)) &&
                 !QFile::rename(databaseFile + QLatin1String(end), replaced + QLatin1String(end))) {
                 QFile::remove(part);
@@ -322,7 +325,7 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
                     refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
             }
     } else {
-        for (const char* end : {"-wal", "-shm"})
+        for (const char* end : {"-wal", "-shm", "-journal"})
             QFile::remove(databaseFile + QLatin1String(end));
     }
     if (!QFile::rename(part, databaseFile) || !sync(target.absolutePath()))

@@ -197,6 +197,10 @@ core::Status Database::bringToNewest(const Options& options)
     const auto version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());
+    if (*version == 0 && !options.mayCreate)
+        return core::unexpected(ErrorCode::BadStructure, "database " + dialect::nameOf(db) +
+                                                             ": it is empty, there is no school in it; restore a "
+                                                             "backup, or \"cusp db init\" creates a school");
     const bool isOlder = *version > 0 && *version < static_cast<int>(steps->size());
     if (isOlder && !options.mayMigrate)
         return core::unexpected(ErrorCode::WrongKind,

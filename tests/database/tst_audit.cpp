@@ -26,6 +26,8 @@ private slots:
     void whatStandsElsewhereIsAsItWasNoted_data();
     void whatStandsElsewhereIsAsItWasNoted();
     void whoeverElseSignsIsNamed();
+    void goingOnMakesNothingGood_data() { support::addEngines(); }
+    void goingOnMakesNothingGood();
     void namesOfPeopleAreNotInIt();
 
 private:
@@ -220,6 +222,25 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
         QVERIFY2(said.isEmpty(), qPrintable(said.join(u'\n')));
     else
         QVERIFY2(said.join(u'\n').contains(finding), qPrintable(said.join(u'\n')));
+}
+
+/// The end of the audit is cut off and the seal set back; then somebody logs in, and the station signs.
+void TestAudit::goingOnMakesNothingGood()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    unlock(rig.school());
+    QSqlQuery query(rig.school().db);
+    for (const char* deed : {"DELETE FROM audit WHERE seq > 20",
+                             "UPDATE audit_seal SET seq = 20, hash = (SELECT hash FROM audit WHERE seq = 20)"})
+        QVERIFY2(query.exec(QLatin1String(deed)), qPrintable(query.lastError().text()));
+    QVERIFY(!checkAudit(rig.school().db, {})->empty());
+    static_cast<void>(Logins::login(rig.school(), "s1001", "wrong"));
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    QCOMPARE(found->size(), std::size_t{1});
+    QVERIFY2(found->front().find("did not end as they had been signed") != std::string::npos, found->front().c_str());
 }
 
 /// The chain and its signature are whole, and still it is not this computer's.

@@ -32,6 +32,7 @@ constexpr std::array kActions{
     std::pair{"attempt.override", QT_TRANSLATE_NOOP("Admin", "gave another score")},
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},
+    std::pair{"audit.broken", QT_TRANSLATE_NOOP("Admin", "found the audit changed")},
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
 };
 

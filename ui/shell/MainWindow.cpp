@@ -488,6 +488,13 @@ void MainWindow::setWho(const database::Session& who)
     goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
 }
 
+void MainWindow::setMayEdit(bool may)
+{
+    m_mayEdit = may;
+    m_actions->editLesson->setVisible(may);
+    enableActions();
+}
+
 void MainWindow::openHistory()
 {
     goTo(m_history);
@@ -785,6 +792,10 @@ void MainWindow::openLessons()
 
 void MainWindow::editLesson(const lessons::ReadLesson& lesson)
 {
+    if (!m_mayEdit) {
+        showMessage(tr("Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list."));
+        return;
+    }
     m_editor->edit(lesson, lessons::teachersFolder());
     emit knownAttemptsWanted(*lesson.lesson);
     goTo(m_editor);
@@ -1392,7 +1403,7 @@ void MainWindow::enableActions()
     const bool inEditor = m_pages->currentWidget() == m_editor;
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
-    m_actions->editLesson->setEnabled(m_pages->currentWidget() == m_lessonsPage);
+    m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled(mayGoBack || (mine && m_examIsOver));
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
@@ -1427,7 +1438,8 @@ void MainWindow::enableActions()
     else
         for (QAction* action : {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->school,
                                 m_actions->back, m_actions->help, m_actions->tour, m_actions->editLesson})
-            action->setEnabled(action != m_actions->editLesson || m_pages->currentWidget() == m_lessonsPage);
+            action->setEnabled(action != m_actions->editLesson ||
+                               (m_mayEdit && m_pages->currentWidget() == m_lessonsPage));
 }
 
 void MainWindow::placeOverlays()

@@ -111,6 +111,8 @@ public:
     /// The size to begin with on a screen that has so much room for windows.
     [[nodiscard]] static QSize firstSize(const QSize& available);
 
+    /// Whether who works here may change lessons.
+    void setMayEdit(bool may);
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
@@ -418,6 +420,7 @@ private:
 
     core::session::UiLinks& m_links;
     Actions* m_actions;
+    bool m_mayEdit = true;
     ViewMenu* m_viewMenu;
     tooth::ToothView* m_view;
     QStackedWidget* m_pages;
