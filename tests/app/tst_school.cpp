@@ -15,7 +15,6 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
 #include <QSqlQuery>
@@ -32,6 +31,7 @@
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
@@ -58,6 +58,27 @@ using ui::people::Door;
 namespace {
 constexpr int kPatienceMs = 30000;
 const std::string kPassword = "correct horse";
+
+/// A lesson of the teacher's that is an exam, while this lives.
+class Exam
+{
+public:
+    Exam()
+    {
+        QDir().mkpath(QFileInfo(m_file).absolutePath());
+        QFile lesson(m_file);
+        lesson.open(QIODevice::WriteOnly);
+        lesson.write(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "exam-36", "exam": true,
+                         "title": {"en": "The exam"}})");
+    }
+    ~Exam() { QFile::remove(m_file); }
+    Exam(const Exam&) = delete;
+    Exam& operator=(const Exam&) = delete;
+    [[nodiscard]] const QString& file() const { return m_file; }
+
+private:
+    QString m_file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
+};
 }  // namespace
 
 class TestSchool : public QObject
@@ -76,6 +97,8 @@ private slots:
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
     void anExamThatIsBrokenOffIsToldOf();
+    void aGuestsExamIsNobodys();
+    void lessonsAreChangedByWhoTeaches();
     void anAdminEntersAndChangesPeople();
     void aClassListIsSeenBeforeItIsEntered();
     void aBackupIsMadeTriedAndRestored();
@@ -481,14 +504,7 @@ void TestSchool::whatIsGivenIsDueAndLimited()
 /// Not to have it graded gives no attempt back.
 void TestSchool::anExamThatIsBrokenOffIsToldOf()
 {
-    const QString file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
-    QVERIFY(QDir().mkpath(QFileInfo(file).absolutePath()));
-    const auto tidy = qScopeGuard([file] { QFile::remove(file); });
-    QFile lesson(file);
-    QVERIFY(lesson.open(QIODevice::WriteOnly));
-    lesson.write(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "exam-36", "exam": true,
-                     "title": {"en": "The exam"}})");
-    lesson.close();
+    const Exam exam;
     {
         const auto database = sql::Database::open(this->file()).value();
         const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
@@ -539,6 +555,47 @@ void TestSchool::anExamThatIsBrokenOffIsToldOf()
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
     const QString told = child<QLabel>("examsWithoutScore")->text();
     QVERIFY2(child<QLabel>("examsWithoutScore")->isVisible() && told.count("The exam, begun") == 2, qPrintable(told));
+}
+
+/// Else he could do it as often as he likes, and log in for the best.
+void TestSchool::aGuestsExamIsNobodys()
+{
+    const Exam exam;
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    click("practiseAsGuest");
+    toTheTooth();
+    emit m_application->window().lessonChosen(*lessons::readLesson(exam.file()).lesson);
+    QTest::qWait(100);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs);
+    drill(-2.0);
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    click("showScore");
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("not being kept"), qPrintable(keeping()), kPatienceMs);
+    QVERIFY(!child<QPushButton>("keepGrade")->isVisible());
+    emit m_application->window().keepWanted();
+    logIn("sue");
+    QTest::qWait(500);
+    QCOMPARE(attemptsKept(), 0);
+}
+
+void TestSchool::lessonsAreChangedByWhoTeaches()
+{
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
+    leaveFor("ines");
+    QTRY_VERIFY_WITH_TIMEOUT(actions().editLesson->isVisible() && actions().editLesson->isEnabled(), kPatienceMs);
+    actions().account->trigger();
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    click("practiseAsGuest");
+    QTRY_VERIFY_WITH_TIMEOUT(!child<ui::people::LoginPage>()->isVisible(), kPatienceMs);
+    QVERIFY(!actions().editLesson->isVisible());
 }
 
 void TestSchool::aTeacherAssignsLessonsAndTakesThemBack()

@@ -64,7 +64,7 @@ private:
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
     qint64 m_chosen = 0;  ///< 0: somebody new
-    qint64 m_inForm = 0;   ///< whom the form shows
+    qint64 m_inForm = 0;  ///< whom the form shows
     QStandardItemModel* m_rows = nullptr;
     QSortFilterProxyModel* m_shown = nullptr;
     QLineEdit* m_search = nullptr;
