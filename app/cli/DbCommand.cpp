@@ -242,13 +242,16 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
         printText(QStringLiteral("\n"), stderr);
     if (!report)
         return failed(report.error());
+    if (report->recordingsMissing > 0)
+        warn({std::to_string(report->recordingsMissing) +
+              " recordings are missing or damaged in what was copied: \"cusp db check\" names them; their attempts are "
+              "there, and cannot be replayed until the files are brought back from a backup of the folder recordings"});
     return answer(parser,
                   QStringLiteral("Copied and verified: %1 rows, %2 recordings, into %3.")
-                      .arg(report->rows)
-                      .arg(report->recordings)
-                      .arg(target->shown()),
+                      .arg(QString::number(report->rows), QString::number(report->recordings), target->shown()),
                   {{"rows", static_cast<qint64>(report->rows)},
                    {"recordings", static_cast<qint64>(report->recordings)},
+                   {"recordings_missing", static_cast<qint64>(report->recordingsMissing)},
                    {"database", target->shown()}});
 }
 

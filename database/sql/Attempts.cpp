@@ -412,7 +412,7 @@ core::Result<QByteArray> openRecording(const School& school, const Session& sess
         return tl::unexpected(hash.error());
     if (hash->toString().isEmpty())
         return core::unexpected(ErrorCode::FileMissing, "no recording was kept of this attempt");
-    return recordingOf(school, hash->toString().toStdString());
+    return recordingOf(school.db, hash->toString().toStdString());
 }
 
 core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const Session& session,

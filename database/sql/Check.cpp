@@ -7,6 +7,8 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Noted.h"
+#include "database/sql/Recordings.h"
+#include "database/sql/SchemaCheck.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -126,6 +128,25 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
     return {};
 }
 
+core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
+{
+    const auto hashes = recordingsNamed(db);
+    if (!hashes)
+        return tl::unexpected(hashes.error());
+    std::int64_t looked = 0;
+    for (const std::string& hash : *hashes) {
+        const auto bytes = recordingOf(db, hash);
+        if (!bytes && bytes.error().code != core::ErrorCode::FileMissing &&
+            bytes.error().code != core::ErrorCode::BadStructure)
+            return tl::unexpected(bytes.error());
+        if (!bytes)
+            say(report, bytes.error().detail);
+        if (++looked % 100 == 0 && progress)
+            progress("recordings", looked);
+    }
+    return {};
+}
+
 /// Anybody can make a key and sign with it.
 core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, CheckReport& report)
 {
@@ -159,7 +180,8 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         say(report, "audit: " + finding);
     for (const auto& done : {checkAttempts(db, report, progress), checkExamStarts(db, report), checkSums(db, report),
                              compareWithAudit(db, [&report](const std::string& sentence) { say(report, sentence); }),
-                             checkSigner(db, stationKey, report)})
+                             checkSchema(db, [&report](const std::string& sentence) { say(report, sentence); }),
+                             checkRecordings(db, report, progress), checkSigner(db, stationKey, report)})
         if (!done)
             return tl::unexpected(done.error());
     const auto head = ask(db, "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", kDoing);

@@ -125,23 +125,25 @@ core::Status verifyTable(const School& to, const QString& table, const RowSum& e
 
 core::Status copyRecordings(const School& from, const School& to, CopyReport& report, const CopyProgress& progress)
 {
-    std::vector<std::string> hashes;
-    if (auto read = forEach(from.db, "SELECT DISTINCT recording_hash FROM attempts WHERE recording_hash <> ''",
-                            "list the recordings", {}, [&](const QSqlQuery& row) { hashes.push_back(textOf(row, 0)); });
-        !read)
-        return read;
-    for (const std::string& hash : hashes) {
-        const auto bytes = recordingOf(from, hash);
+    const auto hashes = recordingsNamed(from.db);
+    if (!hashes)
+        return tl::unexpected(hashes.error());
+    for (const std::string& hash : *hashes) {
+        const auto bytes = recordingOf(from.db, hash);
+        // What is lost already must not hold back the rest; who copies is told.
+        if (!bytes && (bytes.error().code == ErrorCode::FileMissing || bytes.error().code == ErrorCode::BadStructure)) {
+            ++report.recordingsMissing;
+            continue;
+        }
         if (!bytes)
             return tl::unexpected(bytes.error());
         if (auto put = putRecording(to, *bytes); !put)
             return tl::unexpected(put.error());
-        if (const auto back = recordingOf(to, hash); !back)
+        if (const auto back = recordingOf(to.db, hash); !back)
             return tl::unexpected(back.error());
+        ++report.recordings;
         if (progress)
-            progress(QStringLiteral("recordings"), ++report.recordings);
-        else
-            ++report.recordings;
+            progress(QStringLiteral("recordings"), report.recordings);
     }
     return {};
 }

@@ -15,6 +15,7 @@ struct CopyReport
 {
     std::int64_t rows = 0;
     std::int64_t recordings = 0;
+    std::int64_t recordingsMissing = 0;  ///< or damaged, already in what was copied
 };
 
 /// Brings everything of a school into an empty database of either engine, recordings included, all or nothing, and

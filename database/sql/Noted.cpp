@@ -11,7 +11,7 @@
 #include <QJsonObject>
 
 #include "database/Passwords.h"
-#include "database/sql/Dialect.h"
+#include "database/sql/People.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -36,7 +36,10 @@ struct Standing
 {
     std::string role;
     bool disabled = false;
+    std::string names;  ///< digest; empty: noted before there was one
 };
+/// Class and uid.
+using Enrolments = std::set<std::pair<std::string, std::string>>;
 
 struct Given
 {
@@ -51,6 +54,8 @@ struct Noted
     Opinions comments;
     std::map<std::string, Standing> people;                                           ///< by uid
     std::map<std::pair<std::string, std::string>, std::optional<Given>> assignments;  ///< by class and lesson
+    std::map<std::string, std::string> classes;                                       ///< names, by number
+    Enrolments enrolments;
 };
 
 std::string textIn(const QJsonObject& detail, const char* key)
@@ -78,12 +83,20 @@ void take(Noted& noted, const std::string& actor, const std::string& action, con
             Given{textIn(detail, "due"), detail.value(QStringLiteral("limit")).toInt()};
     } else if (action == "lesson.unassign") {
         noted.assignments[{id, textIn(detail, "lesson")}].reset();
+    } else if (action == "class.add" || action == "class.rename") {
+        noted.classes[id] = textIn(detail, "name");
+    } else if (action == "class.enrol") {
+        noted.enrolments.emplace(id, textIn(detail, "person"));
+    } else if (action == "class.leave") {
+        noted.enrolments.erase({id, textIn(detail, "person")});
     } else {
         Standing& person = noted.people[id];
         if (detail.contains(QStringLiteral("role")))
             person.role = textIn(detail, "role");
         if (detail.contains(QStringLiteral("disabled")))
             person.disabled = detail.value(QStringLiteral("disabled")).toBool();
+        if (detail.contains(QStringLiteral("names_digest")))
+            person.names = textIn(detail, "names_digest");
     }
 }
 
@@ -110,7 +123,7 @@ core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opin
         return read;
     for (const auto& [attempt, opinions] : expected)
         if (opinions.size() > seen[attempt])
-            say(what + " of attempt " + attempt + " was removed");
+            say(std::string(what).append(" of attempt ").append(attempt).append(" was removed"));
     return {};
 }
 
@@ -137,7 +150,7 @@ core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, co
 
 core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
 {
-    if (auto read = forEach(db, "SELECT uid, role, disabled FROM people", kDoing, {},
+    if (auto read = forEach(db, "SELECT uid, role, disabled, username, given_name, family_name FROM people", kDoing, {},
                             [&](const QSqlQuery& row) {
                                 const auto found = expected.find(textOf(row, 0));
                                 if (found == expected.end()) {
@@ -149,6 +162,13 @@ core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standin
                                         found->second.role);
                                 if (found->second.disabled != (row.value(2).toInt() != 0))
                                     say("person " + textOf(row, 0) + " was disabled or enabled, and it was not noted");
+                                Person person;
+                                person.uid = textOf(row, 0);
+                                person.username = textOf(row, 3);
+                                person.givenName = textOf(row, 4);
+                                person.familyName = textOf(row, 5);
+                                if (!found->second.names.empty() && found->second.names != digestOfNames(person))
+                                    say("person " + person.uid + " was given another name, and it was not noted");
                                 expected.erase(found);
                             });
         !read)
@@ -181,24 +201,47 @@ core::Status compareAssignments(const QSqlDatabase& db,
     return {};
 }
 
-core::Status checkGuards(const QSqlDatabase& db, const Say& say)
+core::Status compareClasses(const QSqlDatabase& db, std::map<std::string, std::string> names, Enrolments expected,
+                            const Say& say)
 {
-    const bool onServer = dialect::isPostgres(db);
-    std::set<std::string> there;
-    if (auto read = forEach(db,
-                            onServer ? "SELECT tgname FROM pg_trigger WHERE NOT tgisinternal AND tgenabled <> 'D'"
-                                     : "SELECT name FROM sqlite_master WHERE type = 'trigger'",
-                            kDoing, {}, [&](const QSqlQuery& row) { there.insert(textOf(row, 0)); });
+    if (auto read = forEach(db, "SELECT id, name FROM classes", kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                const auto found = names.find(textOf(row, 0));
+                                if (found == names.end()) {
+                                    say("class " + textOf(row, 0) + " was inserted: the audit knows nothing of it");
+                                    return;
+                                }
+                                if (found->second != textOf(row, 1))
+                                    say("class " + textOf(row, 0) + " was renamed, and it was not noted");
+                                names.erase(found);
+                            });
         !read)
         return read;
-    for (const std::string table : {"audit", "overrides", "presets", "exam_starts"}) {
-        const bool isGuarded = onServer
-                                   ? there.count(table + "_no_change") > 0
-                                   : there.count(table + "_no_update") > 0 && there.count(table + "_no_delete") > 0;
-        if (!isGuarded)
-            say("the table " + table + " is no longer guarded against changes");
-    }
+    for (const auto& [id, name] : names)
+        say("class " + id + " was removed");
+    if (auto read =
+            forEach(db, "SELECT e.class_id, p.uid FROM enrolments e JOIN people p ON p.id = e.person_id", kDoing, {},
+                    [&](const QSqlQuery& row) {
+                        if (expected.erase({textOf(row, 0), textOf(row, 1)}) == 0)
+                            say("person " + textOf(row, 1) + " was put into class " + textOf(row, 0) +
+                                ", and it was not noted");
+                    });
+        !read)
+        return read;
+    for (const auto& [ofClass, person] : expected)
+        say("person " + person + " was taken out of class " + ofClass + ", and it was not noted");
     return {};
+}
+
+/// An attempt that is nobody's counts for nobody.
+core::Status compareOwners(const QSqlDatabase& db, const Say& say)
+{
+    return forEach(db,
+                   "SELECT a.uid FROM attempts a WHERE a.person_id IS NULL AND EXISTS (SELECT 1 FROM audit u WHERE "
+                   "u.object = 'attempt:' || a.uid AND u.action = 'attempt.add')",
+                   kDoing, {}, [&](const QSqlQuery& row) {
+                       say("attempt " + textOf(row, 0) + " was taken from the person who made it");
+                   });
 }
 
 }  // namespace
@@ -208,7 +251,8 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
     Noted noted;
     if (auto read = forEach(db,
                             "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
-                            "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change') "
+                            "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
+                            "'class.add', 'class.rename', 'class.enrol', 'class.leave') "
                             "ORDER BY seq",
                             kDoing, {},
                             [&](const QSqlQuery& row) {
@@ -227,7 +271,8 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
                           noted.comments, "a comment", say),
           compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
-          compareAssignments(db, noted.assignments, say), checkGuards(db, say)})
+          compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
+          compareOwners(db, say)})
         if (!done)
             return done;
     return {};

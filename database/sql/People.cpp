@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/base/Bytes.h"
 #include "database/Passwords.h"
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
@@ -114,6 +115,14 @@ core::Result<std::vector<Person>> listPeople(const School& school, const Session
     return people;
 }
 
+std::string digestOfNames(const Person& person)
+{
+    core::ByteWriter bytes;
+    for (const std::string* part : {&person.uid, &person.username, &person.givenName, &person.familyName})
+        bytes.putText(*part);
+    return digestOf(bytes.bytes());
+}
+
 core::Result<Person> enter(const School& school, const std::string& actor, const NewPerson& who,
                            const std::string& passwordHash)
 {
@@ -146,7 +155,8 @@ core::Result<Person> enter(const School& school, const std::string& actor, const
         return tl::unexpected(added.error());
     person.id = {added->toLongLong()};
     if (auto noted = note(school, actor, "person.add", "person:" + person.uid,
-                          {{"role", QString::fromUtf8(roleName(person.role).data())}});
+                          {{"role", QString::fromUtf8(roleName(person.role).data())},
+                           {"names_digest", QString::fromStdString(digestOfNames(person))}});
         !noted)
         return tl::unexpected(noted.error());
     return person;
@@ -218,7 +228,7 @@ core::Status changePerson(const School& school, const Session& session, const Pe
         if (before->disabled != person.disabled)
             detail["disabled"] = person.disabled;
         if (before->givenName != person.givenName || before->familyName != person.familyName)
-            detail["renamed"] = true;
+            detail["names_digest"] = QString::fromStdString(digestOfNames(person));
         return note(school, session.uid(), "person.change", "person:" + before->uid, detail);
     });
 }

@@ -34,6 +34,9 @@ struct Entered
 [[nodiscard]] core::Result<Person> findPerson(const School& school, const Session& session,
                                               const std::string& username);
 
+/// What the audit notes of a person's names: it can tell that they were changed, and not what they are.
+[[nodiscard]] std::string digestOfNames(const Person& person);
+
 /// Inside a transaction of others, who have looked whether it is allowed.
 /// @param actor  uid, for the audit
 [[nodiscard]] core::Result<Person> enter(const School& school, const std::string& actor, const NewPerson& who,

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "core/base/WholeFile.h"
 #include "database/Passwords.h"
 #include "database/sql/Statement.h"
 
@@ -21,21 +22,23 @@ std::string_view viewOf(const QByteArray& bytes)
 }
 
 /// "recordings/3f/3f9a….cusprec" beside the database.
-QString fileOf(const School& school, const std::string& hash)
+QString fileOf(const QSqlDatabase& db, const std::string& hash)
 {
     const QString name = QString::fromStdString(hash);
-    return QFileInfo(school.db.databaseName())
+    return QFileInfo(db.databaseName())
         .absoluteDir()
         .filePath(QStringLiteral("recordings/%1/%2.cusprec").arg(name.left(2), name));
 }
 
 core::Status writeFile(const QString& path, const QByteArray& bytes)
 {
-    if (QFileInfo(path).size() == bytes.size() && QFileInfo::exists(path))
+    if (QFile there(path); there.open(QIODevice::ReadOnly) && there.readAll() == bytes)
         return {};
-    QDir().mkpath(QFileInfo(path).absolutePath());
+    const QString folder = QFileInfo(path).absolutePath();
+    QDir().mkpath(folder);
     QSaveFile file(path);  // synced before it gets its name
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit() &&
+        core::bringToDisk(folder.toStdU16String()) && core::bringToDisk((folder + "/..").toStdU16String()))
         return {};
     return core::unexpected(ErrorCode::FileUnwritable, "recording " + path.toStdString() + ": it cannot be written (" +
                                                            file.errorString().toStdString() +
@@ -51,28 +54,37 @@ core::Result<std::string> putRecording(const School& school, const QByteArray& b
         dialect::isPostgres(school.db)
             ? execute(school.db, "INSERT INTO recordings (hash, content) VALUES (?, ?) ON CONFLICT (hash) DO NOTHING",
                       "keep the recording", {text(hash), bytes})
-            : writeFile(fileOf(school, hash), bytes);
+            : writeFile(fileOf(school.db, hash), bytes);
     if (!put)
         return tl::unexpected(put.error());
     return hash;
 }
 
-core::Result<QByteArray> recordingOf(const School& school, const std::string& hash)
+core::Result<std::vector<std::string>> recordingsNamed(const QSqlDatabase& db)
+{
+    std::vector<std::string> hashes;
+    if (auto read = forEach(db, "SELECT DISTINCT recording_hash FROM attempts WHERE recording_hash <> ''",
+                            "list the recordings", {}, [&](const QSqlQuery& row) { hashes.push_back(textOf(row, 0)); });
+        !read)
+        return tl::unexpected(read.error());
+    return hashes;
+}
+
+core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& hash)
 {
     const std::string name = "recording " + hash.substr(0, 12) + ": ";
     QByteArray bytes;
     bool isThere = false;
-    if (dialect::isPostgres(school.db)) {
-        if (auto read =
-                forEach(school.db, "SELECT content FROM recordings WHERE hash = ?", "read the recording", {text(hash)},
-                        [&](const QSqlQuery& row) {
-                            bytes = row.value(0).toByteArray();
-                            isThere = true;
-                        });
+    if (dialect::isPostgres(db)) {
+        if (auto read = forEach(db, "SELECT content FROM recordings WHERE hash = ?", "read the recording", {text(hash)},
+                                [&](const QSqlQuery& row) {
+                                    bytes = row.value(0).toByteArray();
+                                    isThere = true;
+                                });
             !read)
             return tl::unexpected(read.error());
     } else {
-        QFile file(fileOf(school, hash));
+        QFile file(fileOf(db, hash));
         isThere = file.open(QIODevice::ReadOnly);
         bytes = file.readAll();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <QByteArray>
 
@@ -18,6 +19,9 @@ namespace database::sql {
 [[nodiscard]] core::Result<std::string> putRecording(const School& school, const QByteArray& bytes);
 
 /// FileMissing: it is not there. BadStructure: it is not what was put there.
-[[nodiscard]] core::Result<QByteArray> recordingOf(const School& school, const std::string& hash);
+[[nodiscard]] core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& hash);
+
+/// The hashes of all that attempts tell of, each once.
+[[nodiscard]] core::Result<std::vector<std::string>> recordingsNamed(const QSqlDatabase& db);
 
 }  // namespace database::sql

@@ -159,13 +159,17 @@ core::Result<RosterPerson> take(const School& school, const Session& session, co
             return tl::unexpected(code.error());
         result.code = std::move(*code);
     } else if (before.person.givenName != line.who.givenName || before.person.familyName != line.who.familyName) {
+        Person renamedPerson = before.person;
+        renamedPerson.username = line.who.username;
+        renamedPerson.givenName = line.who.givenName;
+        renamedPerson.familyName = line.who.familyName;
         if (auto renamed =
                 execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kDoing,
                         {text(line.who.givenName), text(line.who.familyName), static_cast<qlonglong>(id.value)});
             !renamed)
             return tl::unexpected(renamed.error());
-        if (auto noted =
-                note(school, session.uid(), "person.change", "person:" + before.person.uid, {{"renamed", true}});
+        if (auto noted = note(school, session.uid(), "person.change", "person:" + before.person.uid,
+                              {{"names_digest", QString::fromStdString(digestOfNames(renamedPerson))}});
             !noted)
             return tl::unexpected(noted.error());
     }

@@ -25,6 +25,8 @@ private slots:
     void namesTheRow();
     void whatStandsElsewhereIsAsItWasNoted_data();
     void whatStandsElsewhereIsAsItWasNoted();
+    void whatGuardsIsThere_data();
+    void whatGuardsIsThere();
     void whoeverElseSignsIsNamed();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
     void goingOnMakesNothingGood();
@@ -186,6 +188,22 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                                   << "was removed";
         row("standings gone") << "DELETE FROM standings"
                               << "has attempts and no standing";
+        row("an attempt made nobody's") << "UPDATE attempts SET person_id = NULL WHERE score_tenths = 600"
+                                        << "was taken from the person who made it";
+        row("another user's name") << "UPDATE people SET username = 's1003' WHERE username = 's1002'"
+                                   << "was given another name";
+        row("another family name") << "UPDATE people SET family_name = 'Else' WHERE username = 's1002'"
+                                   << "was given another name";
+        row("a class renamed") << "UPDATE classes SET name = 'DEN999' WHERE name = 'DEN101-B'"
+                               << "was renamed, and it was not noted";
+        row("put into a class") << "INSERT INTO enrolments (class_id, person_id) SELECT c.id, p.id FROM classes c, "
+                                   "people p WHERE c.name = 'DEN101-B' AND p.username = 's1001'"
+                                << "was put into class";
+        row("taken out of a class") << "DELETE FROM enrolments WHERE person_id = (SELECT id FROM people WHERE username "
+                                       "= 's1002')"
+                                    << "was taken out of class";
+        row("a recording gone") << QStringLiteral("UPDATE attempts SET recording_hash = '%1'").arg(QString(64, 'd'))
+                                << "it is not there any more";
         row("a standing passed") << "UPDATE standings SET passed = 1 WHERE passed = 0"
                                  << "do not add up to";
     }
@@ -222,6 +240,52 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
         QVERIFY2(said.isEmpty(), qPrintable(said.join(u'\n')));
     else
         QVERIFY2(said.join(u'\n').contains(finding), qPrintable(said.join(u'\n')));
+}
+
+void TestAudit::whatGuardsIsThere_data()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::addColumn<QStringList>("deeds");
+    QTest::addColumn<QString>("finding");
+    QTest::newRow("index, sqlite") << false << QStringList{"DROP INDEX attempts_by_uid"}
+                                   << "index attempts_by_uid is no longer there";
+    QTest::newRow("index, postgresql") << true << QStringList{"DROP INDEX attempts_by_uid"}
+                                       << "index attempts_by_uid is no longer there";
+    QTest::newRow("guard, sqlite") << false << QStringList{"DROP TRIGGER audit_no_delete"}
+                                   << "trigger audit_no_delete is no longer there";
+    QTest::newRow("guard, postgresql") << true << QStringList{"ALTER TABLE audit DISABLE TRIGGER audit_no_change"}
+                                       << "trigger audit_no_change is no longer there";
+    QTest::newRow("guard of straw") << false
+                                    << QStringList{"DROP TRIGGER audit_no_delete",
+                                                   "CREATE TRIGGER audit_no_delete BEFORE DELETE ON audit BEGIN SELECT "
+                                                   "1; END"}
+                                    << "trigger audit_no_delete is not as this program makes it";
+    QTest::newRow("gift, sqlite") << false
+                                  << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
+                                                 "SET score_tenths = 1000 WHERE id = NEW.id; END"}
+                                  << "trigger gift is not from this program";
+    QTest::newRow("gift, postgresql")
+        << true
+        << QStringList{"CREATE FUNCTION gift() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_tenths = 1000; "
+                       "RETURN NEW; END $$",
+                       "CREATE TRIGGER gift BEFORE INSERT ON attempts FOR EACH ROW EXECUTE FUNCTION gift()"}
+        << "trigger gift is not from this program";
+}
+
+void TestAudit::whatGuardsIsThere()
+{
+    QFETCH(QStringList, deeds);
+    QFETCH(QString, finding);
+    SCHOOL_RIG(rig);
+    QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
+    QSqlQuery query(rig.school().db);
+    for (const QString& deed : deeds)
+        QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QCOMPARE(report->findings.size(), std::size_t{1});
+    QVERIFY2(report->findings.front().find(finding.toStdString()) != std::string::npos,
+             report->findings.front().c_str());
 }
 
 /// The end of the audit is cut off and the seal set back; then somebody logs in, and the station signs.

@@ -91,6 +91,8 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names)
     const QJsonObject noted = QJsonDocument::fromJson(QByteArray::fromStdString(row.detail)).object();
     QStringList words;
     for (auto it = noted.begin(); it != noted.end(); ++it) {
+        if (row.action == "person.change" && it.key() == u"names_digest")
+            words << QCoreApplication::translate("Admin", "another name");
         if (it.key().endsWith(QStringLiteral("digest")) || it.value().isNull() || it.value() == QString())
             continue;
         const QString value = it.value().isBool() ? QString() : it.value().toVariant().toString();

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <QSqlDatabase>
+
+#include "core/base/Result.h"
+
+namespace database::sql {
+
+/// Whether tables, indexes and triggers are those that the migrations made: an index that is gone lets an attempt
+/// arrive twice, a trigger that is gone lets the audit be changed, and one that somebody added changes what is written.
+/// @param say  a sentence for each that is missing, changed or foreign
+[[nodiscard]] core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const std::string&)>& say);
+
+}  // namespace database::sql
