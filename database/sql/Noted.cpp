@@ -229,7 +229,7 @@ core::Status compareClasses(const QSqlDatabase& db, std::map<std::string, std::s
         !read)
         return read;
     for (const auto& [ofClass, person] : expected)
-        say("person " + person + " was taken out of class " + ofClass + ", and it was not noted");
+        say(std::string("person ").append(person).append(" was taken out of class ").append(ofClass));
     return {};
 }
 
