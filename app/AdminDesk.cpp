@@ -57,13 +57,20 @@ core::Status belong(const School& school, const Session& who, PersonId person, c
     return {};
 }
 
+/// Who is entered has a code, whether or not he could be put into his classes.
+struct Newcomer
+{
+    database::sql::Entered entered;
+    core::Status put;
+};
+
 QString why(const core::Error& error)
 {
     switch (error.code) {
     case core::ErrorCode::OutOfRange:
         return AdminDesk::tr("That cannot be: the name is empty or taken, or has other signs than letters, digits and "
                              ". _ - @");
-    case core::ErrorCode::NotAllowed:
+    case core::ErrorCode::NobodyLeft:
         return AdminDesk::tr("This is the last admin who can log in. Make somebody else an admin first.");
     default:
         return errorText(error, Failed::ReadingSchool);
@@ -202,20 +209,23 @@ void AdminDesk::connectPeople()
             [this, name, &part](const database::NewPerson& person, const QSet<qint64>& classes) {
                 m_desk.ask(
                     this,
-                    [who = m_who(), person, classes](const School& school) -> core::Result<database::sql::Entered> {
+                    [who = m_who(), person, classes](const School& school) -> core::Result<Newcomer> {
                         auto entered = database::sql::addPerson(school, who, person);
-                        if (entered)
-                            if (auto put = belong(school, who, entered->person.id, classes, {}); !put)
-                                return tl::unexpected(put.error());
-                        return entered;
+                        if (!entered)
+                            return tl::unexpected(entered.error());
+                        core::Status put = belong(school, who, entered->person.id, classes, {});
+                        return Newcomer{std::move(*entered), std::move(put)};
                     },
-                    [this, name, &part](const core::Result<database::sql::Entered>& entered) {
-                        if (!entered) {
-                            part.refuse(why(entered.error()));
+                    [this, name, &part](const core::Result<Newcomer>& newcomer) {
+                        if (!newcomer) {
+                            part.refuse(why(newcomer.error()));
                             return;
                         }
-                        part.confirm(entered->person.id, tr("%1 was entered.").arg(name(entered->person)));
-                        part.showCode(name(entered->person), QString::fromStdString(entered->code));
+                        const Person& entered = newcomer->entered.person;
+                        part.confirm(entered.id, tr("%1 was entered.").arg(name(entered)));
+                        part.showCode(name(entered), QString::fromStdString(newcomer->entered.code));
+                        if (!newcomer->put)
+                            part.refuse(why(newcomer->put.error()));
                         tellPeople();
                     });
             });
@@ -347,9 +357,13 @@ void AdminDesk::connectBackups()
     connect(&part, &BackupPart::backUpWanted, this, [this, failed, &part] {
         beside(
             tr("The data are being backed up …"),
-            [place = m_place](const School& school, Work& work) {
-                return makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
-                                  [&work](int done, int all) { return work.tell(done, all); });
+            [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<QString> {
+                auto made = makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
+                                       [&work](int done, int all) { return work.tell(done, all); });
+                if (made)
+                    if (auto noted = database::sql::noteBackup(school, who, *made); !noted)
+                        return tl::unexpected(noted.error());
+                return made;
             },
             [this, failed, &part](const core::Result<QString>& made) {
                 if (!made)
@@ -377,12 +391,14 @@ void AdminDesk::connectBackups()
             tr("Everything is looked at …"),
             [isServer = m_place.address.isServer()](const School& school, Work& work) {
                 return database::sql::checkDatabase(
-                    school.db, {}, [&work](const char*, std::int64_t rows) { static_cast<void>(work.tell(rows, 0)); },
+                    school.db, {}, [&work](const char*, std::int64_t rows) { return work.tell(rows, 0); },
                     isServer ? std::string() : school.key.publicHex());
             },
             [failed, &part](const core::Result<database::sql::CheckReport>& report) {
                 if (!report)
                     return failed(report.error());
+                if (report->isStopped)
+                    return part.finish(tr("It was stopped."));
                 QStringList findings;
                 for (const std::string& one : report->findings)
                     findings << QString::fromStdString(one);

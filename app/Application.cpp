@@ -29,7 +29,7 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Classes.h"
-#include "database/sql/ExamStarts.h"
+#include "database/sql/Feedback.h"
 #include "database/sql/Logins.h"
 #include "haptics/falcon/FalconFeel.h"
 #include "haptics/pointer/PointerDevice.h"
@@ -462,9 +462,28 @@ void Application::enter(const database::Session& who)
         m_window->openLessons();
     if (m_tour && !keeps)
         m_tour->welcome(m_desk.get(), m_who);
+    if (who.role() == database::Role::Admin && m_desk)
+        raisePasswordCost();
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
         m_window->showMessage(tr("The school's data lie on a network drive: only one computer at a time can use them. "
                                  "For several, keep them on a PostgreSQL server."));
+}
+
+/// Computers get faster, and who guesses passwords has them first.
+void Application::raisePasswordCost()
+{
+    if (std::exchange(m_hasTimedCost, true))
+        return;
+    inBackground(
+        this, [] { return database::timedCost(); },
+        [this](const database::PasswordCost& cost) {
+            m_desk->ask(
+                this,
+                [who = m_who, cost](const School& school) {
+                    return database::sql::raisePasswordCost(school, who, cost);
+                },
+                [](const core::Status&) {});
+        });
 }
 
 /// The attempt stays on the disk, in the folder of who made it, and is offered to him when he is back.
@@ -630,6 +649,7 @@ void Application::showLessons()
     {
         std::map<std::string, ui::study::Standing> standings;
         std::map<std::string, ui::study::Given> given;
+        std::vector<database::Feedback> feedback;
     };
     const auto show = [this, who = m_who](const Found& found) {
         inBackground(
@@ -638,6 +658,7 @@ void Application::showLessons()
                 if (m_who != who)
                     return;
                 m_window->setLessons(std::move(entries), found.standings, found.given);
+                m_window->setFeedback(found.feedback);
                 tellUnfinished();  // who put the offer away finds it here again
             });
     };
@@ -657,6 +678,10 @@ void Application::showLessons()
                                                  QString::fromStdString(one.lastUtc)};
             if (who.role() != database::Role::Student)
                 return found;
+            auto feedback = database::sql::feedbackFor(school, who, who.person());
+            if (!feedback)
+                return tl::unexpected(feedback.error());
+            found.feedback = std::move(*feedback);
             const auto classes = database::sql::listClasses(school, who);
             const auto given = database::sql::listAssignments(school, who);
             if (!classes || !given)
@@ -916,20 +941,15 @@ void Application::noteExam(const core::session::Findings& findings)
                        false};
     if (std::exchange(m_begunExam.isTold, true))
         return;
-    // Nobody is held up where the school's server is away: it is told when it is back.
-    m_desk->ask(
-        this,
-        [who = m_who, start = m_begunExam.start](const School& school) {
-            return database::sql::beginExam(school, who, start);
-        },
-        [this, generation = m_ownGeneration](const core::Status& told) {
-            if (told)
-                return;
-            QTimer::singleShot(kExamRetryMs, this, [this, generation] {
-                if (m_begunExam.generation == generation)
-                    m_begunExam.isTold = false;
-            });
+    // Where the school's server is away it lies in the outbox, as a graded attempt does.
+    m_desk->keep(this, m_who, m_begunExam.start, [this, generation = m_ownGeneration](const core::Status& kept) {
+        if (kept)
+            return;
+        QTimer::singleShot(kExamRetryMs, this, [this, generation] {
+            if (m_begunExam.generation == generation)
+                m_begunExam.isTold = false;
         });
+    });
 }
 
 /// Within the outline of what is to be cut, or nowhere.

@@ -79,6 +79,7 @@ private:
     void enter(const database::Session& who);
     void leave();
     void becomeGuest();
+    void raisePasswordCost();
     void tellMayEdit();
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
@@ -169,6 +170,7 @@ private:
     QString m_backup;    ///< that can be put in the place of the database; empty: none
     QTimer m_openWatch;  ///< tries again what a server or another program has held up
     bool m_isOnNetworkDrive = false;
+    bool m_hasTimedCost = false;
     bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 

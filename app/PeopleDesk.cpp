@@ -14,6 +14,7 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
 #include "database/sql/ExamStarts.h"
+#include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
@@ -86,6 +87,12 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
             desk->tellLessons();
     });
     connect(&m_window, &MainWindow::attemptsWanted, this, [this] { openHistory(m_who().person(), {}, {}); });
+    connect(&m_window, &MainWindow::feedbackWanted, this, [this, &history](qint64 attempt) {
+        if (attempt == 0)
+            openHistory(m_who().person(), {}, {});
+        else
+            emit history.attemptOpenWanted(attempt);
+    });
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto&, const auto& recording) { emit replayWanted(recording); });
@@ -239,9 +246,29 @@ void PeopleDesk::tellTalk()
                   m_window.scorePage().talk().setTalk(*talk);
                   m_window.scorePage().setGiven(talk->overrides.empty() ? std::nullopt
                                                                         : talk->overrides.back().givenTenths);
+                  if (m_talkedAbout->person == m_who().person() && !(talk->comments.empty() && talk->overrides.empty()))
+                      noteSeen(*m_talkedAbout);
               } else
                   refuse(talk.error());
           });
+}
+
+/// His home and his list tell him no longer that it is new.
+void PeopleDesk::noteSeen(const database::AttemptRecord& attempt)
+{
+    askAs(
+        [who = m_who(), attempt](const School& school) -> core::Result<std::vector<database::Feedback>> {
+            if (auto seen = database::sql::seeFeedback(school, who, attempt); !seen)
+                return tl::unexpected(seen.error());
+            return database::sql::feedbackFor(school, who, who.person());
+        },
+        [this](const core::Result<std::vector<database::Feedback>>& feedback) {
+            if (!feedback)
+                return;  // it is told once more
+            m_window.setFeedback(*feedback);
+            if (m_person == m_who().person())
+                m_window.historyPage().setFeedback(*feedback);
+        });
 }
 
 void PeopleDesk::connectReport()
@@ -313,6 +340,7 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
     {
         std::vector<database::AttemptRecord> attempts;
         std::vector<database::ExamStart> withoutScore;
+        std::vector<database::Feedback> feedback;
     };
     const auto show = [this, person, fullName, lesson](const core::Result<Found>& found) {
         if (!found) {
@@ -325,6 +353,7 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
         page.setPerson(fullName);
         page.setExamsWithoutScore({found->withoutScore.begin(), found->withoutScore.end()});
         page.setHistory(QList<database::AttemptRecord>(found->attempts.begin(), found->attempts.end()));
+        page.setFeedback(found->feedback);
         page.setLesson(lesson);
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
@@ -335,9 +364,12 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
             [who = m_who(), person](const School& school) -> core::Result<Found> {
                 auto attempts = database::sql::history(school, who, person, {});
                 auto withoutScore = database::sql::examsWithoutScore(school, who, person);
+                auto feedback = database::sql::feedbackFor(school, who, person);
                 if (!attempts || !withoutScore)
                     return tl::unexpected(attempts ? withoutScore.error() : attempts.error());
-                return Found{std::move(*attempts), std::move(*withoutScore)};
+                if (!feedback)
+                    return tl::unexpected(feedback.error());
+                return Found{std::move(*attempts), std::move(*withoutScore), std::move(*feedback)};
             },
             show);
     });

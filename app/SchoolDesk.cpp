@@ -8,6 +8,7 @@
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Logins.h"
 
 namespace app {
@@ -160,24 +161,45 @@ database::Outbox SchoolDesk::outbox() const
     return {QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key};
 }
 
+core::Status SchoolDesk::putInto(const std::function<core::Status(database::Outbox)>& put)
+{
+    core::Status status;
+    if (!m_key)
+        status = connect();  // which reads the key, whether or not there is a server
+    return m_key ? put(outbox()) : status;
+}
+
 void SchoolDesk::keep(QObject* owner, const database::Session& session, const database::AttemptRecord& attempt,
                       const core::recording::Recording& recording, const std::function<void(const core::Status&)>& kept)
 {
     post([this, guard = QPointer<QObject>(owner), session, attempt, recording, kept] {
-        core::Status status;
-        if (!m_key)
-            status = connect();  // which reads the key, whether or not there is a server
-        if (m_key)
-            status = outbox().put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
-        QMetaObject::invokeMethod(
-            this,
-            [guard, status, kept] {
-                if (guard)
-                    kept(status);
-            },
-            Qt::QueuedConnection);
+        const core::Status status = putInto([&](database::Outbox letters) {
+            return letters.put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
+        });
+        answerKept(guard, status, kept);
         deliverAll();
     });
+}
+
+void SchoolDesk::keep(QObject* owner, const database::Session& session, const database::ExamStart& start,
+                      const std::function<void(const core::Status&)>& kept)
+{
+    post([this, guard = QPointer<QObject>(owner), session, start, kept] {
+        answerKept(guard, putInto([&](database::Outbox letters) { return letters.put(session, start); }), kept);
+        deliverAll();
+    });
+}
+
+void SchoolDesk::answerKept(const QPointer<QObject>& owner, const core::Status& status,
+                            const std::function<void(const core::Status&)>& kept)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [owner, status, kept] {
+            if (owner)
+                kept(status);
+        },
+        Qt::QueuedConnection);
 }
 
 void SchoolDesk::deliver()
@@ -193,29 +215,50 @@ void SchoolDesk::deliverAll()
     for (const QString& file : letters.waiting()) {
         if (!connect())
             return;
-        const auto letter = letters.read(file);
-        if (!letter) {
-            setAside(letters, file, letter.error());
+        const auto deliver = deliveryOf(letters, file);
+        if (!deliver) {
+            setAside(letters, file, deliver.error());
             continue;
         }
-        const auto id = database::sql::deliverAttempt(*m_school, letter->attempt, letter->recording);
-        if (id) {
+        const core::Status done = (*deliver)();
+        if (done) {
             // Of a server its administrator makes backups.
             if (m_address.isServer())
                 letters.remove(file);
             else
                 letters.keepArrived(file);
-            QMetaObject::invokeMethod(
-                this, [this, uid = QString::fromStdString(letter->attempt.uid)] { emit delivered(uid); },
-                Qt::QueuedConnection);
-        } else if (id.error().code == ErrorCode::OutOfRange || id.error().code == ErrorCode::UnknownName) {
+        } else if (done.error().code == ErrorCode::OutOfRange || done.error().code == ErrorCode::UnknownName) {
             // It will never be taken; those behind it shall be.
-            setAside(letters, file, id.error());
+            setAside(letters, file, done.error());
         } else {
-            notice(id.error());
+            notice(done.error());
             return;
         }
     }
+}
+
+core::Result<std::function<core::Status()>> SchoolDesk::deliveryOf(const database::Outbox& letters, const QString& file)
+{
+    if (database::Outbox::isExam(file)) {
+        auto exam = letters.readExam(file);
+        if (!exam)
+            return tl::unexpected(exam.error());
+        return [this, exam = std::move(*exam)] {
+            return database::sql::deliverExam(*m_school, exam.personUid, exam.start);
+        };
+    }
+    auto letter = letters.read(file);
+    if (!letter)
+        return tl::unexpected(letter.error());
+    return [this, letter = std::move(*letter)]() -> core::Status {
+        const auto id = database::sql::deliverAttempt(*m_school, letter.attempt, letter.recording);
+        if (!id)
+            return tl::unexpected(id.error());
+        QMetaObject::invokeMethod(
+            this, [this, uid = QString::fromStdString(letter.attempt.uid)] { emit delivered(uid); },
+            Qt::QueuedConnection);
+        return {};
+    };
 }
 
 void SchoolDesk::setAside(const database::Outbox& outbox, const QString& file, const core::Error& why)

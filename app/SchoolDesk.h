@@ -107,6 +107,10 @@ public:
     void keep(QObject* owner, const database::Session& session, const database::AttemptRecord& attempt,
               const core::recording::Recording& recording, const std::function<void(const core::Status&)>& kept);
 
+    /// The same for an exam that was begun.
+    void keep(QObject* owner, const database::Session& session, const database::ExamStart& start,
+              const std::function<void(const core::Status&)>& kept);
+
     /// Tries to deliver what waits.
     void deliver();
 
@@ -121,13 +125,19 @@ private:
     [[nodiscard]] static core::Result<database::StationKey> keyOf(const QString& folder);
     void post(std::function<void()> job);
     void answer(const QPointer<QObject>& owner, const Opened& done, const Opening& opening);
+    void answerKept(const QPointer<QObject>& owner, const core::Status& status,
+                    const std::function<void(const core::Status&)>& kept);
     // What follows runs on the desk's thread.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] Opening tryToOpen();
     [[nodiscard]] database::Outbox outbox() const;
     void notice(const core::Error& error);
+    [[nodiscard]] core::Status putInto(const std::function<core::Status(database::Outbox)>& put);
     void deliverAll();
+    /// Reads a letter; what it returns delivers it, and holds as long as this does.
+    [[nodiscard]] core::Result<std::function<core::Status()>> deliveryOf(const database::Outbox& letters,
+                                                                         const QString& file);
     void setAside(const database::Outbox& outbox, const QString& file, const core::Error& why);
 
     database::Address m_address;

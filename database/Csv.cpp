@@ -56,7 +56,11 @@ core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes)
     if (!core::isUtf8(bytes) || bytes.find('\0') != std::string_view::npos)
         return core::unexpected(ErrorCode::BadStructure,
                                 "the file is not UTF-8 text; save it from the spreadsheet as \"CSV UTF-8\"");
-    const char separator = separatorOf(bytes.substr(0, bytes.find('\n')));
+    // A spreadsheet's own first line, "sep=;", names the separator and nothing else.
+    constexpr std::string_view kNamed = "sep=";
+    const std::string_view first = bytes.substr(0, bytes.find_first_of("\r\n"));
+    const bool isNamed = first.size() == kNamed.size() + 1 && first.substr(0, kNamed.size()) == kNamed;
+    const char separator = isNamed ? first.back() : separatorOf(first);
     std::vector<CsvRow> rows;
     CsvRow row{1, {}};
     std::string field;
@@ -72,12 +76,18 @@ core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes)
     };
     const auto endRow = [&] {
         endField();
-        if (row.fields.size() > 1 || !row.fields.front().empty())
+        // A spreadsheet writes the rows below the last as separators only.
+        const auto isBlank = [](const std::string& text) {
+            return text.find_first_not_of(" \t\r") == std::string::npos;
+        };
+        if (!std::all_of(row.fields.begin(), row.fields.end(), isBlank) && !(isNamed && line == 1))
             rows.push_back(std::move(row));
         row = {line + 1, {}};
     };
     for (std::size_t at = 0; at < bytes.size(); ++at, ++column) {
-        const char c = bytes[at];
+        // Lines end with \n, \r\n, or as on an old Macintosh with \r.
+        const bool isOldEnd = bytes[at] == '\r' && at + 1 < bytes.size() && bytes[at + 1] != '\n';
+        const char c = isOldEnd && in != In::Quoted ? '\n' : bytes[at];
         if (in == In::Quoted) {
             if (c == '"' && at + 1 < bytes.size() && bytes[at + 1] == '"') {
                 field += c;

@@ -21,8 +21,9 @@ struct CsvRow
 };
 
 /// Reads CSV in UTF-8, with or without a byte order mark; the separator is whichever of comma, semicolon and tab the
-/// first line has most of. Empty lines are left out. BadStructure with line and column: not UTF-8, a quote that is not
-/// closed, words behind a closing quote. FileTooLarge: over 16 MiB.
+/// first line has most of, or the one that a line "sep=;" before it names. Empty lines, and those of separators only,
+/// are left out. BadStructure with line and column: not UTF-8, a quote that is not closed, words behind a closing
+/// quote. FileTooLarge: over 16 MiB.
 [[nodiscard]] core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes);
 
 }  // namespace database

@@ -22,6 +22,7 @@ using core::ErrorCode;
 constexpr std::string_view kMagic = "CUSPOUT1";
 constexpr qint64 kLargest = 1LL << 30U;
 const QString kEnding = QStringLiteral(".attempt");
+const QString kExamEnding = QStringLiteral(".exam");
 const QString kArrived = QStringLiteral("arrived");
 
 /// The texts of a record, in the order of the file.
@@ -82,7 +83,8 @@ QStringList lettersIn(const QString& folder)
 {
     QStringList files;
     const QDir there(folder);
-    for (const QString& name : there.entryList({'*' + kEnding}, QDir::Files, QDir::Time | QDir::Reversed))
+    for (const QString& name :
+         there.entryList({'*' + kExamEnding, '*' + kEnding}, QDir::Files, QDir::Time | QDir::Reversed))
         files += there.filePath(name);
     return files;
 }
@@ -101,6 +103,12 @@ core::Error refused(ErrorCode code, const QString& file, const std::string& why)
     return {code, "attempt " + file.toStdString() + ": " + why};
 }
 
+core::Error damaged(const QString& file)
+{
+    return refused(ErrorCode::BadStructure, file,
+                   "it is damaged, or another station wrote it; it is kept in the folder \"damaged\"");
+}
+
 }  // namespace
 
 core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording)
@@ -113,11 +121,25 @@ core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, c
     core::ByteWriter content;
     content.putText(bytesOf(own));
     content.putText({recording.constData(), static_cast<std::size_t>(recording.size())});
-    const std::string signature = m_key.sign(digestOf(content.bytes()));
+    return write(QString::fromStdString(own.uid) + kEnding, content.bytes());
+}
 
+core::Status Outbox::put(const Session& session, const ExamStart& start)
+{
+    if (session.isGuest())
+        return core::unexpected(ErrorCode::NotAllowed, "a guest's exams are not kept; log in first");
+    core::ByteWriter content;
+    for (const std::string* text : {&start.uid, &session.uid(), &start.lessonId, &start.begunUtc})
+        content.putText(*text);
+    return write(QString::fromStdString(start.uid) + kExamEnding, content.bytes());
+}
+
+core::Status Outbox::write(const QString& name, const std::string& content) const
+{
+    const std::string signature = m_key.sign(digestOf(content));
     QDir().mkpath(m_folder);
-    const QString path = QDir(m_folder).filePath(QString::fromStdString(own.uid) + kEnding);
-    const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + signature + content.bytes());
+    const QString path = QDir(m_folder).filePath(name);
+    const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + signature + content);
     QSaveFile file(path);  // synced before it gets its name
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
         return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
@@ -148,7 +170,12 @@ void Outbox::sendAgain() const
         move(file, m_folder);
 }
 
-core::Result<Outbox::Letter> Outbox::read(const QString& path) const
+bool Outbox::isExam(const QString& file)
+{
+    return file.endsWith(kExamEnding);
+}
+
+core::Result<std::string> Outbox::contentOf(const QString& path) const
 {
     constexpr std::size_t kSignature = 128;
     QFile file(path);
@@ -156,26 +183,42 @@ core::Result<Outbox::Letter> Outbox::read(const QString& path) const
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
     const QByteArray all = file.size() <= kLargest ? file.readAll() : QByteArray();
     const std::string_view bytes(all.constData(), static_cast<std::size_t>(all.size()));
-    const auto damaged = [&path] {
-        return tl::unexpected(refused(ErrorCode::BadStructure, path,
-                                      "it is damaged, or another station wrote it; it is kept in the folder "
-                                      "\"damaged\""));
-    };
     if (bytes.size() < kMagic.size() + kSignature || bytes.substr(0, kMagic.size()) != kMagic)
-        return damaged();
+        return tl::unexpected(damaged(path));
     const std::string signature(bytes.substr(kMagic.size(), kSignature));
-    const std::string_view content = bytes.substr(kMagic.size() + kSignature);
+    std::string content(bytes.substr(kMagic.size() + kSignature));
     if (!StationKey::isSigned(digestOf(content), signature, m_key.publicHex()))
-        return damaged();
+        return tl::unexpected(damaged(path));
+    return content;
+}
+
+core::Result<Outbox::Letter> Outbox::read(const QString& path) const
+{
+    const auto content = contentOf(path);
+    if (!content)
+        return tl::unexpected(content.error());
     Letter letter;
-    letter.file = path;
-    core::ByteReader parts(content);
+    core::ByteReader parts(*content);
     const std::string attempt = parts.takeText();
     const std::string recording = parts.takeText();
     core::ByteReader fields(attempt);
     if (!parts.ok() || !takeAttempt(fields, letter.attempt))
-        return damaged();
+        return tl::unexpected(damaged(path));
     letter.recording = QByteArray::fromStdString(recording);
+    return letter;
+}
+
+core::Result<Outbox::ExamLetter> Outbox::readExam(const QString& path) const
+{
+    const auto content = contentOf(path);
+    if (!content)
+        return tl::unexpected(content.error());
+    ExamLetter letter;
+    core::ByteReader parts(*content);
+    for (std::string* text : {&letter.start.uid, &letter.personUid, &letter.start.lessonId, &letter.start.begunUtc})
+        *text = parts.takeText();
+    if (!parts.ok())
+        return tl::unexpected(damaged(path));
     return letter;
 }
 

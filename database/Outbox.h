@@ -15,19 +15,24 @@
 
 namespace database {
 
-/// Graded attempts on their way to the database: each a file that is on the disk before the student is told that his
-/// score is kept, and goes when the database has it. A server that is away, a database that is locked or a disk that is
-/// full there holds nobody up; a program that is killed in between delivers at its next start, and the attempt's uid
-/// sees to it that it arrives once. Any one thread at a time.
+/// Graded attempts, and exams that were begun, on their way to the database: each a file that is on the disk before the
+/// student is told that his score is kept, and goes when the database has it. A server that is away, a database that is
+/// locked or a disk that is full there holds nobody up; a program that is killed in between delivers at its next start,
+/// and the attempt's uid sees to it that it arrives once. Any one thread at a time.
 class Outbox
 {
 public:
     /// An attempt that waits.
     struct Letter
     {
-        QString file;
         AttemptRecord attempt;
         QByteArray recording;
+    };
+    /// An exam's beginning that waits.
+    struct ExamLetter
+    {
+        std::string personUid;
+        ExamStart start;
     };
 
     /// @param folder  is made when the first attempt is put there
@@ -36,10 +41,15 @@ public:
     /// Puts an attempt of the session's person there, on the disk when this returns. NotAllowed: a guest's.
     [[nodiscard]] core::Status put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording);
 
-    /// Those that wait, oldest first.
+    /// As put(), for an exam that the session's person has begun: ending the program does not make it undone.
+    [[nodiscard]] core::Status put(const Session& session, const ExamStart& start);
+
+    /// Those that wait, oldest first; an exam's beginning stands before what came of it.
     [[nodiscard]] QStringList waiting() const;
+    [[nodiscard]] static bool isExam(const QString& file);
     /// BadStructure: damaged, or not written by this station. Such a file is for setAside().
     [[nodiscard]] core::Result<Letter> read(const QString& file) const;
+    [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
     void remove(const QString& file) const;
     /// Into the folder "arrived" beside it: the database has it, but no backup of the database does yet.
     void keepArrived(const QString& file) const;
@@ -51,6 +61,9 @@ public:
     void setAside(const QString& file) const;
 
 private:
+    [[nodiscard]] core::Status write(const QString& name, const std::string& content) const;
+    [[nodiscard]] core::Result<std::string> contentOf(const QString& file) const;
+
     QString m_folder;
     StationKey m_key;
 };

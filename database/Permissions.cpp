@@ -40,6 +40,7 @@ constexpr std::array<std::array<Reach, kRoles>, kOperations> kTable{{
     {kNone, kOwn, kOwn, kOwn},          // ChangeOwnSettings
     {kNone, kNone, kNone, kAll},        // ReadAudit
     {kNone, kNone, kNone, kAll},        // KeepBackups
+    {kNone, kNone, kNone, kAll},        // CopySchool
 }};
 
 }  // namespace

@@ -29,7 +29,7 @@ enum class Operation : std::uint8_t {
     ChangeClasses,  ///< add and rename them, and who belongs to them
     ListAssignments,
     Assign,
-    AddAttempt,
+    AddAttempt,   ///< into the outbox, and so into the database; also that an exam has begun
     ReadHistory,  ///< lists of somebody's attempts
     OpenAttempt,  ///< its score sheet and recording
     CompareWithClass,
@@ -43,9 +43,10 @@ enum class Operation : std::uint8_t {
     ChangeSettings,     ///< the school's
     ChangeOwnSettings,  ///< one's own
     ReadAudit,
-    KeepBackups,  ///< make and try them
+    KeepBackups,  ///< make and try them, and check everything
+    CopySchool,   ///< into another database
 };
-inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::KeepBackups) + 1;
+inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::CopySchool) + 1;
 
 /// To whose data an operation reaches.
 enum class Reach : std::uint8_t {

@@ -28,7 +28,8 @@ struct Person
     std::string familyName;
     Role role = Role::Student;
     bool disabled = false;
-    bool hasPassword = false;  ///< if not, a one-time code lets him in, once
+    bool hasPassword = false;
+    std::string codeUntilUtc;  ///< until then a one-time code lets him in, once; empty: he has none
     std::string lastLoginUtc;  ///< empty: never
     std::vector<ClassId> classes;
     bool operator==(const Person&) const = default;

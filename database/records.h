@@ -67,6 +67,17 @@ struct ExamStart
     bool operator==(const ExamStart&) const = default;
 };
 
+/// That others have said something of an attempt.
+struct Feedback
+{
+    AttemptId attempt;
+    std::string lessonId;
+    std::string author;   ///< full name, of who said something last
+    std::string saidUtc;  ///< when
+    bool isNew = false;   ///< whoever asks has not seen it yet
+    bool operator==(const Feedback&) const = default;
+};
+
 /// What has been reached in a lesson so far.
 struct LessonStanding
 {

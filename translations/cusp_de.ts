@@ -115,6 +115,22 @@
         <source>found the audit changed</source>
         <translation>fand das Protokoll verändert</translation>
     </message>
+    <message>
+        <source>made a backup</source>
+        <translation>hat eine Sicherung angelegt</translation>
+    </message>
+    <message>
+        <source>exported attempts</source>
+        <translation>hat Versuche exportiert</translation>
+    </message>
+    <message>
+        <source>copied the school into another database</source>
+        <translation>hat die Schule in eine andere Datenbank kopiert</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>anderer Name</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1958,6 +1974,10 @@
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
         <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt.</translation>
     </message>
+    <message>
+        <source>needs a one-time code</source>
+        <translation>braucht einen Einmal-Code</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -3211,6 +3231,24 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <extracomment>Newtons</extracomment>
         <translation>Kraft, N</translation>
     </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>A teacher has written about this attempt or given another score: open its grade to read it</source>
+        <translation>Eine Lehrkraft hat zu diesem Versuch geschrieben oder ihm andere Punkte gegeben: öffnen Sie die Bewertung, um es zu lesen</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
+        <translation>Rückmeldung</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryPage</name>
@@ -3249,10 +3287,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>See again how it was done</source>
         <translation>Noch einmal sehen, wie gearbeitet wurde</translation>
-    </message>
-    <message>
-        <source>Your attempts</source>
-        <translation>Ihre Versuche</translation>
     </message>
     <message>
         <source>Attempts of %1</source>
@@ -3314,6 +3348,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>See what cost points, and where</source>
         <translation>Sehen, was Punkte gekostet hat und wo</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Meine Versuche</translation>
     </message>
 </context>
 <context>
@@ -5190,10 +5228,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Wiedergabe beenden</translation>
     </message>
     <message>
-        <source>Your work would be lost</source>
-        <translation>Ihre Arbeit ginge verloren</translation>
-    </message>
-    <message>
         <source>What you have cut would be lost.</source>
         <translation>Was Sie präpariert haben, ginge verloren.</translation>
     </message>
@@ -5204,14 +5238,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>&amp;Save the recording …</source>
         <translation>Aufzeichnung &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Verwerfen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
     </message>
     <message>
         <source>Undo takes the stroke back.</source>
@@ -5315,10 +5341,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation>%1: Ein Versuch von %2 wurde nicht beendet.</translation>
     </message>
-    <message>
-        <source>Your lessons would be lost</source>
-        <translation>Ihre Lektionen gingen verloren</translation>
-    </message>
     <message numerus="yes">
         <source>What you have changed in %n lesson(s) would be lost.</source>
         <translation>
@@ -5400,10 +5422,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Tabellen (%1)</translation>
     </message>
     <message>
-        <source>The exam would be broken off</source>
-        <translation>Die Prüfung würde abgebrochen</translation>
-    </message>
-    <message>
         <source>The exam would be broken off without a score.</source>
         <translation>Die Prüfung würde ohne Punktzahl abgebrochen.</translation>
     </message>
@@ -5483,6 +5501,17 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>This attempt</source>
         <translation>Dieser Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::QuestionCard</name>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -5807,10 +5836,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ein mitlaufender Schnitt durch den Bohrer zeigt Schmelz, Dentin und Pulpa, wo die Lektion es erlaubt.</translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation>Ihre Versuche</translation>
-    </message>
-    <message>
         <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
         <translation>Wie sich Ihre Punkte entwickelt haben, was Ihre Lehrkraft sagt, und jeder Versuch zum Abspielen.</translation>
     </message>
@@ -5866,6 +5891,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
         <translation>Tragen Sie Personen ein, einzeln oder aus einer Liste, teilen Sie sie Klassen zu, und kümmern Sie sich um Sicherungen und Prüfprotokoll.</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Meine Versuche</translation>
     </message>
 </context>
 <context>
@@ -6100,6 +6129,29 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Press on each for a second, and compare.</source>
         <translation>Drücken Sie auf jedes eine Sekunde lang und vergleichen Sie.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::FeedbackCard</name>
+    <message>
+        <source>%1 has written about your attempt: %2</source>
+        <extracomment>%1: a teacher; %2: a lesson</extracomment>
+        <translation>%1 hat zu Ihrem Versuch geschrieben: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of your attempts have new feedback</source>
+        <translation>
+            <numerusform>Zu %n Ihrer Versuche gibt es neue Rückmeldungen</numerusform>
+            <numerusform>Zu %n Ihrer Versuche gibt es neue Rückmeldungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Meine Versuche</translation>
     </message>
 </context>
 <context>

@@ -115,6 +115,22 @@
         <source>found the audit changed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>made a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exported attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copied the school into another database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1958,6 +1974,10 @@
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>needs a one-time code</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -3203,6 +3223,24 @@ load NAME        feels a hardness preset that is kept</source>
         <extracomment>Newtons</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A teacher has written about this attempt or given another score: open its grade to read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryPage</name>
@@ -3240,10 +3278,6 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>See again how it was done</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Your attempts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3305,6 +3339,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>See what cost points, and where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My attempts</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5182,10 +5220,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your work would be lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What you have cut would be lost.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5195,14 +5229,6 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>&amp;Save the recording …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5307,10 +5333,6 @@ load NAME        feels a hardness preset that is kept</source>
         <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Your lessons would be lost</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>What you have changed in %n lesson(s) would be lost.</source>
         <translation>
@@ -5392,10 +5414,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The exam would be broken off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The exam would be broken off without a score.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5474,6 +5492,17 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>This attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::QuestionCard</name>
+    <message>
+        <source>&amp;Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5799,10 +5828,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5857,6 +5882,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My attempts</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6091,6 +6120,29 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Press on each for a second, and compare.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::FeedbackCard</name>
+    <message>
+        <source>%1 has written about your attempt: %2</source>
+        <extracomment>%1: a teacher; %2: a lesson</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of your attempts have new feedback</source>
+        <translation>
+            <numerusform>%n of your attempts has new feedback</numerusform>
+            <numerusform>%n of your attempts have new feedback</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My attempts</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -115,6 +115,22 @@
         <source>found the audit changed</source>
         <translation>encontró el registro alterado</translation>
     </message>
+    <message>
+        <source>made a backup</source>
+        <translation>hizo una copia de seguridad</translation>
+    </message>
+    <message>
+        <source>exported attempts</source>
+        <translation>exportó intentos</translation>
+    </message>
+    <message>
+        <source>copied the school into another database</source>
+        <translation>copió la escuela a otra base de datos</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>otro nombre</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1958,6 +1974,10 @@
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
         <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio.</translation>
     </message>
+    <message>
+        <source>needs a one-time code</source>
+        <translation>necesita un código de un solo uso</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -3211,6 +3231,24 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <extracomment>Newtons</extracomment>
         <translation>Fuerza, N</translation>
     </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
+        <translation>nuevo</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>leído</translation>
+    </message>
+    <message>
+        <source>A teacher has written about this attempt or given another score: open its grade to read it</source>
+        <translation>Un profesor ha escrito sobre este intento o le ha dado otra nota: abra la calificación para leerlo</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
+        <translation>Comentarios</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryPage</name>
@@ -3249,10 +3287,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>See again how it was done</source>
         <translation>Ver de nuevo cómo se hizo</translation>
-    </message>
-    <message>
-        <source>Your attempts</source>
-        <translation>Sus intentos</translation>
     </message>
     <message>
         <source>Attempts of %1</source>
@@ -3314,6 +3348,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>See what cost points, and where</source>
         <translation>Ver qué costó puntos y dónde</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Mis intentos</translation>
     </message>
 </context>
 <context>
@@ -5190,10 +5228,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Detener la reproducción</translation>
     </message>
     <message>
-        <source>Your work would be lost</source>
-        <translation>Su trabajo se perdería</translation>
-    </message>
-    <message>
         <source>What you have cut would be lost.</source>
         <translation>Lo que ha tallado se perdería.</translation>
     </message>
@@ -5204,14 +5238,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>&amp;Save the recording …</source>
         <translation>&amp;Guardar la grabación …</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Descartar</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>Undo takes the stroke back.</source>
@@ -5315,10 +5341,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation>%1: un intento (%2) quedó sin terminar.</translation>
     </message>
-    <message>
-        <source>Your lessons would be lost</source>
-        <translation>Sus lecciones se perderían</translation>
-    </message>
     <message numerus="yes">
         <source>What you have changed in %n lesson(s) would be lost.</source>
         <translation>
@@ -5400,10 +5422,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Esta lección trae su propia dureza. Solo se pueden cambiar las fuerzas.</translation>
     </message>
     <message>
-        <source>The exam would be broken off</source>
-        <translation>El examen se interrumpiría</translation>
-    </message>
-    <message>
         <source>The exam would be broken off without a score.</source>
         <translation>El examen se interrumpiría sin puntuación.</translation>
     </message>
@@ -5483,6 +5501,17 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>This attempt</source>
         <translation>Este intento</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::QuestionCard</name>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
     </message>
 </context>
 <context>
@@ -5807,10 +5836,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Un corte en vivo a través de la fresa muestra esmalte, dentina y pulpa, si la lección lo permite.</translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation>Sus intentos</translation>
-    </message>
-    <message>
         <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
         <translation>Cómo han ido sus puntuaciones, qué dice su docente, y cada intento para reproducirlo.</translation>
     </message>
@@ -5866,6 +5891,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
         <translation>Registre a las personas, una a una o desde una lista, asígnelas a grupos y cuide de las copias de seguridad y la auditoría.</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Mis intentos</translation>
     </message>
 </context>
 <context>
@@ -6100,6 +6129,29 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Press on each for a second, and compare.</source>
         <translation>Presione un segundo en cada uno y compare.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::FeedbackCard</name>
+    <message>
+        <source>%1 has written about your attempt: %2</source>
+        <extracomment>%1: a teacher; %2: a lesson</extracomment>
+        <translation>%1 ha escrito sobre su intento: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of your attempts have new feedback</source>
+        <translation>
+            <numerusform>Hay comentarios nuevos sobre %n de sus intentos</numerusform>
+            <numerusform>Hay comentarios nuevos sobre %n de sus intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation>Leer</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>Mis intentos</translation>
     </message>
 </context>
 <context>

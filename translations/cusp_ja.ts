@@ -115,6 +115,22 @@
         <source>found the audit changed</source>
         <translation>監査記録の改変を検出</translation>
     </message>
+    <message>
+        <source>made a backup</source>
+        <translation>バックアップを作成</translation>
+    </message>
+    <message>
+        <source>exported attempts</source>
+        <translation>試行を書き出し</translation>
+    </message>
+    <message>
+        <source>copied the school into another database</source>
+        <translation>学校を別のデータベースにコピー</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>名前を変更</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1947,6 +1963,10 @@
         <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
         <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。</translation>
     </message>
+    <message>
+        <source>needs a one-time code</source>
+        <translation>ワンタイムコードが必要</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -3186,6 +3206,24 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <extracomment>Newtons</extracomment>
         <translation>力、N</translation>
     </message>
+    <message>
+        <source>new</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
+        <translation>新着</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>既読</translation>
+    </message>
+    <message>
+        <source>A teacher has written about this attempt or given another score: open its grade to read it</source>
+        <translation>この試行に教員がコメントしたか、別の点数を付けました。採点を開くと読めます</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
+        <translation>講評</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryPage</name>
@@ -3223,10 +3261,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>See again how it was done</source>
         <translation>どのように行ったかをもう一度見ます</translation>
-    </message>
-    <message>
-        <source>Your attempts</source>
-        <translation>あなたの試行</translation>
     </message>
     <message>
         <source>Attempts of %1</source>
@@ -3287,6 +3321,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>See what cost points, and where</source>
         <translation>何がどこで減点になったかを見る</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>自分の試行</translation>
     </message>
 </context>
 <context>
@@ -5297,10 +5335,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>再生を停止</translation>
     </message>
     <message>
-        <source>Your work would be lost</source>
-        <translation>作業が失われます</translation>
-    </message>
-    <message>
         <source>What you have cut would be lost.</source>
         <translation>切削した内容が失われます。</translation>
     </message>
@@ -5312,10 +5346,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>&amp;Save the recording …</source>
         <translation>記録を保存(&amp;S) …</translation>
     </message>
-    <message>
-        <source>Your lessons would be lost</source>
-        <translation>課題の変更が失われます</translation>
-    </message>
     <message numerus="yes">
         <source>What you have changed in %n lesson(s) would be lost.</source>
         <translation>
@@ -5325,14 +5355,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>破棄(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>Scans of teeth (%1)</source>
@@ -5365,10 +5387,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>This is neither a scan (OBJ, STL, PLY) nor a recording. Drop one of those.</source>
         <translation>スキャン（OBJ、STL、PLY）でも記録でもありません。どちらかをドロップしてください。</translation>
-    </message>
-    <message>
-        <source>The exam would be broken off</source>
-        <translation>試験が中断されます</translation>
     </message>
     <message>
         <source>The exam would be broken off without a score.</source>
@@ -5450,6 +5468,17 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>This attempt</source>
         <translation>この試行</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::QuestionCard</name>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -5774,10 +5803,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>課題が許す場合、バーを通る断面でエナメル質、象牙質、歯髄が見られます。</translation>
     </message>
     <message>
-        <source>Your attempts</source>
-        <translation>自分の試行</translation>
-    </message>
-    <message>
         <source>How your scores went, what your instructor says, and every attempt to be played again.</source>
         <translation>点数の推移と教員のコメントが見られ、どの試行も再生できます。</translation>
     </message>
@@ -5833,6 +5858,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Enter people, one by one or from a list, put them into classes, and look after backups and the audit.</source>
         <translation>利用者を一人ずつ、または名簿から登録し、クラスに入れます。バックアップと監査記録もここで管理します。</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>自分の試行</translation>
     </message>
 </context>
 <context>
@@ -6062,6 +6091,28 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Press on each for a second, and compare.</source>
         <translation>それぞれを1秒ずつ押して、比べてください。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::FeedbackCard</name>
+    <message>
+        <source>%1 has written about your attempt: %2</source>
+        <extracomment>%1: a teacher; %2: a lesson</extracomment>
+        <translation>%1 さんがあなたの試行についてコメントしました: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of your attempts have new feedback</source>
+        <translation>
+            <numerusform>%n 件の試行に新しい講評があります</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation>読む</translation>
+    </message>
+    <message>
+        <source>My attempts</source>
+        <translation>自分の試行</translation>
     </message>
 </context>
 <context>

@@ -50,11 +50,20 @@ void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QStr
         std::_Exit(failed({core::ErrorCode::FileUnreadable, "Nothing can be drawn: " + text.toStdString()}));
 }
 
+/// A statement that fails is told in a sentence; what Qt adds to it is for programmers.
+void hearQt(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
+{
+    if (type == QtFatalMsg)
+        std::_Exit(failed({core::ErrorCode::BadStructure, text.toStdString()}));
+}
+
 /// Charts want Qt's widgets, but no screen, and shall look the same whatever the screen is like. A tooth wants OpenGL.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, Draws draws)
 {
-    if (draws == Draws::Nothing || (draws == Draws::Tooth && !hasDisplay()))
+    if (draws == Draws::Nothing || (draws == Draws::Tooth && !hasDisplay())) {
+        qInstallMessageHandler(hearQt);
         return std::make_unique<QCoreApplication>(argc, argv);
+    }
     if (draws == Draws::Charts)
         qputenv("QT_QPA_PLATFORM", "offscreen");
     const QtMessageHandler handler = qInstallMessageHandler(hearQtStart);

@@ -12,6 +12,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
@@ -85,25 +86,32 @@ core::Status expectFile(const Address& address)
 int failedWithBackups(const core::Error& error, const Address& address)
 {
     core::Error said = error;
-    if (!address.isServer() && (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind)) {
-        const QStringList backups = database::sql::backupsIn(database::sql::backupFolder(address.file));
-        if (!backups.isEmpty())
+    if (!address.isServer() && (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
+                                error.code == ErrorCode::FileMissing)) {
+        const QString backup = database::sql::newestSound(address.file);
+        if (!backup.isEmpty())
             said.detail +=
-                "; the newest backup is " + backups.front().toStdString() + ", and \"cusp db restore\" brings it back";
+                "; the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
     }
     return failed(said);
 }
 
 int initDatabase(const QCommandLineParser& parser, const Address& address)
 {
+    const QString admin = parser.value(QStringLiteral("admin"));
+    std::string password;
+    if (!admin.isEmpty()) {
+        // Before there is a file without anybody in it.
+        password = askSecret("Password of the new admin: ");
+        if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
+            return failed(fit.error());
+    }
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
     if (!open->database->notice().empty())
         warn({open->database->notice()});
-    const QString admin = parser.value(QStringLiteral("admin"));
     if (!admin.isEmpty()) {
-        const std::string password = askSecret("Password of the new admin: ");
         const auto session = database::sql::Logins::createFirstAdmin(
             *open->school, {admin.toStdString(), "", "", database::Role::Admin}, password, database::timedCost());
         if (!session)
@@ -177,6 +185,7 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
+    makeDataFolder(address);
     const auto replaced = database::sql::restoreBackup(parser.positionalArguments().front(), address.file,
                                                        QDateTime::currentDateTimeUtc());
     if (!replaced)
@@ -229,12 +238,15 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     const auto from = openSchool(address, Opening::AsItIs);
     if (!from)
         return failedWithBackups(from.error(), address);
+    const auto session = logIn(parser, *from);
+    if (!session)
+        return failed(session.error());
     const auto to = openSchool(*target, Opening::Create);
     if (!to)
         return failed(to.error());
-    const bool tells = !wantsJson(parser);
+    const bool tells = isatty(STDERR_FILENO) != 0;
     const auto report =
-        database::sql::copySchool(*from->school, *to->school, [tells](const QString& table, qint64 rows) {
+        database::sql::copySchool(*from->school, *session, *to->school, [tells](const QString& table, qint64 rows) {
             if (tells)
                 tellProgress(table, rows);
         });
@@ -315,7 +327,7 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
     for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
         if (entry.read.lesson)
             lessons.push_back(entry.read.lesson->id);
-    const bool tells = !wantsJson(parser);
+    const bool tells = isatty(STDERR_FILENO) != 0;
     const auto made = database::sql::makeSample(*open->school, *admin, size, lessons, [tells](std::int64_t done) {
         if (tells)
             tellProgress(QStringLiteral("attempts"), done);
@@ -445,6 +457,7 @@ void addBackupFolder(QCommandLineParser& parser)
 
 void addTarget(QCommandLineParser& parser)
 {
+    addPersonOption(parser);
     parser.addOption({QStringLiteral("to"),
                       QStringLiteral("An empty or new database: a file, or "
                                      "postgresql://user@host/name."),
@@ -473,8 +486,8 @@ constexpr std::array kParts{
     Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
     Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
          migrateDatabase},
-    Part{"copy", "cusp db copy [--db FILE|URL] --to FILE|URL", "brings a school into another database, and verifies it",
-         addTarget, copyDatabase},
+    Part{"copy", "cusp db copy --as ADMIN [--db FILE|URL] --to FILE|URL",
+         "brings a school into another database, and verifies it", addTarget, copyDatabase},
     Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},
     Part{"measure", "cusp db measure --as ADMIN [--db FILE|URL]",
          "times the history page, the class matrix and an export", addPersonOption, measureSchool},

@@ -41,14 +41,20 @@ core::Result<database::Address> databaseAddress(const QCommandLineParser& parser
                                         : QDir(dataFolder()).filePath(QStringLiteral("cusp.sqlite")));
 }
 
+void makeDataFolder(const database::Address& address)
+{
+    if (!address.isServer() && QFileInfo(address.file).absolutePath() == dataFolder())
+        QDir().mkpath(dataFolder());
+}
+
 core::Result<OpenSchool> openSchool(const database::Address& address, Opening how)
 {
     const bool mayCreate = how == Opening::Create;
     if (!mayCreate && !address.isServer() && !QFileInfo::exists(address.file))
         return core::unexpected(ErrorCode::FileMissing, "database " + address.file.toStdString() +
                                                             ": there is no such file; \"cusp db init\" creates one");
-    if (mayCreate && !address.isServer() && address.file.startsWith(dataFolder()))
-        QDir().mkpath(dataFolder());
+    if (mayCreate)
+        makeDataFolder(address);
     const QString folder = address.isServer() ? dataFolder() : QFileInfo(address.file).absolutePath();
     OpenSchool open;
     database::sql::Database::Options options;
@@ -78,7 +84,12 @@ core::Result<database::Session> logIn(const QCommandLineParser& parser, const Op
         return core::unexpected(ErrorCode::NotAllowed,
                                 "that needs a login; say who does it with --as NAME (the password is asked for)");
     const std::string name = parser.value(QStringLiteral("as")).toStdString();
-    return database::sql::Logins::login(*school.school, name, askSecret("Password: "));
+    auto session = database::sql::Logins::login(*school.school, name, askSecret("Password: "));
+    if (!session && session.error().code == ErrorCode::NewPassword)
+        return core::unexpected(ErrorCode::NewPassword,
+                                "the one-time code is right; log in with it in Cusp's window, choose a password there, "
+                                "and try again");
+    return session;
 }
 
 std::string askSecret(const char* question)

@@ -28,6 +28,8 @@ enum class Opening {
     Migrate,  ///< bring it to the newest schema
     Create    ///< where nothing is
 };
+/// Makes the user's own folder, if the database is to lie there; no other.
+void makeDataFolder(const database::Address& address);
 [[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, Opening how);
 
 /// Adds --as: who does it. His password is asked for, or read from the first line of standard input.

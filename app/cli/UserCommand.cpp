@@ -135,7 +135,12 @@ int resetUser(const QCommandLineParser& parser, const QString& username)
     if (!person)
         return failed(person.error());
     const auto code = database::sql::resetPassword(*desk->open.school, desk->session, person->id);
-    return code ? tellCode(parser, username, *code) : failed(code.error());
+    if (!code)
+        return failed(code.error());
+    if (person->disabled)
+        warn({username.toStdString() + " is disabled and cannot log in, with a code or without; \"cusp user disable " +
+              username.toStdString() + " --enable\" lets him in again"});
+    return tellCode(parser, username, *code);
 }
 
 int disableUser(const QCommandLineParser& parser, const QString& username)
@@ -149,8 +154,11 @@ int disableUser(const QCommandLineParser& parser, const QString& username)
     person->disabled = !parser.isSet(QStringLiteral("enable"));
     if (const auto changed = database::sql::changePerson(*desk->open.school, desk->session, *person); !changed)
         return failed(changed.error());
-    printText(QStringLiteral("%1 %2 log in.\n")
-                  .arg(username, person->disabled ? QStringLiteral("can no longer") : QStringLiteral("can")));
+    if (parser.isSet(QStringLiteral("json")))
+        printJson(toJson(*person));
+    else
+        printText(QStringLiteral("%1 %2 log in.\n")
+                      .arg(username, person->disabled ? QStringLiteral("can no longer") : QStringLiteral("can")));
     return kDone;
 }
 
@@ -354,8 +362,10 @@ int exportCommand(const QStringList& arguments)
     if (!toStdout && !file.commit())
         return failed({ErrorCode::FileUnwritable,
                        "the file " + path.toStdString() + " could not be written; make room on the disk"});
-    if (!toStdout)
-        printText(QStringLiteral("%1 attempts were written to %2.\n").arg(*count).arg(path));
+    if (parser.isSet(QStringLiteral("json")) && !toStdout)
+        printJson({{"attempts", static_cast<qint64>(*count)}, {"file", path}});
+    else if (!toStdout)
+        printText(QStringLiteral("%1 attempts were written to %2.\n").arg(QString::number(*count), path));
     return kDone;
 }
 

@@ -30,6 +30,7 @@ enum class ErrorCode {
     WrongLogin,      ///< name or password, and nobody is told which
     TooSoon,         ///< after failed logins; the detail says how long to wait
     NewPassword,     ///< a one-time code was given: a password has to be chosen
+    NobodyLeft,      ///< he is the last who can do what somebody must be able to do
 };
 
 struct Error

@@ -281,19 +281,6 @@ core::Status forEachAttempt(const QSqlDatabase& db,
                    });
 }
 
-core::Result<AttemptId> addAttempt(const School& school, const Session& session, const AttemptRecord& attempt,
-                                   const QByteArray& recording)
-{
-    if (auto fit = checkUid(attempt); !fit)
-        return tl::unexpected(fit.error());
-    if (auto who = admit(school, session, Operation::AddAttempt); !who)
-        return tl::unexpected(who.error());
-    AttemptRecord own = attempt;
-    own.personUid = session.uid();
-    return inTransaction(school.db, kAdd,
-                         [&] { return insert(school, session.person(), session.uid(), own, recording); });
-}
-
 core::Status AttemptWriter::add(const AttemptRecord& record)
 {
     const auto prepare = [this](std::optional<QSqlQuery>& query, const QString& sql) {

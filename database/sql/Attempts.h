@@ -15,10 +15,11 @@
 
 namespace database::sql {
 
-/// Keeps an attempt of the session's person, with its recording (empty: none). On the disk when this returns. Exactly
-/// once: one with a uid that is kept already is that one, and its id is returned.
-[[nodiscard]] core::Result<AttemptId> addAttempt(const School& school, const Session& session,
-                                                 const AttemptRecord& attempt, const QByteArray& recording);
+/// Keeps an attempt with its recording (empty: none), on the disk when this returns. Exactly once: one with a uid that
+/// is kept already is that one, and its id is returned. It comes from this station's outbox, which vouches for whose it
+/// is (record.personUid): he may have logged out, or been disabled, meanwhile.
+[[nodiscard]] core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt,
+                                                     const QByteArray& recording);
 
 /// Keeps many attempts of people inside one transaction, without counting standings: for a school that is made up.
 class AttemptWriter
@@ -36,11 +37,6 @@ private:
     std::optional<QSqlQuery> m_attempt;
     std::optional<QSqlQuery> m_sheet;
 };
-
-/// The same for one that waited in this station's outbox, which vouches for whose it is: record.personUid. He may have
-/// logged out, or been disabled, meanwhile.
-[[nodiscard]] core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt,
-                                                     const QByteArray& recording);
 
 /// The last attempts of a person, newest first, without their score sheets. `attempts` 0: as many as there are.
 struct HistoryQuery

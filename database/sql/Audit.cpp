@@ -2,11 +2,11 @@
 #include "database/sql/Audit.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
 #include <QJsonDocument>
+#include <QRegularExpression>
 #include <QSqlError>
 
 #include "core/base/Bytes.h"
@@ -46,12 +46,12 @@ public:
     explicit ChainReader(const std::vector<std::string>& witnesses)
     {
         for (const std::string& witness : witnesses) {
-            const auto dash = witness.find('-');
-            const std::int64_t seq = std::atoll(witness.c_str());
-            if (seq < 1 || dash == std::string::npos || dash + 1 == witness.size())
+            static const QRegularExpression kCode(QStringLiteral("^([1-9][0-9]{0,17})-([0-9a-f]{12,64})$"));
+            const auto found = kCode.match(QString::fromStdString(witness).trimmed().toLower());
+            if (!found.hasMatch())
                 say('"' + witness + "\" is no audit code; a report shows one such as 412-9f3ac07be1d2");
             else
-                m_witnesses.push_back({seq, witness.substr(dash + 1)});
+                m_witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
         }
     }
 
@@ -78,8 +78,10 @@ public:
         if (head.seq > m_last.seq)
             tellMissing(m_last.seq + 1, head.seq);
         else if (head.seq < m_last.seq)
-            say("rows " + std::to_string(head.seq + 1) + " to " + std::to_string(m_last.seq) +
-                " were inserted: no station has signed them");
+            say((head.seq + 1 == m_last.seq
+                     ? "row " + std::to_string(m_last.seq) + " was"
+                     : "rows " + std::to_string(head.seq + 1) + " to " + std::to_string(m_last.seq) + " were") +
+                " inserted: no station has signed that");
         else if (head.hash != m_last.hash)
             say(named(m_last) + " is not the one that was signed: it was changed");
         if (head.seq > 0 && !StationKey::isSigned(wordsOf(head), textOf(seal, 2), textOf(seal, 3)))
@@ -312,18 +314,23 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
 }
 
 core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                                  const std::function<void(std::int64_t)>& progress)
+                                                  const std::function<bool(std::int64_t)>& progress)
 {
     ChainReader reader(witnesses);
+    bool goesOn = true;
     if (auto read = forEach(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), "read the audit", {},
                             [&](const QSqlQuery& query) {
+                                if (!goesOn)
+                                    return;
                                 const AuditRow row = rowOf(query);
                                 reader.take(row);
                                 if (progress)
-                                    progress(row.seq);
+                                    goesOn = progress(row.seq);
                             });
         !read)
         return tl::unexpected(read.error());
+    if (!goesOn)
+        return std::vector<std::string>{};
     auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", "read the audit");
     if (!seal)
         return tl::unexpected(seal.error());

@@ -81,10 +81,10 @@ struct AuditHead
                                                             std::int64_t beforeSeq = 0);
 
 /// What is wrong with the chain, one sentence for each row that was changed, removed, inserted or moved; at most
-/// `kMostFindings`. Empty: nothing.
+/// `kMostFindings`. Empty: nothing, or `progress` returned false.
 inline constexpr std::size_t kMostFindings = 100;
 [[nodiscard]] core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db,
                                                                 const std::vector<std::string>& witnesses,
-                                                                const std::function<void(std::int64_t)>& progress = {});
+                                                                const std::function<bool(std::int64_t)>& progress = {});
 
 }  // namespace database::sql

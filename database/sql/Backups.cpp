@@ -10,8 +10,10 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSqlDriver>
 #include <QTemporaryDir>
+#include <QUrl>
 #include <fcntl.h>
 #include <sqlite3.h>
 #include <unistd.h>
@@ -20,6 +22,7 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
+#include "database/sql/RowSum.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -35,6 +38,7 @@ constexpr std::size_t kWeeks = 10;
 constexpr std::size_t kMonths = 9;
 const QString kStamp = QStringLiteral("yyyy-MM-dd-HH.mm.ss");
 const QString kSuffix = QStringLiteral(".sqlite");
+constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
 
 core::Error refused(const QString& file, const std::string& why)
 {
@@ -46,15 +50,25 @@ bool sync(const QString& path)
     return core::bringToDisk(path.toStdU16String());
 }
 
-/// A connection of its own to a file that must not change.
+/// An empty one, of SQLite's making from then on.
+bool makeFile(const QString& path, QFile::Permissions mode)
+{
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly | QIODevice::NewOnly) && file.setPermissions(mode | kOwners);
+}
+
+/// A connection of its own to a file that nobody changes: nothing is made beside it, so that it may lie on a medium
+/// that cannot be written.
 class Reader
 {
 public:
     explicit Reader(const QString& file) : m_name(QStringLiteral("cusp-backup-%1").arg(quintptr(this)))
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
-        db.setDatabaseName(file);
-        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
+        QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
+        url.setQuery(QStringLiteral("immutable=1"));
+        db.setDatabaseName(url.toString(QUrl::FullyEncoded));
+        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
         db.open();
     }
     ~Reader()
@@ -78,9 +92,9 @@ core::Status expectOk(const QSqlDatabase& db, const QString& pragma)
     // foreign_key_check answers with nothing if all is well.
     if (answer->isNull() || answer->toString() == u"ok")
         return {};
-    return core::unexpected(ErrorCode::BadStructure,
-                            "database " + db.databaseName().toStdString() + ": it is damaged (" +
-                                answer->toString().simplified().toStdString() + "); restore an older backup");
+    return core::unexpected(ErrorCode::BadStructure, "database " + dialect::nameOf(db) + ": it is damaged (" +
+                                                         answer->toString().simplified().toStdString() +
+                                                         "); restore an older backup");
 }
 
 core::Status copyPages(const QSqlDatabase& db, const QString& file, const BackupProgress& progress)
@@ -90,6 +104,9 @@ core::Status copyPages(const QSqlDatabase& db, const QString& file, const Backup
         return core::unexpected(ErrorCode::WrongKind, "database " + dialect::nameOf(db) +
                                                           ": only a file is backed up so; use \"cusp db copy\"");
     auto* const from = *static_cast<sqlite3* const*>(handle.data());
+    // Whoever may not read the school may not read its copies.
+    if (!makeFile(file, QFile::permissions(db.databaseName())))
+        return tl::unexpected(refused(file, "it cannot be created; check the folder and the room on the disk"));
     sqlite3* opened = nullptr;
     const int begun = sqlite3_open(file.toUtf8().constData(), &opened);
     const std::unique_ptr<sqlite3, int (*)(sqlite3*)> to(opened, sqlite3_close);
@@ -146,9 +163,6 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     auto made = copyPages(db, part, progress);
     if (made)
         made = verifyBackup(part);
-    // Checking a copy that has the write-ahead mark leaves two empty files beside it.
-    for (const char* end : {"-wal", "-shm"})
-        QFile::remove(part + QLatin1String(end));
     if (made && !sync(part))
         made = tl::unexpected(refused(file, "it could not be brought to the disk; make room there and try again"));
     if (made) {
@@ -303,15 +317,27 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
 {
     if (auto sound = verifyBackup(backup); !sound)
         return tl::unexpected(sound.error());
+    if (QFileInfo(backup + QStringLiteral("-wal")).size() > 0)
+        return core::unexpected(ErrorCode::WrongKind,
+                                "backup " + backup.toStdString() +
+                                    ": this is a database in use, not a backup, and a part of it lies in the file -wal "
+                                    "beside it; open it with Cusp, or make a backup of it with \"cusp db backup\"");
     if (isOpenElsewhere(databaseFile))
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
                                                      ": another program has it open; close every Cusp that uses it");
     const QFileInfo target(databaseFile);
+    if (!QFileInfo(target.absolutePath()).isDir())
+        return core::unexpected(ErrorCode::FileMissing,
+                                "database " + databaseFile.toStdString() +
+                                    ": the folder does not exist; create it or choose another place");
     const QString part = databaseFile + ".restoring";
     QFile::remove(part);
-    if (!QFile::copy(backup, part) || !sync(part)) {
+    // As the file was whose place it takes: a backup may be read-only.
+    const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
+    if (!QFile::copy(backup, part) || !QFile::setPermissions(part, mode) || !sync(part)) {
         QFile::remove(part);
-        return tl::unexpected(refused(databaseFile, "it could not be copied there; make room on the disk"));
+        return tl::unexpected(refused(
+            databaseFile, "it could not be copied there; make room on the disk, and check who may write there"));
     }
     QString replaced;
     if (target.exists()) {
@@ -334,6 +360,16 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     return replaced;
 }
 
+core::Status noteBackup(const School& school, const Session& session, const QString& backup)
+{
+    if (auto may = admit(school, session, Operation::KeepBackups); !may)
+        return tl::unexpected(may.error());
+    return inTurn(school, "note the backup", [&] {
+        return note(school, session.uid(), "backup.made",
+                    "backup:" + QFileInfo(backup).completeBaseName().toStdString());
+    });
+}
+
 core::Status noteRestored(const School& school, const QString& backup)
 {
     return inTurn(school, "note the restoring", [&] {
@@ -347,6 +383,12 @@ core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& 
     QTemporaryDir folder(QFileInfo(db.databaseName()).absoluteDir().filePath(QStringLiteral("drill-XXXXXX")));
     if (!folder.isValid())
         return tl::unexpected(refused(folder.path(), "the folder cannot be created; check who may write there"));
+    // One moment of the school, whoever writes meanwhile: the copy is made of it, and compared with it.
+    if (auto begun = execute(db, "BEGIN", "read it"); !begun)
+        return tl::unexpected(begun.error());
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", "end reading it")); });
+    if (const auto rows = ask(db, "SELECT count(*) FROM sqlite_master", "read it"); !rows)
+        return tl::unexpected(rows.error());
     const auto backup = backUp(db, folder.path(), QDateTime::currentDateTimeUtc(), progress);
     if (!backup)
         return tl::unexpected(backup.error());
@@ -355,18 +397,27 @@ core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& 
         return tl::unexpected(put.error());
     const Reader reader(restored);
     qint64 rows = 0;
+    bool goesOn = true;
+    const auto tell = [&](std::int64_t) {
+        goesOn = !progress || progress(0, 0);
+        return goesOn;
+    };
     for (const QString& table : tablesOf(db)) {
-        const QString count = QStringLiteral("SELECT count(*) FROM %1").arg(table);
-        const auto here = ask(db, count, "count its rows");
-        const auto there = ask(reader.handle(), count, "count its rows");
+        if (!tell(0))
+            break;
+        const auto here = sumOf(db, table, tell);
+        const auto there = goesOn ? sumOf(reader.handle(), table, tell) : here;
         if (!here || !there)
             return tl::unexpected(here ? there.error() : here.error());
-        // Who writes meanwhile only adds.
-        if (there->toLongLong() > here->toLongLong())
-            return core::unexpected(ErrorCode::BadStructure, "the restored copy holds more rows of " +
-                                                                 table.toStdString() + " than the database");
-        rows += there->toLongLong();
+        if (!goesOn)
+            break;
+        if (*here != *there)
+            return core::unexpected(ErrorCode::BadStructure, "the restored copy of the table " + table.toStdString() +
+                                                                 " is not as it is in the database");
+        rows += there->rows();
     }
+    if (!goesOn)
+        return tl::unexpected(refused(*backup, "it was stopped"));
     return rows;
 }
 

@@ -22,8 +22,9 @@ using BackupProgress = std::function<bool(int done, int all)>;
 [[nodiscard]] QString backupFolder(const QString& databaseFile);
 
 /// Copies the database, as it is at one moment, into `folder` as "backup-2026-11-20-10.15.00.sqlite" by SQLite's online
-/// API: others may write meanwhile. The database is checked first, so that a damaged one never replaces a good copy,
-/// and the copy afterwards (see verifyBackup()); only then it gets its name, on the disk. Returns its path.
+/// API: others may write meanwhile, and whoever may read the database may read the copy. The database is checked first,
+/// so that a damaged one never replaces a good copy, and the copy afterwards (see verifyBackup()); only then it gets
+/// its name, on the disk. Returns its path.
 [[nodiscard]] core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
                                            const BackupProgress& progress = {});
 
@@ -48,15 +49,19 @@ using BackupProgress = std::function<bool(int done, int all)>;
 
 /// Puts a backup in the place of the database. Busy: another program has that open; this one has closed it. The backup
 /// is checked first; what lies there is moved to "replaced-...", with its -wal and -shm, which would otherwise be read
-/// into the restored file. Returns where the old file lies now, empty if there was none.
+/// into the restored file. Who may read and write it stays as it was. Returns where the old file lies now, empty if
+/// there was none.
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
+
+/// Into the audit: that a person made it. Admins.
+[[nodiscard]] core::Status noteBackup(const School& school, const Session& session, const QString& backup);
 
 /// Into the audit of the restored database, whose end is older than before.
 [[nodiscard]] core::Status noteRestored(const School& school, const QString& backup);
 
-/// Tries that a backup can be made of this database and brought back: into a folder of its own, which is removed.
-/// Returns how many rows were compared.
+/// Tries that a backup can be made of this database and brought back: into a folder of its own, which is removed. All
+/// rows are compared with those of the database at that moment; returns how many there are.
 [[nodiscard]] core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress = {});
 
 }  // namespace database::sql

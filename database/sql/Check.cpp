@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Check.h"
 
+#include <array>
+
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -14,7 +16,7 @@
 namespace database::sql {
 namespace {
 
-using Progress = std::function<void(const char* what, std::int64_t rows)>;
+using Progress = std::function<bool(const char* what, std::int64_t rows)>;
 
 const std::string kDoing = "check it";
 
@@ -46,6 +48,8 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
     // Those without an owner were made before there were people, and before there was an audit.
     if (auto read = forEachAttempt(db,
                                    [&](const AttemptRecord& attempt, const std::string& noted) {
+                                       if (report.isStopped)
+                                           return;
                                        const std::string named = "attempt " + attempt.uid + " (" + attempt.finishedUtc +
                                                                  ", " + attempt.lessonId + ")";
                                        const std::string digest =
@@ -59,7 +63,7 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
                                        else if (digest != digestOfAttempt(attempt))
                                            say(report, named + " was changed after it had been kept");
                                        if (++report.attempts % 1000 == 0 && progress)
-                                           progress("attempts", report.attempts);
+                                           report.isStopped = !progress("attempts", report.attempts);
                                    });
         !read)
         return read;
@@ -141,8 +145,10 @@ core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const 
             return tl::unexpected(bytes.error());
         if (!bytes)
             say(report, bytes.error().detail);
-        if (++looked % 100 == 0 && progress)
-            progress("recordings", looked);
+        if (++looked % 100 == 0 && progress && !progress("recordings", looked)) {
+            report.isStopped = true;
+            return {};
+        }
     }
     return {};
 }
@@ -172,18 +178,29 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
     auto chain = checkAudit(db, witnesses, [&](std::int64_t row) {
         report.auditRows = row;
         if (progress && row % 1000 == 0)
-            progress("audit", row);
+            report.isStopped = !progress("audit", row);
+        return !report.isStopped;
     });
     if (!chain)
         return tl::unexpected(chain.error());
     for (const std::string& finding : *chain)
         say(report, "audit: " + finding);
-    for (const auto& done : {checkAttempts(db, report, progress), checkExamStarts(db, report), checkSums(db, report),
-                             compareWithAudit(db, [&report](const std::string& sentence) { say(report, sentence); }),
-                             checkSchema(db, [&report](const std::string& sentence) { say(report, sentence); }),
-                             checkRecordings(db, report, progress), checkSigner(db, stationKey, report)})
-        if (!done)
+    const auto tell = [&report](const std::string& sentence) { say(report, sentence); };
+    const std::array<std::function<core::Status()>, 7> looks{
+        [&] { return checkSchema(db, tell); },
+        [&] { return checkAttempts(db, report, progress); },
+        [&] { return checkExamStarts(db, report); },
+        [&] { return checkSums(db, report); },
+        [&] { return compareWithAudit(db, tell); },
+        [&] { return checkRecordings(db, report, progress); },
+        [&] { return checkSigner(db, stationKey, report); },
+    };
+    for (const auto& look : looks) {
+        if (report.isStopped)
+            return report;
+        if (auto done = look(); !done)
             return tl::unexpected(done.error());
+    }
     const auto head = ask(db, "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", kDoing);
     if (!head)
         return tl::unexpected(head.error());

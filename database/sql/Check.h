@@ -18,7 +18,8 @@ struct CheckReport
     std::vector<std::string> findings;  ///< one sentence each; empty: it is sound
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
-    std::string auditCode;  ///< of the newest row, as reports show it
+    std::string auditCode;   ///< of the newest row, as reports show it
+    bool isStopped = false;  ///< not all was looked at
 };
 
 /// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the
@@ -26,10 +27,10 @@ struct CheckReport
 /// classes were given, score sheets and standings, recordings, tables, indexes and triggers. Does not write.
 /// @param witnesses  audit codes of printed reports
 /// @param stationKey  of the only computer that may have written it, 64 hex digits; empty: there are several
-/// @param progress  what is looked at, and how many rows of it so far
+/// @param progress  what is looked at, and how many rows of it so far; false stops it
 [[nodiscard]] core::Result<CheckReport>
 checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-              const std::function<void(const char* what, std::int64_t rows)>& progress = {},
+              const std::function<bool(const char* what, std::int64_t rows)>& progress = {},
               const std::string& stationKey = {});
 
 }  // namespace database::sql

@@ -2,15 +2,13 @@
 #include "database/sql/Copy.h"
 
 #include <array>
-#include <cstring>
 
-#include <QCryptographicHash>
 #include <QSqlError>
-#include <QSqlField>
 #include <QSqlQuery>
-#include <QSqlRecord>
 
+#include "database/sql/Audit.h"
 #include "database/sql/Recordings.h"
+#include "database/sql/RowSum.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -34,54 +32,6 @@ constexpr std::array kTables{Table{"people", true},       Table{"classes", true}
                              Table{"audit", false}};
 constexpr std::array kMustBeEmpty{"people", "classes", "attempts", "presets", "audit"};
 
-/// Of rows in any order: the sum of their hashes, 256 bits as four numbers.
-class RowSum
-{
-public:
-    void add(const QStringList& fields)
-    {
-        QCryptographicHash hash(QCryptographicHash::Blake2b_256);
-        for (const QString& field : fields) {
-            const QByteArray bytes = field.toUtf8();
-            hash.addData(field.isNull() ? QByteArray("-") : QByteArray::number(bytes.size()) + ':');
-            hash.addData(bytes);
-        }
-        const QByteArray digest = hash.result();
-        for (std::size_t k = 0; k < m_parts.size(); ++k) {
-            std::uint64_t part = 0;
-            std::memcpy(&part, digest.constData() + k * sizeof part, sizeof part);
-            m_parts.at(k) += part;
-        }
-        ++m_rows;
-    }
-    [[nodiscard]] std::int64_t rows() const { return m_rows; }
-    bool operator==(const RowSum&) const = default;
-
-private:
-    std::array<std::uint64_t, 4> m_parts{};
-    std::int64_t m_rows = 0;
-};
-
-QStringList columnsOf(const QSqlDatabase& db, const QString& table)
-{
-    QStringList names;
-    const QSqlRecord record = db.record(table);
-    for (int k = 0; k < record.count(); ++k)
-        names += record.fieldName(k);
-    names.sort();
-    return names;
-}
-
-QStringList fieldsOf(const QSqlQuery& row, qsizetype count)
-{
-    QStringList fields;
-    for (int k = 0; k < count; ++k)
-        fields += row.isNull(k)                       ? QString()
-                  : row.value(k).toString().isEmpty() ? QStringLiteral("")
-                                                      : row.value(k).toString();
-    return fields;
-}
-
 core::Status copyTable(const School& from, const School& to, const QString& table, RowSum& sum,
                        const CopyProgress& progress)
 {
@@ -99,7 +49,7 @@ core::Status copyTable(const School& from, const School& to, const QString& tabl
             insert.bindValue(k, rows->isNull(k) ? QVariant() : rows->value(k));
         if (!insert.exec())
             return tl::unexpected(dialect::error(to.db, insert.lastError(), doing));
-        sum.add(fieldsOf(*rows, columns.size()));
+        sum.add(*rows, columns.size());
         if (progress && sum.rows() % kToldEvery == 0)
             progress(table, sum.rows());
     }
@@ -110,14 +60,10 @@ core::Status copyTable(const School& from, const School& to, const QString& tabl
 
 core::Status verifyTable(const School& to, const QString& table, const RowSum& expected)
 {
-    RowSum sum;
-    const QStringList columns = columnsOf(to.db, table);
-    if (auto read = forEach(to.db, QStringLiteral("SELECT %1 FROM %2").arg(columns.join(u','), table),
-                            "verify the table " + table.toStdString(), {},
-                            [&](const QSqlQuery& row) { sum.add(fieldsOf(row, columns.size())); });
-        !read)
-        return read;
-    if (sum == expected)
+    const auto sum = sumOf(to.db, table);
+    if (!sum)
+        return tl::unexpected(sum.error());
+    if (*sum == expected)
         return {};
     return core::unexpected(ErrorCode::BadStructure, "the table " + table.toStdString() +
                                                          " did not arrive as it was sent; nothing was kept, try again");
@@ -163,8 +109,11 @@ core::Status copySeal(const School& from, const School& to)
 
 }  // namespace
 
-core::Result<CopyReport> copySchool(const School& from, const School& to, const CopyProgress& progress)
+core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
+                                    const CopyProgress& progress)
 {
+    if (auto may = admit(from, session, Operation::CopySchool); !may)
+        return tl::unexpected(may.error());
     for (const char* table : kMustBeEmpty) {
         const auto row =
             ask(to.db, QStringLiteral("SELECT 1 FROM %1 LIMIT 1").arg(QLatin1String(table)), "look into it");
@@ -174,6 +123,11 @@ core::Result<CopyReport> copySchool(const School& from, const School& to, const 
             return core::unexpected(ErrorCode::OutOfRange, "database " + dialect::nameOf(to.db) +
                                                                ": it holds a school already; copy into an empty one");
     }
+    // Before it is read, so that the copy tells of it too.
+    if (auto noted =
+            inTurn(from, "note the copying", [&] { return note(from, session.uid(), "school.copy", "school"); });
+        !noted)
+        return tl::unexpected(noted.error());
     CopyReport report;
     // What is read is one moment of the school, whoever writes meanwhile.
     if (auto begun =

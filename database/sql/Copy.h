@@ -20,8 +20,9 @@ struct CopyReport
 
 /// Brings everything of a school into an empty database of either engine, recordings included, all or nothing, and
 /// verifies it: the same rows in both, by a sum of their hashes, and each recording read back. OutOfRange where the
-/// target holds anything already.
-[[nodiscard]] core::Result<CopyReport> copySchool(const School& from, const School& to,
+/// target holds anything already. Noted in the audit.
+/// @param session  an admin's of `from`
+[[nodiscard]] core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
                                                   const CopyProgress& progress = {});
 
 }  // namespace database::sql

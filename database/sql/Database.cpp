@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include <QFile>
 #include <QFileInfo>
 
 #include "database/sql/Backups.h"
@@ -110,6 +111,11 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
     if (!address.isServer())
         if (auto fit = inspect(address.file); !fit)
             return tl::unexpected(fit.error());
+    // Names and marks of people are for who runs the place. SQLite would let everybody read them; what it puts beside
+    // the file it makes as the file is. Where it cannot be made SQLite says why.
+    if (QFile file(address.file); options.mayCreate && !address.isServer() && !file.exists() &&
+                                  file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     static std::atomic<int> opened{0};
     std::unique_ptr<Database> database(new Database(address, QStringLiteral("cusp-%1").arg(opened.fetch_add(1))));
     database->m_patience = options.patience;

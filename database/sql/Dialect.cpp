@@ -3,6 +3,7 @@
 
 #include <QRegularExpression>
 #include <QSqlQuery>
+#include <QUrl>
 #include <QVariant>
 
 #include "database/sql/Statement.h"
@@ -22,14 +23,22 @@ constexpr int kFull = 13;
 constexpr int kCannotOpen = 14;
 constexpr int kConstraint = 19;
 constexpr int kNotADatabase = 26;
+constexpr int kNoRoomForShm = 4874;  // SQLITE_IOERR_SHMSIZE
 
 /// Any number that no other program is likely to lock: "CUSP".
 constexpr int kSchemaLock = kApplicationId;
 
 core::Error sqliteError(const std::string& head, const QSqlError& error)
 {
-    const std::string said = error.databaseText().toStdString();
-    switch (error.nativeErrorCode().toInt() & 0xFF) {
+    // What Qt puts behind it says nothing more.
+    QString words = error.databaseText();
+    words.remove(QStringLiteral("Unable to execute statement")).remove(QStringLiteral("Unable to fetch row"));
+    const std::string said = words.simplified().toStdString();
+    const int code = error.nativeErrorCode().toInt();
+    // The last byte of a disk: the file that all share (sqlite.org/rescode.html, 4874) finds no room.
+    if (code == kNoRoomForShm)
+        return {ErrorCode::FileUnwritable, head + "the disk is full; free some space and try again"};
+    switch (code & 0xFF) {
     case kBusy:
     case kLocked:
         return {ErrorCode::Busy,
@@ -51,8 +60,7 @@ core::Error sqliteError(const std::string& head, const QSqlError& error)
     case kConstraint:
         return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
     default:
-        return {ErrorCode::BadStructure,
-                head + "the database answered: " + error.text().toStdString() + "; restore a backup if it persists"};
+        return {ErrorCode::BadStructure, head + "the database answered: " + said + "; restore a backup if it persists"};
     }
 }
 
@@ -62,6 +70,12 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     const QString code = error.nativeErrorCode();
     const std::string said = error.databaseText().simplified().toStdString();
     const auto is = [&code](const char* begin) { return code.startsWith(QLatin1String(begin)); };
+    if (said.find("role \"") != std::string::npos && said.find("does not exist") != std::string::npos)
+        return {ErrorCode::NotAllowed,
+                head + "the server knows no such user; create it with createuser, or correct the name"};
+    if (is("57P03") || said.find("starting up") != std::string::npos ||
+        said.find("shutting down") != std::string::npos || said.find("recovery mode") != std::string::npos)
+        return {ErrorCode::ConnectionLost, head + "the server is starting or stopping; try again in a moment"};
     if (is("28") || said.find("password authentication failed") != std::string::npos ||
         said.find("no password supplied") != std::string::npos)
         return {ErrorCode::NotAllowed,
@@ -76,7 +90,7 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("23") || is("22"))
         return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
     if (is("42501") || is("25006"))
-        return {ErrorCode::FileUnwritable, head + "this user of the server may not write there (" + said +
+        return {ErrorCode::FileUnwritable, head + "this user of the server may not do that there (" + said +
                                                "); let the server's administrator grant it"};
     if (is("53"))
         return {ErrorCode::FileUnwritable,
@@ -196,8 +210,10 @@ core::Status continueIds(const QSqlDatabase& db, const QString& table)
 
 std::string nameOf(const QSqlDatabase& db)
 {
-    if (!isPostgres(db))
-        return db.databaseName().toStdString();
+    if (!isPostgres(db)) {
+        const QString name = db.databaseName();
+        return (name.startsWith(QStringLiteral("file:")) ? QUrl(name).toLocalFile() : name).toStdString();
+    }
     return ("postgresql://" + (db.userName().isEmpty() ? QString() : db.userName() + '@') + db.hostName() + '/' +
             db.databaseName())
         .toStdString();

@@ -9,8 +9,8 @@
 
 namespace database::sql {
 
-/// Notes that the session's person has begun an exam. The same uid is noted once.
-[[nodiscard]] core::Status beginExam(const School& school, const Session& session, const ExamStart& start);
+/// Notes that a person has begun an exam, as this station's outbox says. The same uid is noted once.
+[[nodiscard]] core::Status deliverExam(const School& school, const std::string& personUid, const ExamStart& start);
 
 /// The exams of a person that were begun and have no score, newest first: one that goes on now is among them.
 [[nodiscard]] core::Result<std::vector<ExamStart>> examsWithoutScore(const School& school, const Session& session,

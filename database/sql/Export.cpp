@@ -8,6 +8,7 @@
 #include <QSqlError>
 
 #include "database/Csv.h"
+#include "database/sql/Audit.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -49,6 +50,9 @@ core::Result<std::int64_t> exportAttempts(const School& school, const Session& s
         values = {static_cast<qlonglong>(session.person().value)};
     }
     const std::string doing = "export the attempts";
+    if (auto noted = inTurn(school, doing, [&] { return note(school, session.uid(), "attempts.export", "attempts"); });
+        !noted)
+        return tl::unexpected(noted.error());
     auto rows = run(school.db,
                     "SELECT a.uid, COALESCE(p.username, ''), COALESCE(p.given_name, ''), COALESCE(p.family_name, ''), "
                     "a.finished_utc, a.lesson_id, a.tooth, a.device, a.method, a.view_mode, a.seed, a.preset, "

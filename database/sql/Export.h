@@ -9,7 +9,7 @@
 namespace database::sql {
 
 /// Writes every attempt within the session's reach as CSV (RFC 4180, UTF-8, numbers as in C), oldest first, one line at
-/// a time: memory does not grow with the number of attempts. Returns how many there were.
+/// a time: memory does not grow with the number of attempts. Noted in the audit. Returns how many there were.
 /// @param write  takes a line with its end; returns false to stop, which is FileUnwritable
 [[nodiscard]] core::Result<std::int64_t> exportAttempts(const School& school, const Session& session,
                                                         const std::function<bool(std::string_view line)>& write);

@@ -188,6 +188,39 @@ core::Result<PasswordCost> passwordCost(const School& school)
     return cost;
 }
 
+core::Status raisePasswordCost(const School& school, const Session& session, const PasswordCost& cost)
+{
+    if (auto may = admit(school, session, Operation::ChangeSettings); !may)
+        return tl::unexpected(may.error());
+    const auto present = passwordCost(school);
+    if (!present)
+        return tl::unexpected(present.error());
+    if (cost.passes < 2 * present->passes || cost.memoryBytes < present->memoryBytes)
+        return {};
+    // Who is compared with nobody's password shall wait as long.
+    const auto decoy = hashPassword(newUid(), cost);
+    if (!decoy)
+        return tl::unexpected(decoy.error());
+    return inTurn(school, "raise what passwords cost", [&]() -> core::Status {
+        for (const auto& [name, value] :
+             {std::pair(kPasses, QString::number(cost.passes)), std::pair(kMemory, QString::number(cost.memoryBytes)),
+              std::pair(kDecoy, QString::fromStdString(*decoy))})
+            if (auto kept = putSetting(school, "", name.toStdString(), value.toStdString()); !kept)
+                return kept;
+        return note(school, session.uid(), "setting.change", "setting:" + kPasses.toStdString(),
+                    {{"value", QString::number(cost.passes)}});
+    });
+}
+
+core::Status Logins::checkNewPassword(const std::string& password, const std::string& username)
+{
+    if (auto fit = checkPassword(password, username); !fit)
+        return fit;
+    if (looksLikeCode(password))
+        return core::unexpected(ErrorCode::OutOfRange, "the password looks like a one-time code; choose another one");
+    return {};
+}
+
 core::Result<bool> Logins::isNew(const School& school)
 {
     const auto somebody = ask(school.db, "SELECT 1 FROM people LIMIT 1", "see who works here");
@@ -200,10 +233,8 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
                                                const PasswordCost& cost)
 {
     const std::string doing = "enter the first admin";
-    if (auto fit = checkPassword(password, who.username); !fit)
+    if (auto fit = checkNewPassword(password, who.username); !fit)
         return tl::unexpected(fit.error());
-    if (looksLikeCode(password))
-        return core::unexpected(ErrorCode::OutOfRange, "the password looks like a one-time code; choose another one");
     const auto hash = hashPassword(password, cost);
     const auto decoy = hashPassword(newUid(), cost);
     if (!hash || !decoy)
@@ -276,10 +307,8 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
 core::Result<Session> Logins::redeem(const School& school, const std::string& username, const std::string& code,
                                      const std::string& newPassword)
 {
-    if (auto fit = checkPassword(newPassword, username); !fit)
+    if (auto fit = checkNewPassword(newPassword, username); !fit)
         return tl::unexpected(fit.error());
-    if (looksLikeCode(newPassword))
-        return core::unexpected(ErrorCode::OutOfRange, "the password looks like a one-time code; choose another one");
     auto account = tryAccount(school, username, code, true);
     if (!account)
         return tl::unexpected(account.error());
@@ -312,10 +341,8 @@ core::Status Logins::changePassword(const School& school, const Session& session
 {
     if (auto who = admit(school, session, Operation::ChangeOwnPassword); !who)
         return tl::unexpected(who.error());
-    if (auto fit = checkPassword(newPassword, session.username()); !fit)
+    if (auto fit = checkNewPassword(newPassword, session.username()); !fit)
         return fit;
-    if (looksLikeCode(newPassword))
-        return core::unexpected(ErrorCode::OutOfRange, "the password looks like a one-time code; choose another one");
     auto account = tryAccount(school, session.username(), old, false);
     if (!account)
         return tl::unexpected(account.error());

@@ -24,6 +24,9 @@ public:
     /// Whether nobody has been entered yet: the first may make himself the admin.
     [[nodiscard]] static core::Result<bool> isNew(const School& school);
 
+    /// checkPassword(), and it must not look like a one-time code.
+    [[nodiscard]] static core::Status checkNewPassword(const std::string& password, const std::string& username);
+
     /// Enters the first person, an admin, and keeps what passwords cost here. NotAllowed when there is somebody.
     [[nodiscard]] static core::Result<Session> createFirstAdmin(const School& school, const NewPerson& who,
                                                                 const std::string& password, const PasswordCost& cost);
@@ -48,5 +51,9 @@ public:
 
 /// What passwords cost in this school.
 [[nodiscard]] core::Result<PasswordCost> passwordCost(const School& school);
+
+/// From now on passwords cost as much, if that is at least twice what they do: each hash is made anew when its owner
+/// logs in next. Never less. Admins; hashes once.
+[[nodiscard]] core::Status raisePasswordCost(const School& school, const Session& session, const PasswordCost& cost);
 
 }  // namespace database::sql

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/People.h"
 
+#include <algorithm>
 #include <map>
 
 #include "core/base/Bytes.h"
@@ -15,8 +16,11 @@ namespace {
 
 using core::ErrorCode;
 
-const QString kColumns = QStringLiteral("p.id, p.uid, p.username, p.given_name, p.family_name, p.role, p.disabled, "
-                                        "p.password_hash <> '', p.last_login_utc");
+constexpr qsizetype kLongestName = 200;
+
+const QString kColumns =
+    QStringLiteral("p.id, p.uid, p.username, p.given_name, p.family_name, p.role, p.disabled, "
+                   "p.password_hash <> '', p.last_login_utc, p.reset_hash <> '', p.reset_until_utc");
 
 Person personOf(const QSqlQuery& row)
 {
@@ -30,6 +34,8 @@ Person personOf(const QSqlQuery& row)
     person.disabled = row.value(6).toInt() != 0;
     person.hasPassword = row.value(7).toBool();
     person.lastLoginUtc = textOf(row, 8);
+    if (row.value(9).toBool())
+        person.codeUntilUtc = textOf(row, 10);
     return person;
 }
 
@@ -43,10 +49,8 @@ core::Status checkNames(const NewPerson& who)
     if (who.role == Role::Guest)
         return core::unexpected(ErrorCode::OutOfRange, "a person is a student, an instructor or an admin");
     for (const std::string* name : {&who.givenName, &who.familyName})
-        for (const QChar c : QString::fromStdString(*name))
-            if (!c.isPrint())
-                return core::unexpected(ErrorCode::OutOfRange,
-                                        "a name holds characters that cannot be seen; type it again");
+        if (auto fit = checkPersonName(*name); !fit)
+            return fit;
     return {};
 }
 
@@ -60,7 +64,7 @@ core::Status expectAnotherAdmin(const School& school, PersonId person)
     if (!other)
         return tl::unexpected(other.error());
     if (other->isNull())
-        return core::unexpected(ErrorCode::NotAllowed,
+        return core::unexpected(ErrorCode::NobodyLeft,
                                 "this is the last admin who can log in; make somebody else an admin first");
     return {};
 }
@@ -80,6 +84,17 @@ core::Result<Person> personBy(const School& school, const QString& column, const
 }
 
 }  // namespace
+
+core::Status checkPersonName(const std::string& name)
+{
+    const QString text = QString::fromStdString(name);
+    if (text.size() > kLongestName)
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "a name has at most " + std::to_string(kLongestName) + " characters; shorten it");
+    if (!std::all_of(text.begin(), text.end(), [](QChar c) { return c.isPrint(); }))
+        return core::unexpected(ErrorCode::OutOfRange, "a name holds characters that cannot be seen; type it again");
+    return {};
+}
 
 core::Result<std::vector<Person>> listPeople(const School& school, const Session& session)
 {

@@ -12,6 +12,9 @@ namespace database::sql {
 /// Everybody within the session's reach, by family name. Admins: all; instructors: those of their classes.
 [[nodiscard]] core::Result<std::vector<Person>> listPeople(const School& school, const Session& session);
 
+/// OutOfRange: a given or family name is too long, or holds what cannot be seen.
+[[nodiscard]] core::Status checkPersonName(const std::string& name);
+
 /// Who was entered, and the one-time code that lets him in: it is kept nowhere in clear, so tell it now.
 struct Entered
 {
@@ -20,8 +23,8 @@ struct Entered
 };
 [[nodiscard]] core::Result<Entered> addPerson(const School& school, const Session& session, const NewPerson& who);
 
-/// Names, role and whether disabled; the uid and the username stay. The last admin who can log in cannot be disabled or
-/// made something else.
+/// Names, role and whether disabled; the uid and the username stay. NobodyLeft: the last admin who can log in cannot be
+/// disabled or made something else.
 /// @param asItWas  when the change was thought of: what has not been changed since then stays as others have set it
 [[nodiscard]] core::Status changePerson(const School& school, const Session& session, const Person& person,
                                         const std::optional<Person>& asItWas = {});

@@ -86,7 +86,8 @@ core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& 
     } else {
         QFile file(fileOf(db, hash));
         isThere = file.open(QIODevice::ReadOnly);
-        bytes = file.readAll();
+        if (isThere)
+            bytes = file.readAll();
     }
     if (!isThere)
         return core::unexpected(ErrorCode::FileMissing,

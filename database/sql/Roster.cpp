@@ -78,6 +78,10 @@ public:
             fault(row, "username", "stands in line " + std::to_string(m_seen[*name]) + " already");
         else
             line.who.username = *name;
+        for (const auto& [column, name] :
+             {std::pair("given_name", &line.who.givenName), std::pair("family_name", &line.who.familyName)})
+            if (const auto fit = checkPersonName(*name); !fit)
+                fault(row, column, fit.error().detail);
         if (const std::string role = QString::fromStdString(at(row, "role")).toLower().toStdString(); !role.empty()) {
             const auto known = roleOf(role);
             if (known && *known != Role::Guest)

@@ -44,9 +44,10 @@ core::Result<Who> admit(const School& school, const Session& session, Operation 
     }
     who.reach = reachOf(operation, who.role);
     if (who.reach == Reach::Nothing)
-        return tl::unexpected(
-            notAllowed(session.isGuest() ? std::string("that needs a login; log in first")
-                                         : "a " + std::string(roleName(who.role)) + " may not do that; ask an admin"));
+        return tl::unexpected(notAllowed(session.isGuest()
+                                             ? std::string("that needs a login; log in first")
+                                             : (who.role == Role::Student ? "a " : "an ") +
+                                                   std::string(roleName(who.role)) + " may not do that; ask an admin"));
     return who;
 }
 

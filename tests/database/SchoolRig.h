@@ -35,6 +35,16 @@ inline PostgresServer& sharedServer()
     return server;
 }
 
+/// As an attempt of the session's person comes out of a station's outbox.
+inline core::Result<database::AttemptId> addAttempt(const database::sql::School& school,
+                                                    const database::Session& session,
+                                                    const database::AttemptRecord& attempt, const QByteArray& recording)
+{
+    database::AttemptRecord own = attempt;
+    own.personUid = session.uid();
+    return database::sql::deliverAttempt(school, own, recording);
+}
+
 /// A school with people of every role. Passwords cost next to nothing; the clock is set by the test.
 class SchoolRig
 {

@@ -9,6 +9,7 @@
 
 using namespace database;
 using namespace database::sql;
+using support::addAttempt;
 using support::SchoolRig;
 
 namespace {

@@ -8,12 +8,14 @@
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/ExamStarts.h"
+#include "database/sql/Feedback.h"
 #include "database/sql/Recordings.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
+using support::addAttempt;
 using support::SchoolRig;
 
 class TestAttempts : public QObject
@@ -41,6 +43,8 @@ private slots:
     void classmatesAreComparedWithoutNames();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
     void anExamThatIsBegunIsAnAttempt();
+    void whatATeacherSaysIsNewUntilItIsRead_data() { support::addEngines(); }
+    void whatATeacherSaysIsNewUntilItIsRead();
     void saysThatTheDiskIsFullAndGoesOnAfterwards();
     void saysThatAnotherProgramWrites();
 };
@@ -261,6 +265,38 @@ void TestAttempts::classmatesAreComparedWithoutNames()
              (std::vector{700, 900, 1000}));
 }
 
+void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const AttemptRecord first = SchoolRig::attempt("class1-36", 700);
+    const AttemptId one = addAttempt(school, rig.student, first, {}).value();
+    const AttemptId two = addAttempt(school, rig.student, SchoolRig::attempt("decay-21", 600), {}).value();
+    const auto feedback = [&](const Session& who) { return feedbackFor(school, who, rig.student.person()).value(); };
+    QVERIFY(feedback(rig.student).empty());
+    // What he says himself, and what is said of others, is no news to him.
+    VERIFY_DONE(addComment(school, rig.instructor, one, {"too deep", {}, {}}));
+    const AttemptId others = addAttempt(school, rig.classmate, SchoolRig::attempt("class1-36", 100), {}).value();
+    VERIFY_DONE(addComment(school, rig.instructor, others, {"deeper", {}, {}}));
+    const auto told = feedback(rig.student);
+    QCOMPARE(told.size(), std::size_t{1});
+    QVERIFY(told.front() == (Feedback{one, "class1-36", "Ines Teach", "2026-11-20T10:15:00Z", true}));
+    rig.nowUtc = rig.nowUtc.addSecs(60);
+    VERIFY_DONE(seeFeedback(school, rig.student, first));
+    QVERIFY(!feedback(rig.student).front().isNew);
+    // The newest comes first, and a new score is news as well.
+    rig.nowUtc = rig.nowUtc.addSecs(60);
+    VERIFY_DONE(overrideScore(school, rig.instructor, two, 900, "neat"));
+    QVERIFY(feedback(rig.student).front().attempt == two && feedback(rig.student).front().isNew);
+    QVERIFY(feedback(rig.student).back().attempt == one && !feedback(rig.student).back().isNew);
+    rig.nowUtc = rig.nowUtc.addSecs(60);
+    VERIFY_DONE(addComment(school, rig.instructor, one, {"look at the floor", {}, {}}));
+    QVERIFY(feedback(rig.student).front().attempt == one && feedback(rig.student).front().isNew);
+    VERIFY_REFUSED(feedbackFor(school, rig.classmate, rig.student.person()), ErrorCode::NotAllowed);
+    QVERIFY(checkDatabase(school.db, {})->findings.empty());
+}
+
 /// Whether or not a score comes of it.
 void TestAttempts::anExamThatIsBegunIsAnAttempt()
 {
@@ -272,7 +308,7 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
     const auto left = [&] { return attemptsLeft(school, rig.student, exam)->value(); };
     const auto begin = [&](const char* at) {
         const ExamStart start{newUid(), exam, at};
-        return beginExam(school, rig.student, start) ? start : ExamStart{};
+        return deliverExam(school, rig.student.uid(), start) ? start : ExamStart{};
     };
     const auto without = [&] { return examsWithoutScore(school, rig.instructor, rig.student.person()).value(); };
     QCOMPARE(left(), 3);
@@ -280,7 +316,7 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
     const ExamStart finished = begin("2026-11-20T10:00:00Z");
     QVERIFY(without() == std::vector{finished});
     QCOMPARE(left(), 2);
-    VERIFY_DONE(beginExam(school, rig.student, finished));
+    VERIFY_DONE(deliverExam(school, rig.student.uid(), finished));
     QCOMPARE(left(), 2);
     VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(exam, 700, "2026-11-20T10:10:00Z"), {}));
     QVERIFY(without().empty());
@@ -298,7 +334,14 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
     QCOMPARE(attemptsLeft(school, rig.classmate, exam)->value(), 3);
     QVERIFY(examsWithoutScore(school, rig.student, rig.student.person()).value() == std::vector{brokenOff});
     VERIFY_REFUSED(examsWithoutScore(school, rig.classmate, rig.student.person()), ErrorCode::NotAllowed);
-    VERIFY_REFUSED(beginExam(school, rig.guest, brokenOff), ErrorCode::NotAllowed);
+    VERIFY_REFUSED(deliverExam(school, newUid(), brokenOff), ErrorCode::UnknownName);
+    // Two that were begun in one second are two.
+    const ExamStart twin{newUid(), "twins", "2026-11-20T12:00:00Z"};
+    const ExamStart other{newUid(), "twins", "2026-11-20T12:00:00Z"};
+    for (const ExamStart* one : {&twin, &other})
+        VERIFY_DONE(deliverExam(school, rig.student.uid(), *one));
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt("twins", 900, "2026-11-20T12:10:00Z"), {}));
+    QCOMPARE(without().size(), std::size_t{2});
     // Whoever takes a start away to have his attempt back is found out.
     QVERIFY(checkDatabase(school.db, {})->findings.empty());
     QSqlQuery query(school.db);

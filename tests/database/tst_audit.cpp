@@ -10,6 +10,7 @@
 using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
+using support::addAttempt;
 using support::SchoolRig;
 
 class TestAudit : public QObject

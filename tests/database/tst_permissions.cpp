@@ -8,8 +8,12 @@
 #include <QDir>
 #include <QTest>
 
+#include "database/Outbox.h"
+#include "database/sql/Backups.h"
+#include "database/sql/Copy.h"
 #include "database/sql/ExamStarts.h"
 #include "database/sql/Export.h"
+#include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
 #include "database/sql/Roster.h"
@@ -18,6 +22,7 @@
 using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
+using support::addAttempt;
 using support::SchoolRig;
 
 namespace {
@@ -37,6 +42,7 @@ const std::map<Operation, const char*> kAllowed{
     {Operation::ReadClass, "--ca"},         {Operation::ExportAttempts, "--ca"},  {Operation::ListPresets, "aaaa"},
     {Operation::AddPreset, "---a"},         {Operation::ReadSettings, "aaaa"},    {Operation::ChangeSettings, "---a"},
     {Operation::ChangeOwnSettings, "-ooo"}, {Operation::ReadAudit, "---a"},       {Operation::KeepBackups, "---a"},
+    {Operation::CopySchool, "---a"},
 };
 
 template <class T>
@@ -95,6 +101,7 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
         return p;
     };
     static int counter = 0;
+    const auto folder = std::make_shared<QTemporaryDir>();
     return {
         {Operation::ChangeOwnPassword, "changePassword",
          [&s](const Session& me, Target) {
@@ -136,14 +143,21 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          }},
         {Operation::Assign, "unassign",
          [&s, classOf](const Session& me, Target target) { return unassign(s, me, classOf(target), "class1-36"); }},
-        {Operation::AddAttempt, "addAttempt",
-         [&s](const Session& me, Target) { return plain(addAttempt(s, me, SchoolRig::attempt("class1-36", 500), {})); },
-         false},
-        {Operation::AddAttempt, "beginExam",
-         [&s](const Session& me, Target) {
-             return beginExam(s, me, {newUid(), "exam-36", "2026-11-20T10:00:00Z"});
+        {Operation::AddAttempt, "Outbox::put, attempt",
+         [folder](const Session& me, Target) {
+             return Outbox(folder->path(), StationKey::make()).put(me, SchoolRig::attempt("class1-36", 500), {});
          },
          false},
+        {Operation::AddAttempt, "Outbox::put, exam",
+         [folder](const Session& me, Target) {
+             return Outbox(folder->path(), StationKey::make())
+                 .put(me, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"});
+         },
+         false},
+        {Operation::ReadHistory, "feedbackFor",
+         [&s, personOf](const Session& me, Target target) { return plain(feedbackFor(s, me, personOf(me, target))); }},
+        {Operation::ChangeOwnSettings, "seeFeedback",
+         [&s](const Session& me, Target) { return seeFeedback(s, me, SchoolRig::attempt("class1-36", 500)); }, false},
         {Operation::ReadHistory, "examsWithoutScore",
          [&s, personOf](const Session& me, Target target) {
              return plain(examsWithoutScore(s, me, personOf(me, target)));
@@ -196,12 +210,23 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          [&s](const Session& me, Target) { return plain(readSettings(s, me)); }, false},
         {Operation::ChangeSettings, "changeSetting",
          [&s](const Session& me, Target) { return changeSetting(s, me, "idle.minutes", "5"); }, false},
+        {Operation::ChangeSettings, "raisePasswordCost",
+         [&s](const Session& me, Target) {
+             return raisePasswordCost(s, me, {1, 8192});
+         },
+         false},
         {Operation::ChangeOwnSettings, "changeOwnSetting",
          [&s](const Session& me, Target) { return changeOwnSetting(s, me, "language", "de"); }, false},
         {Operation::ReadAudit, "readAudit", [&s](const Session& me, Target) { return plain(readAudit(s, me, 10)); },
          false},
-        {Operation::KeepBackups, "admit",
-         [&s](const Session& me, Target) { return plain(admit(s, me, Operation::KeepBackups)); }, false},
+        {Operation::KeepBackups, "noteBackup",
+         [&s](const Session& me, Target) { return noteBackup(s, me, QStringLiteral("backup.sqlite")); }, false},
+        {Operation::CopySchool, "copySchool",
+         [&s](const Session& me, Target) {
+             SchoolRig other(false);
+             return plain(copySchool(s, me, other.school()));
+         },
+         false},
     };
 }
 

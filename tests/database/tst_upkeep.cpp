@@ -2,6 +2,7 @@
 // Backups, copies between engines, class lists, and what a check finds.
 #include <QDir>
 #include <QFile>
+#include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
 #include <sqlite3.h>
@@ -14,14 +15,17 @@
 #include "database/sql/Copy.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Export.h"
+#include "database/sql/Migrations.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Roster.h"
 #include "database/sql/Sample.h"
+#include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
+using support::addAttempt;
 using support::SchoolRig;
 
 class TestUpkeep : public QObject
@@ -30,9 +34,14 @@ class TestUpkeep : public QObject
 
 private slots:
     void aBackupIsRestoredWithoutTheOldLog();
+    void onlyTheOwnerReadsWhatIsKept();
+    void aBackupThatCannotBeWrittenIsRestored();
     void nothingIsRestoredUnderAnotherProgram();
+    void longWorkIsStopped();
     void aDamagedFileReplacesNoBackup();
     void backupsAreThinnedOut();
+    void everyOlderSchemaIsBroughtToTheNewest_data() { support::addEngines(); }
+    void everyOlderSchemaIsBroughtToTheNewest();
     void aSchoolMovesBetweenEnginesAndBack();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
@@ -70,6 +79,70 @@ void TestUpkeep::aBackupIsRestoredWithoutTheOldLog()
     QCOMPARE(count.value(0).toInt(), 1);
     QVERIFY(checkDatabase((*restored)->handle(), {})->findings.empty());
     VERIFY_REFUSED(restoreBackup(elsewhere.filePath("nothing.sqlite"), copy, rig.nowUtc), ErrorCode::FileMissing);
+}
+
+/// Names, marks and hashes of passwords.
+void TestUpkeep::onlyTheOwnerReadsWhatIsKept()
+{
+    QTemporaryDir elsewhere;
+    SchoolRig rig(false);
+    rig.populate();
+    const auto others = QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther;
+    for (const char* end : {"", "-wal", "-shm"})
+        QVERIFY2(!(QFile::permissions(rig.address() + end) & others), end);
+    const auto backup = backUp(rig.school().db, elsewhere.path(), rig.nowUtc);
+    VERIFY_DONE(backup);
+    QVERIFY(!(QFile::permissions(*backup) & others));
+    const QString restored = elsewhere.filePath("restored.sqlite");
+    VERIFY_DONE(restoreBackup(*backup, restored, rig.nowUtc));
+    QVERIFY(!(QFile::permissions(restored) & others));
+    // Who wants that others of his group read it says so, and it stays so.
+    QVERIFY(QFile::setPermissions(restored, QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+    VERIFY_DONE(restoreBackup(*backup, restored, rig.nowUtc));
+    QVERIFY(QFile::permissions(restored) & QFile::ReadGroup);
+    // For root every folder can be written: that nothing is made beside it is seen all the same.
+    QCOMPARE(QDir(elsewhere.path()).entryList({"backup-*"}, QDir::Files).size(), 1);
+}
+
+/// On a medium that cannot be written, or marked so.
+void TestUpkeep::aBackupThatCannotBeWrittenIsRestored()
+{
+    QTemporaryDir medium;
+    QTemporaryDir elsewhere;
+    SchoolRig rig(false);
+    rig.populate();
+    const auto backup = backUp(rig.school().db, medium.path(), rig.nowUtc);
+    VERIFY_DONE(backup);
+    QVERIFY(QFile::setPermissions(*backup, QFile::ReadOwner));
+    QVERIFY(QFile::setPermissions(medium.path(), QFile::ReadOwner | QFile::ExeOwner));
+    const QString restored = elsewhere.filePath("restored.sqlite");
+    const auto done = restoreBackup(*backup, restored, rig.nowUtc);
+    QVERIFY(QFile::setPermissions(medium.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+    VERIFY_DONE(done);
+    const auto opened = Database::open(restored);
+    VERIFY_DONE(opened);
+    QSqlQuery write((*opened)->handle());
+    QVERIFY(write.exec("UPDATE settings SET value = value"));
+    // A database in use is no backup: what stands in its log would be lost.
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 900), {}));
+    VERIFY_REFUSED(restoreBackup(rig.address(), elsewhere.filePath("other.sqlite"), rig.nowUtc), ErrorCode::WrongKind);
+    VERIFY_REFUSED(restoreBackup(*backup, elsewhere.filePath("nowhere/x.sqlite"), rig.nowUtc), ErrorCode::FileMissing);
+}
+
+void TestUpkeep::longWorkIsStopped()
+{
+    SchoolRig rig(false);
+    const auto admin =
+        Logins::createFirstAdmin(rig.school(), {"admin", "", "", Role::Admin}, SchoolRig::kPassword, SchoolRig::kCheap);
+    VERIFY_DONE(admin);
+    VERIFY_DONE(makeSample(rig.school(), *admin, {40, 1200, 20, 7}, {"class1-36"}));
+    int told = 0;
+    const auto report = checkDatabase(rig.school().db, {}, [&](const char*, std::int64_t) { return ++told > 1; });
+    VERIFY_DONE(report);
+    QVERIFY(report->isStopped);
+    QCOMPARE(told, 1);
+    QVERIFY(!restoreDrill(rig.school().db, [](int, int) { return false; }).has_value());
+    QVERIFY(!checkDatabase(rig.school().db, {}, [](const char*, std::int64_t) { return true; })->isStopped);
 }
 
 /// Who has it open would go on writing into the file that was moved away.
@@ -151,6 +224,65 @@ void TestUpkeep::backupsAreThinnedOut()
     QVERIFY(tooMany(kept).isEmpty());
 }
 
+/// With what was in it.
+void TestUpkeep::everyOlderSchemaIsBroughtToTheNewest()
+{
+    QFETCH(bool, onServer);
+    if (onServer && !support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    const auto steps = shippedMigrations();
+    VERIFY_DONE(steps);
+    for (std::size_t version = 1; version < steps->size(); ++version) {
+        QTemporaryDir folder;
+        const QString where = onServer ? support::sharedServer().newDatabase() : folder.filePath("old.sqlite");
+        const Address address = Address::parse(where).value();
+        const QString name = QStringLiteral("old-%1").arg(version);
+        {
+            QSqlDatabase db = QSqlDatabase::addDatabase(onServer ? "QPSQL" : "QSQLITE", name);
+            db.setDatabaseName(onServer ? address.name : address.file);
+            db.setHostName(address.host);
+            db.setUserName(address.user);
+            if (address.port > 0)
+                db.setPort(address.port);
+            QVERIFY2(db.open(), qPrintable(db.lastError().text()));
+            QSqlQuery query(db);
+            if (!onServer)
+                QVERIFY(query.exec(QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId)));
+            VERIFY_DONE(migrate(db, std::span(*steps).first(version)));
+            const QString columns = version == 1  ? QStringLiteral("score_points, score_sheet_json, recording_file")
+                                    : version < 4 ? QStringLiteral("score_tenths, score_sheet_json, recording_file")
+                                                  : QStringLiteral("score_tenths, uid");
+            const QString values = version == 1  ? QStringLiteral("82, '{\"old\":1}', 'x.cusprec'")
+                                   : version < 4 ? QStringLiteral("820, '{\"old\":1}', 'x.cusprec'")
+                                                 : QStringLiteral("820, '%1'").arg(QString(32, 'e'));
+            QVERIFY2(
+                query.exec(QStringLiteral("INSERT INTO attempts (finished_utc, tooth, duration_ms, state_hash, %1) "
+                                          "VALUES ('2026-03-01T10:00:00Z', '36', 1000, '0123456789abcdef', %2)")
+                               .arg(columns, values)),
+                qPrintable(query.lastError().text()));
+            if (version >= 4)
+                QVERIFY(query.exec("INSERT INTO score_sheets SELECT id, '{\"old\":1}' FROM attempts"));
+        }
+        QSqlDatabase::removeDatabase(name);
+        Database::Options careful;
+        careful.mayMigrate = false;
+        VERIFY_REFUSED(Database::open(address, careful), ErrorCode::WrongKind);
+        const auto database = Database::open(address);
+        VERIFY_DONE(database);
+        const QSqlDatabase db = (*database)->handle();
+        QCOMPARE(dialect::schemaVersion(db).value(), static_cast<int>(steps->size()));
+        QCOMPARE(ask(db, "SELECT score_tenths FROM attempts", "read")->toInt(), 820);
+        QCOMPARE(ask(db, "SELECT json FROM score_sheets", "read")->toString(), QString("{\"old\":1}"));
+        QVERIFY(!ask(db, "SELECT uid FROM attempts", "read")->toString().isEmpty());
+        const auto report = checkDatabase(db, {});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+        if (!onServer)
+            QCOMPARE(
+                QDir(backupFolder(where)).entryList({QStringLiteral("before-schema-%1-*").arg(version + 1)}).size(), 1);
+    }
+}
+
 void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
 {
     if (!support::sharedServer().fault().isEmpty())
@@ -165,12 +297,13 @@ void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
     VERIFY_DONE(overrideScore(first.school(), first.instructor, id, 900, "It is better than that."));
     SchoolRig server(true);
     QVERIFY(server.isOpen());
-    const auto there = copySchool(first.school(), server.school());
+    const auto there = copySchool(first.school(), first.admin, server.school());
     VERIFY_DONE(there);
     QCOMPARE(there->recordings, 1);
-    VERIFY_REFUSED(copySchool(first.school(), server.school()), ErrorCode::OutOfRange);
+    VERIFY_REFUSED(copySchool(first.school(), first.admin, server.school()), ErrorCode::OutOfRange);
     SchoolRig back(false);
-    VERIFY_DONE(copySchool(server.school(), back.school()));
+    VERIFY_DONE(copySchool(server.school(), Logins::login(server.school(), "admin", SchoolRig::kPassword).value(),
+                           back.school()));
     for (SchoolRig* rig : {&server, &back}) {
         const auto report = checkDatabase(rig->school().db, {auditHead(first.school())->code()});
         VERIFY_DONE(report);
@@ -248,6 +381,22 @@ void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
     for (const RosterFault& fault : bad->faults)
         lines += QStringLiteral("%1 %2").arg(fault.line).arg(QString::fromStdString(fault.column));
     QCOMPARE(lines, (QStringList{"3 username", "4 username", "5 role", "6 role", "7 "}));
+    QCOMPARE(people(), before + 1);
+    // As spreadsheets of three kinds write it: rows of separators, a line that names them, the ends of old lines.
+    for (const char* odd :
+         {"username,class\ns1001,\n,,\n , \n", "sep=;\nusername;class\ns1001;\n", "username,class\rs1001,\r,\r"}) {
+        const auto same = importRoster(rig.school(), rig.admin, odd, false);
+        QVERIFY2(same.has_value() && same->faults.empty() && same->people.size() == 1,
+                 same ? odd : same.error().detail.c_str());
+    }
+    // What a name may be is told by line and column, on either engine.
+    const auto names = importRoster(
+        rig.school(), rig.admin,
+        "username,given_name,family_name\nlong1," + std::string(201, 'x') + ",\nok9,,\nhid,,a\u200bb\n", false);
+    VERIFY_DONE(names);
+    QCOMPARE(names->faults.size(), std::size_t{2});
+    QVERIFY(names->faults[0].line == 2 && names->faults[0].column == "given_name");
+    QVERIFY(names->faults[1].line == 4 && names->faults[1].column == "family_name");
     QCOMPARE(people(), before + 1);
     for (const char* broken :
          {"", "name\nx\n", "username,username\nx,y\n", "username\n\"x\n", "username\n\"x\"y\n", "username\n\xFF\xFE\n"})

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include <QDir>
-#include <QMessageBox>
 #include <QScopeGuard>
 #include <QSettings>
 #include <QStackedWidget>
@@ -192,7 +191,7 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
     qobject_cast<QStackedWidget*>(school.parentWidget())->setCurrentWidget(&school);
     school.show(part);
     school.people().setPeople(
-        {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "2026-05-04T10:20:30Z", {{1}}}},
+        {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}}},
         {{{1}, "[···]", 1, 1}});
     school.people().showCode("[···]", "[···]");
     school.roster().showOutcome({{}, {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]"}}, {}},
@@ -427,10 +426,10 @@ void TestLanguages::questionsAreAskedInTheLanguageOfToday()
     m_links->session.publish(session);
     QTest::qWait(300);  // the window reads its state now and then
     m_window->close();
-    auto* question = child<QMessageBox>();
+    auto* question = child<ui::shell::QuestionCard>();
     QVERIFY(question != nullptr);
     QCOMPARE(pseudo::notTranslated(*question), QStringList());
-    question->reject();
+    QTest::keyClick(question, Qt::Key_Escape);
 }
 
 void TestLanguages::theMenuChoosesAndRemembers()

@@ -16,7 +16,6 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
@@ -64,6 +63,7 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
+#include "ui/shell/QuestionCard.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
@@ -242,7 +242,7 @@ private:
     }
     /// The session says so much enamel of the tooth shown is gone.
     void cutSomething(double enamelMm3) const;
-    QMessageBox* question() const;
+    QuestionCard* question() const;
     static lessons::ReadLesson shipped(const std::string& id);
     static lessons::ReadLesson shippedOf(lessons::Task task);
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
@@ -1595,11 +1595,9 @@ void TestMainWindow::takingItUpAsksAboutTheWorkOnTheTable()
     m_window->offerUnfinished("Tooth 36", QDateTime::currentDateTime());
     QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(resumed.size(), 0);
-    auto* question = child<QMessageBox>("workQuestion");
+    auto* question = child<QuestionCard>("workQuestion");
     QVERIFY(question != nullptr);
-    for (QAbstractButton* button : question->buttons())
-        if (question->buttonRole(button) == QMessageBox::DestructiveRole)
-            button->click();
+    child<QPushButton>("questionDiscard")->click();
     QCOMPARE(resumed.size(), 1);
 }
 
@@ -2168,9 +2166,9 @@ void TestMainWindow::cutSomething(double enamelMm3) const
     QTRY_COMPARE(figure("enamelRemoved"), QString::number(enamelMm3, 'f', 2));
 }
 
-QMessageBox* TestMainWindow::question() const
+QuestionCard* TestMainWindow::question() const
 {
-    return child<QMessageBox>("workQuestion");
+    return child<QuestionCard>("workQuestion");
 }
 
 void TestMainWindow::wholeToothIsLeftWithoutAQuestion()
@@ -2318,15 +2316,15 @@ void TestMainWindow::unsavedLessonsAreAskedAbout()
     QCOMPARE(editor->unsaved(), QStringList{"Mine"});
 
     m_window->close();
-    auto* question = child<QMessageBox>("draftQuestion");
+    auto* question = child<QuestionCard>("draftQuestion");
     QVERIFY(question != nullptr && m_window->isVisible());
-    QVERIFY(question->informativeText().contains("Mine"));
+    QVERIFY(child<QLabel>("questionDetail")->text().contains("Mine"));
     for (QPushButton* button : question->findChildren<QPushButton*>())
         if (button->text().contains(answer, Qt::CaseInsensitive)) {
             QTest::keyClick(button, Qt::Key_Space);
             break;
         }
-    QTRY_VERIFY(child<QMessageBox>("draftQuestion") == nullptr);
+    QTRY_VERIFY(child<QuestionCard>("draftQuestion") == nullptr);
     QCOMPARE(m_window->isVisible(), answer == "cancel");
     QCOMPARE(QFile::exists(file), answer == "save");
     QCOMPARE(editor->unsaved().isEmpty(), answer == "save");

@@ -33,7 +33,10 @@ constexpr std::array kActions{
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},
     std::pair{"audit.broken", QT_TRANSLATE_NOOP("Admin", "found the audit changed")},
+    std::pair{"backup.made", QT_TRANSLATE_NOOP("Admin", "made a backup")},
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
+    std::pair{"attempts.export", QT_TRANSLATE_NOOP("Admin", "exported attempts")},
+    std::pair{"school.copy", QT_TRANSLATE_NOOP("Admin", "copied the school into another database")},
 };
 
 /// As much of "attempt:8614f873a47d..." as tells it from others.

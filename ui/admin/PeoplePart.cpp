@@ -6,6 +6,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QDateTime>
 #include <QFrame>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -265,7 +266,13 @@ void PeoplePart::speak()
 
 QString PeoplePart::stateOf(const Person& person) const
 {
-    return person.disabled ? tr("disabled") : person.hasPassword ? tr("can log in") : tr("has a one-time code");
+    if (person.disabled)
+        return tr("disabled");
+    if (person.hasPassword)
+        return tr("can log in");
+    return person.codeUntilUtc >= QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()
+               ? tr("has a one-time code")
+               : tr("needs a one-time code");
 }
 
 void PeoplePart::fill()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/HistoryModel.h"
 
+#include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {
@@ -12,6 +13,12 @@ void HistoryModel::setAttempts(const QList<AttemptRecord>& attempts)
     beginResetModel();
     m_attempts = attempts;
     endResetModel();
+}
+
+void HistoryModel::setFeedback(std::map<std::int64_t, bool> isNew)
+{
+    m_feedback = std::move(isNew);
+    retell();
 }
 
 void HistoryModel::setTitles(const LessonTitles& titles)
@@ -53,6 +60,11 @@ QString HistoryModel::words(const AttemptRecord& attempt, int column) const
     case Force:
         return text::number(0.001 * attempt.meanForceMn, 2) + QStringLiteral(" / ") +
                text::number(0.001 * attempt.peakForceMn, 2);
+    case Feedback:
+        if (const auto found = m_feedback.find(attempt.id); found != m_feedback.end())
+            //: Of a teacher's feedback: to be read yet; read already
+            return found->second ? tr("new") : tr("read");
+        return {};
     default:
         return {};
     }
@@ -69,7 +81,14 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case Qt::TextAlignmentRole:
         return QVariant((index.column() >= Score && index.column() != Result ? Qt::AlignRight : Qt::AlignLeft) |
                         Qt::AlignVCenter);
+    case Qt::FontRole:
+        if (const auto found = m_feedback.find(attempt.id);
+            index.column() == Feedback && found != m_feedback.end() && found->second)
+            return shell::typeface(shell::kBody, QFont::DemiBold);
+        return {};
     case Qt::ToolTipRole:
+        if (index.column() == Feedback && m_feedback.count(attempt.id) > 0)
+            return tr("A teacher has written about this attempt or given another score: open its grade to read it");
         if (index.column() == Score && attempt.givenTenths)
             return tr("Given by an instructor. The machine's score: %1").arg(text::points(attempt.scoreTenths));
         if (index.column() == Force)
@@ -110,6 +129,9 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
     case Force:
         //: Newtons
         return tr("Force, N");
+    case Feedback:
+        //: Column of a table of attempts: what a teacher has said
+        return tr("Feedback");
     default:
         return {};
     }
@@ -150,6 +172,16 @@ bool HistoryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
         return a.durationMs < b.durationMs;
     case HistoryModel::Force:
         return a.meanForceMn < b.meanForceMn;
+    case HistoryModel::Feedback: {
+        // What is new comes first when sorted downwards.
+        const auto rank = [](const QString& words, const QString& fresh) {
+            return words.isEmpty() ? 0 : words == fresh ? 2 : 1;
+        };
+        const QString fresh = HistoryModel::tr("new");
+        const int mine = rank(m_source->data(left, Qt::DisplayRole).toString(), fresh);
+        const int other = rank(m_source->data(right, Qt::DisplayRole).toString(), fresh);
+        return mine != other ? mine < other : a.finishedUtc < b.finishedUtc;
+    }
     default:
         return a.finishedUtc < b.finishedUtc;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -18,11 +20,13 @@ class HistoryModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { When, Lesson, Score, Result, Time, Force, Columns };
+    enum Column { When, Lesson, Score, Result, Time, Force, Feedback, Columns };
 
     explicit HistoryModel(QObject* parent) : QAbstractTableModel(parent) {}
 
     void setAttempts(const QList<database::AttemptRecord>& attempts);
+    /// @param isNew  of the attempts of which others have said something, by number, whether that is to be read yet
+    void setFeedback(std::map<std::int64_t, bool> isNew);
     void setTitles(const LessonTitles& titles);
     /// Says everything again, in another language.
     void retell();
@@ -38,6 +42,7 @@ private:
     [[nodiscard]] QString words(const database::AttemptRecord& attempt, int column) const;
 
     QList<database::AttemptRecord> m_attempts;
+    std::map<std::int64_t, bool> m_feedback;
     LessonTitles m_titles;
 };
 

@@ -92,6 +92,7 @@ QWidget* HistoryPage::makeList()
     QHeaderView* columns = m_table->horizontalHeader();
     columns->setSectionResizeMode(QHeaderView::Interactive);
     columns->setSectionResizeMode(HistoryModel::Lesson, QHeaderView::Stretch);
+    m_table->setColumnHidden(HistoryModel::Feedback, true);
     connect(m_table, &QTableView::activated, this, [this] { m_open->click(); });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::tellChosen);
     column->addWidget(m_table, 1);
@@ -356,7 +357,7 @@ void HistoryPage::drawCharts()
 
 void HistoryPage::retell()
 {
-    setTitle(m_person.isEmpty() ? tr("Your attempts") : tr("Attempts of %1").arg(m_person));
+    setTitle(m_person.isEmpty() ? tr("My attempts") : tr("Attempts of %1").arg(m_person));
     study::nameInput(m_lessons, tr("Show the attempts at this lesson"));
     m_table->setAccessibleName(tr("Attempts"));
     m_open->setText(tr("Open grade"));
@@ -378,6 +379,15 @@ void HistoryPage::retell()
     drawCharts();
 }
 
+void HistoryPage::setFeedback(const std::vector<database::Feedback>& feedback)
+{
+    std::map<std::int64_t, bool> isNew;
+    for (const database::Feedback& one : feedback)
+        isNew[one.attempt.value] = one.isNew && m_person.isEmpty();
+    m_model->setFeedback(std::move(isNew));
+    m_table->setColumnHidden(HistoryModel::Feedback, feedback.empty());
+}
+
 /// As wide as their words in this language; the lesson has the rest.
 void HistoryPage::fitColumns()
 {
@@ -393,6 +403,7 @@ void HistoryPage::fitColumns()
     fit(HistoryModel::When, {when("2026-12-28T22:58:00Z"), when("2026-09-20T20:00:00Z"), when("2026-08-04T04:44:00Z")});
     fit(HistoryModel::Score, {QStringLiteral("100.0")});
     fit(HistoryModel::Result, {HistoryModel::tr("passed"), HistoryModel::tr("not passed")});
+    fit(HistoryModel::Feedback, {HistoryModel::tr("new"), HistoryModel::tr("read")});
     fit(HistoryModel::Time, {QStringLiteral("1:12:07")});
     fit(HistoryModel::Force, {QStringLiteral("10.85 / 12.10")});
 }

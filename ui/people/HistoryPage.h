@@ -41,6 +41,8 @@ public:
     void setPerson(const QString& fullName);
     /// @param newestFirst  of one person. What is chosen stays, where it is among them.
     void setHistory(const QList<database::AttemptRecord>& newestFirst);
+    /// Of which of them others have said something. Newer than setHistory().
+    void setFeedback(const std::vector<database::Feedback>& feedback);
     /// Exams of that person that were begun, and have no score.
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
     void setLessonTitles(const LessonTitles& titles);

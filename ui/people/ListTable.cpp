@@ -29,6 +29,8 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // over the words beneath
     verticalHeader()->setHighlightSections(false);
+    // Who sorts wants to see what comes first.
+    connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &QTableView::scrollToTop);
     text::inEveryLanguage(this, [this] {
         for (auto* corner : findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly))
             corner->setAccessibleName(tr("Corner of the table"));

@@ -50,7 +50,10 @@ void HistoryChart::paintEvent(QPaintEvent*)
     painter.setFont(typeface(kSmall));
     const QString words = tr("pass mark %1").arg(text::points(m_passMarkTenths));
     const double margin = painter.fontMetrics().horizontalAdvance(words) + 2.0 * kGapPx;
-    painter.drawText(QRectF(width() - margin, mark - 18, margin, 16), Qt::AlignRight | Qt::AlignVCenter, words);
+    // Above its line, or beneath it where there is no room.
+    const double line = painter.fontMetrics().height();
+    const double top = mark - line - 2.0 >= 0.0 ? mark - line - 2.0 : mark + 2.0;
+    painter.drawText(QRectF(width() - margin, top, margin, line), Qt::AlignRight | Qt::AlignVCenter, words);
     if (m_scores.isEmpty())
         return;
 

@@ -18,7 +18,6 @@
 #include <QIcon>
 #include <QKeyEvent>
 #include <QListView>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QRandomGenerator>
@@ -184,6 +183,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         leaveWork([this, lesson] { emit lessonChosen(lesson); });
     });
     connect(m_lessonsPage, &study::LessonsPage::resumeWanted, this, &MainWindow::resumeUnfinished);
+    connect(m_lessonsPage, &study::LessonsPage::feedbackWanted, this, &MainWindow::feedbackWanted);
     connect(m_lessonsPage, &study::LessonsPage::discardWanted, this, &MainWindow::discardUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
@@ -1709,6 +1709,11 @@ void MainWindow::setLessons(std::vector<lessons::CatalogEntry> entries,
     m_lessonsPage->setLessons(std::move(entries), std::move(standings), std::move(given));
 }
 
+void MainWindow::setFeedback(const std::vector<database::Feedback>& feedback)
+{
+    m_lessonsPage->setFeedback(feedback);
+}
+
 void MainWindow::showSaved(const QString& path)
 {
     m_savedWork = m_workBeingSaved;
@@ -1822,7 +1827,8 @@ void MainWindow::leaveWork(const std::function<void()>& what)
         return;
     }
     if (isExamRunning() && !m_replaying) {
-        ask({"workQuestion", tr("The exam would be broken off"), tr("The exam would be broken off without a score."),
+        ask("workQuestion",
+            {tr("The exam would be broken off without a score."),
              tr("It counts as an attempt all the same. What you have cut cannot be graded later."), tr("&Grade it now"),
              [this] {
                  goTo(m_room);
@@ -1835,8 +1841,9 @@ void MainWindow::leaveWork(const std::function<void()>& what)
         m_afterSaving = what;
         askToSave();
     };
-    ask({"workQuestion", tr("Your work would be lost"), tr("What you have cut would be lost."),
-         tr("It has not been saved as a recording since you last cut."), tr("&Save the recording …"), save, what});
+    ask("workQuestion",
+        {tr("What you have cut would be lost."), tr("It has not been saved as a recording since you last cut."),
+         tr("&Save the recording …"), save, what});
 }
 
 void MainWindow::leaveDrafts(const std::function<void()>& what)
@@ -1852,34 +1859,16 @@ void MainWindow::leaveDrafts(const std::function<void()>& what)
         else
             goTo(m_editor);
     };
-    ask({"draftQuestion", tr("Your lessons would be lost"),
-         tr("What you have changed in %n lesson(s) would be lost.", nullptr, static_cast<int>(titles.size())),
+    ask("draftQuestion",
+        {tr("What you have changed in %n lesson(s) would be lost.", nullptr, static_cast<int>(titles.size())),
          titles.join(u'\n'), tr("&Save"), save, what});
 }
 
-void MainWindow::ask(const Question& asked)
+void MainWindow::ask(const char* name, const QuestionCard::Question& question)
 {
-    auto* question = new QMessageBox(this);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setObjectName(QLatin1String(asked.name));
-    question->setIconPixmap(
-        linePixmap(QStringLiteral("warning"), tones(palette()).attention, kQuestionIconPx, devicePixelRatioF()));
-    question->setWindowTitle(asked.title);
-    question->setText(asked.text);
-    question->setInformativeText(asked.detail);
-    QPushButton* save = question->addButton(asked.saveText, QMessageBox::AcceptRole);
-    QPushButton* discard = question->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
-    QPushButton* stay = question->addButton(tr("&Cancel"), QMessageBox::RejectRole);
-    question->setDefaultButton(save);
-    question->setEscapeButton(stay);
-    connect(question, &QMessageBox::buttonClicked, this, [asked, save, discard](QAbstractButton* button) {
-        if (button == discard)
-            asked.discard();
-        else if (button == save)
-            asked.save();
-    });
-    connect(question, &QDialog::finished, this, &MainWindow::activateWindow);
-    question->open();
+    delete m_question;
+    m_question = new QuestionCard(question, this);
+    m_question->setObjectName(QLatin1String(name));
 }
 
 void MainWindow::askToSave()

@@ -12,6 +12,7 @@
 #include <QElapsedTimer>
 #include <QList>
 #include <QMainWindow>
+#include <QPointer>
 #include <QString>
 #include <QStringList>
 #include <QTimer>
@@ -30,6 +31,7 @@
 #include "ui/presets/BlindTrial.h"
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
+#include "ui/shell/QuestionCard.h"
 #include "ui/study/Expectation.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScoredWork.h"
@@ -165,6 +167,8 @@ public slots:
     void openLessons();
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings,
                     std::map<std::string, study::Given> given = {});
+    /// What teachers have said of the attempts of who works here, newest first.
+    void setFeedback(const std::vector<database::Feedback>& feedback);
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
     /// Who works here may keep presets and say which is in use; else he looks at them and tries them.
@@ -261,6 +265,8 @@ signals:
     void restoreWanted();
     /// The grade that is shown shall be kept as that of whoever logs in now.
     void keepWanted();
+    /// What was said of this attempt is to be read; 0: there are several.
+    void feedbackWanted(qint64 attempt);
     /// Who works here leaves for somebody else; his work has been asked about, or is kept to be gone on with.
     void logoutWanted();
     void toothChosen(int fdi);
@@ -370,17 +376,8 @@ private:
     void discardUnfinished();
     void lockIfIdle();
     /// Whether something is saved or discarded; cancelled, nothing happens.
-    struct Question
-    {
-        const char* name;  ///< for tests
-        QString title;
-        QString text;
-        QString detail;
-        QString saveText;
-        std::function<void()> save;
-        std::function<void()> discard;
-    };
-    void ask(const Question& asked);
+    /// @param name  for tests
+    void ask(const char* name, const QuestionCard::Question& question);
     void askToSave();
     void connectReplay();
     void lookAlike();
@@ -428,6 +425,7 @@ private:
     ToothChooser* m_chooser;
     study::ScorePage* m_scorePage;
     study::LessonsPage* m_lessonsPage;
+    QPointer<QuestionCard> m_question;
     people::LoginPage* m_login;
     people::HistoryPage* m_history;
     people::ClassPage* m_classes;

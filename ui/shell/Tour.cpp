@@ -150,7 +150,7 @@ void Tour::begin(database::Role role)
         add(Where::Room, m_actions.grade, QT_TR_NOOP("The grade"),
             QT_TR_NOOP("The work is measured, and the score card shows every lost point, where it was lost and when."));
         if (role == Role::Student)
-            add(Where::Lessons, m_actions.attempts, QT_TR_NOOP("Your attempts"),
+            add(Where::Lessons, m_actions.attempts, QT_TR_NOOP("My attempts"),
                 QT_TR_NOOP("How your scores went, what your instructor says, and every attempt to be played again."));
     }
     if (role != Role::Student)

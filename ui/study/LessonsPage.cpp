@@ -27,6 +27,7 @@
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/FeedbackCard.h"
 #include "ui/study/LessonCards.h"
 #include "ui/study/LessonPicture.h"
 #include "ui/study/LessonThumbs.h"
@@ -69,6 +70,7 @@ LessonsPage::LessonsPage(const Actions& actions, QWidget* parent)
         setTitle(tr("Lessons"));
         fillList();
         tellContinue();
+        tellFeedback();
         tellMissing();
     });
 }
@@ -106,6 +108,10 @@ QWidget* LessonsPage::makeList()
     column->addLayout(find);
     column->addWidget(makeFilters(side));
     column->addWidget(makeContinue(side));
+    m_feedbackCard = new FeedbackCard(side);
+    connect(m_feedbackCard, &FeedbackCard::readWanted, this,
+            [this] { emit feedbackWanted(m_feedback.size() == 1 ? m_feedback.front().attempt.value : 0); });
+    column->addWidget(m_feedbackCard);
     m_model = new QStandardItemModel(side);
     m_list = new QListView(side);
     m_list->setModel(m_model);
@@ -383,6 +389,30 @@ void LessonsPage::goOn()
         emit resumeWanted();
     else if (const CatalogEntry* const last = lastTried(); last != nullptr)
         emit lessonChosen(*last->read.lesson);
+}
+
+void LessonsPage::setFeedback(const std::vector<database::Feedback>& feedback)
+{
+    m_feedback.clear();
+    std::copy_if(feedback.begin(), feedback.end(), std::back_inserter(m_feedback),
+                 [](const database::Feedback& one) { return one.isNew; });
+    tellFeedback();
+}
+
+void LessonsPage::tellFeedback()
+{
+    if (m_feedback.empty()) {
+        m_feedbackCard->setNews(0, {}, {});
+        return;
+    }
+    const database::Feedback& newest = m_feedback.front();
+    const auto entry = std::find_if(m_entries.begin(), m_entries.end(), [&](const CatalogEntry& one) {
+        return !one.isFaulty() && one.read.lesson->id == newest.lessonId;
+    });
+    m_feedbackCard->setNews(static_cast<int>(m_feedback.size()),
+                            entry != m_entries.end() ? said(entry->read.lesson->title)
+                                                     : QString::fromStdString(newest.lessonId),
+                            QString::fromStdString(newest.author));
 }
 
 /// A teacher's own lesson may lie on his computer only.

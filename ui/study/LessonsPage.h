@@ -9,6 +9,7 @@
 #include <QSet>
 #include <QStringList>
 
+#include "database/records.h"
 #include "lessons/LessonCatalog.h"
 #include "ui/shell/Page.h"
 
@@ -24,6 +25,7 @@ class QVBoxLayout;
 
 namespace ui::study {
 
+class FeedbackCard;
 class LessonPicture;
 class LessonThumbs;
 
@@ -59,6 +61,8 @@ public:
     /// @param title  of its lesson or tooth
     /// @param begun  as one reads it
     void setUnfinished(const QString& title, const QString& begun);
+    /// What teachers have said of one's attempts, newest first; what was read already is not told.
+    void setFeedback(const std::vector<database::Feedback>& feedback);
     /// The lesson on the table, marked in the list; empty for none.
     void setPresent(const std::string& lessonId);
     /// Lessons that began from these files have been changed in the editor and not saved: the list says so.
@@ -72,6 +76,8 @@ signals:
     /// The attempt that was not finished is to be gone on with.
     void resumeWanted();
     void discardWanted();
+    /// What was said of this attempt is to be read; 0: there are several.
+    void feedbackWanted(qint64 attempt);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -91,6 +97,7 @@ private:
     void fillCard(QStandardItem& item, const ::lessons::CatalogEntry& entry) const;
     void tellContinue();
     void tellMissing();
+    void tellFeedback();
     void goOn();
     [[nodiscard]] const ::lessons::CatalogEntry* lastTried() const;
     QWidget* makeDetails(const shell::Actions& actions);
@@ -114,6 +121,8 @@ private:
     QLabel* m_continueWords = nullptr;
     QPushButton* m_goOn = nullptr;
     QPushButton* m_discard = nullptr;
+    FeedbackCard* m_feedbackCard = nullptr;
+    std::vector<database::Feedback> m_feedback;  ///< new
     QLabel* m_missing = nullptr;
     QStandardItemModel* m_model = nullptr;
     QListView* m_list = nullptr;

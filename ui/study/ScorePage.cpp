@@ -245,7 +245,13 @@ void ScorePage::arrange()
     for (QWidget* card : {m_resultCard, m_criteriaCard, m_placeCard, m_historyCard, m_talkCard})
         m_cards->removeWidget(card);
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
-    if (beside) {
+    if (beside && m_talks) {
+        // A place is pointed at in the picture while it is written about.
+        m_cards->addWidget(m_criteriaCard, 1, 0, 2, 1);
+        m_cards->addWidget(m_placeCard, 1, 1);
+        m_cards->addWidget(m_talkCard, 2, 1);
+        m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
+    } else if (beside) {
         // The pictures have the height that is left beside the criteria, or beside a few of them and the history.
         const bool areFew = m_criterionCount <= kFewCriteria;
         m_cards->addWidget(m_criteriaCard, 1, 0, areFew ? 1 : 2, 1);
@@ -256,7 +262,8 @@ void ScorePage::arrange()
         m_cards->addWidget(m_placeCard, 2, 0, 1, 2);
         m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
     }
-    m_cards->addWidget(m_talkCard, 4, 0, 1, 2);
+    if (!beside || !m_talks)
+        m_cards->addWidget(m_talkCard, 4, 0, 1, 2);
     m_talkCard->setVisible(m_talks);
     m_placeCard->setVisible(m_scored.has_value());
     for (QWidget* picture : {static_cast<QWidget*>(m_heat), static_cast<QWidget*>(m_section)})

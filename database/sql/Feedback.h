@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "database/records.h"
+#include "database/sql/School.h"
+
+namespace database::sql {
+
+/// Those attempts of a person of which others have said something, a comment or another score; what was said last comes
+/// first.
+[[nodiscard]] core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Session& session,
+                                                              PersonId person);
+
+/// The session's person has seen what was said of an attempt so far.
+[[nodiscard]] core::Status seeFeedback(const School& school, const Session& session, const AttemptRecord& attempt);
+
+}  // namespace database::sql
